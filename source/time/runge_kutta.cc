@@ -6,6 +6,17 @@
 
 namespace auxfem
 {
+  namespace
+  {
+    /** What an oscillation that turns by @p angle in a step, at @p stages, is
+     * off by at its end: |R(iz) - exp(iz)|. */
+    double error_of(const std::vector<std::complex<double>> &stages,
+                    const double                             angle)
+    {
+      return std::abs(stages.back() - std::exp(std::complex<double>(0, angle)));
+    }
+  } // namespace
+
   double ButcherTableau::missed_growth(const unsigned int i,
                                        const unsigned int j) const
   {
@@ -85,8 +96,7 @@ namespace auxfem
                          stages.end(),
                          tableau.embedded_difference.begin(),
                          std::complex<double>());
-    return std::abs(stages.back() - std::exp(std::complex<double>(0, angle))) /
-      std::abs(angle * difference);
+    return error_of(stages, angle) / std::abs(angle * difference);
   }
 
   double RungeKutta::missed_way(const double by_trapezoidal_rule) const
@@ -95,9 +105,7 @@ namespace auxfem
       2 * std::asin(std::min(1., std::sqrt(12 * by_trapezoidal_rule) / 2));
     if (angle == 0)
       return 0;
-    return std::abs(tableau.oscillation(angle).back() -
-                    std::exp(std::complex<double>(0, angle))) /
-      angle;
+    return error_of(tableau.oscillation(angle), angle) / angle;
   }
 
   bool RungeKutta::estimates_errors() const

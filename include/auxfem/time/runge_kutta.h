@@ -45,9 +45,8 @@ namespace auxfem
      */
     double missed_growth(unsigned int i, unsigned int j) const;
 
-    /** An oscillation y' = i y of amplitude 1 at the stages of a step in which
-     * it
-     * turns by @p angle (rad). */
+    /** The oscillation exp(iz) at the stages of a step in which it turns by z =
+     * @p angle (rad). */
     std::vector<std::complex<double>> oscillation(double angle) const;
   };
 

@@ -142,7 +142,8 @@ namespace auxfem
     {
       const unsigned int e = index(of_numbering);
       SectionForces      elastic[order];
-      section_forces(e, state, elastic);
+      elastic_forces(e, state, elastic);
+      find_moments(elastic);
       ScaledMotion motion;
       for (const SectionForces &forces : elastic)
         motion.strains.push_back(
@@ -226,15 +227,6 @@ namespace auxfem
     const BeamElements<Beam> beams;
 
   private:
-    /** The same with the moments that the sections have. */
-    void section_forces(const unsigned int e,
-                        const State       &state,
-                        SectionForces (&of_points)[order]) const
-    {
-      elastic_forces(e, state, of_points);
-      find_moments(of_points);
-    }
-
     /** Makes of moments that do work on curvatures those of the sections. */
     void find_moments(SectionForces (&of_points)[order]) const
     {
@@ -313,6 +305,8 @@ namespace auxfem
     {
       const Section &section = beams.section(e);
       SectionForces  elastic[order];
+      // Strain energies are a bound of the moments that do work on curvatures,
+      // not of those of sections without shear.
       elastic_forces(e, state, elastic);
       const auto &fibres  = section.fibre_distances;
       double      largest = 0;
