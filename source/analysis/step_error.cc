@@ -35,8 +35,16 @@ namespace auxfem
      * all, so that steps do not become short for nothing. */
     constexpr double least_left = 0.1;
 
+    /** The time left is never taken for less than this part of the run, so
+     * that the last steps do not use up what others have saved: they become
+     * long, and errors dear. */
+    constexpr double least_time_left = 0.5;
+
     /** Of the tolerance, for what steps err more than is wanted of them. */
     constexpr double part_of_tolerance = 0.8;
+
+    /** By so much of what the tolerance grows in a step may the step err. */
+    constexpr double part_of_growth = 0.8;
 
     double absolute_tolerance_of(const TimeParameters &parameters,
                                  const LatticeModel   &model)
@@ -84,6 +92,14 @@ namespace auxfem
                       of_displacements / equations.model().mean_strut_length));
   }
 
+  double StepError::allowed_so_far(const Motions &motions) const
+  {
+    const Motions &displacements = all.front();
+    return allowed(motions,
+                   motions.largest,
+                   allowed(displacements, displacements.largest, 0));
+  }
+
   void StepError::estimate(Motions          &motions,
                            const Evaluation &step,
                            const double      error,
@@ -99,8 +115,14 @@ namespace auxfem
     const double wanted = part_of_tolerance * latest.allowed,
                  left =
                    std::max(wanted - motions.left_error, least_left * wanted),
-                 part = std::min(1., step.dt / (end_time - step.from.time));
-    latest.relative   = latest.error / std::max(part * left, damping * wanted);
+                 time_left = std::max(end_time - step.from.time,
+                                      least_time_left * end_time),
+                 grown     = part_of_tolerance *
+      (latest.allowed - allowed_so_far(motions));
+    latest.relative =
+      latest.error /
+      std::max(
+        {step.dt / time_left * left, damping * wanted, part_of_growth * grown});
   }
 
   double StepError::relative(const Evaluation &step)

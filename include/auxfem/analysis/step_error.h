@@ -36,7 +36,9 @@ namespace auxfem
    *
    * In free oscillation the errors of all steps add up, so each may take, of
    * what the steps before it have left of the tolerance, the part that its
-   * length is of the time that remains.
+   * length is of the time that remains, or of half the run if that is longer.
+   * While motions grow, so does what is tolerated, and a step may take most of
+   * that: errors of small motions are soon small beside the large ones.
    *
    * Oscillations that are too fast to be followed have small displacements, but
    * the largest accelerations; in the third difference (ThirdDifference) they
@@ -116,6 +118,8 @@ namespace auxfem
     double allowed(const Motions &motions,
                    double         largest,
                    double         of_displacements) const;
+    /** Error that they may make by the motions before the step. */
+    double allowed_so_far(const Motions &motions) const;
     /**
      * Of displacements first, as that of rotations may depend on them.
      * Collective.
