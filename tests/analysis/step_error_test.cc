@@ -216,7 +216,7 @@ TEST(StepError, TolerancesAreMetByRotationsInThePlane)
         };
         const double met = error(text(tolerance / 100));
         EXPECT_LT(met, tolerance) << scheme;
-        EXPECT_GT(met, tolerance / 1000) << scheme << ' ' << tolerance;
+        EXPECT_GT(met, tolerance / 500) << scheme << ' ' << tolerance;
         // With rotations that may err as well steps are whole ones.
         EXPECT_GT(error("1"), 1.5 * met) << scheme << ' ' << tolerance;
       }
@@ -236,6 +236,6 @@ TEST(StepError, TolerancesAreMetByTorsionInSpaceWithoutDisplacements)
                                         "Time/Smallest time step=1e-7"}),
                              fine);
         EXPECT_LT(error, tolerance) << scheme;
-        EXPECT_GT(error, tolerance / 500) << scheme << ' ' << tolerance;
+        EXPECT_GT(error, tolerance / 1000) << scheme << ' ' << tolerance;
       }
 }
