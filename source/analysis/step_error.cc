@@ -115,14 +115,11 @@ namespace auxfem
     const double wanted = part_of_tolerance * latest.allowed,
                  left =
                    std::max(wanted - motions.left_error, least_left * wanted),
-                 time_left = std::max(end_time - step.from.time,
-                                      least_time_left * end_time),
-                 grown     = part_of_tolerance *
-      (latest.allowed - allowed_so_far(motions));
-    latest.relative =
-      latest.error /
-      std::max(
-        {step.dt / time_left * left, damping * wanted, part_of_growth * grown});
+                 part = step.dt /
+      std::max(end_time - step.from.time, least_time_left * end_time),
+                 grown = wanted - part_of_tolerance * allowed_so_far(motions);
+    latest.relative    = latest.error /
+      std::max({part * left, part_of_growth * grown, damping * wanted});
   }
 
   double StepError::relative(const Evaluation &step)

@@ -5,6 +5,7 @@
 #include <verification/one_mass_scene.h>
 
 #include <cmath>
+#include <numeric>
 
 #include <support/messages.h>
 
@@ -135,6 +136,33 @@ TEST(StepError, TolerancesAreMetByLongStepsOfAnUndampedOscillator)
     for (const double tolerance : {1e-1, 3e-2, 1e-2, 1e-3, 1e-4, 1e-5})
       expect_met(oscillator("esdirk").set("Time/Order of esdirk", order),
                  tolerance);
+}
+
+TEST(StepError, StepsOfAMotionThatGrowsSteadilyAreAsLongAtTheStartAndTheEnd)
+{
+  const SceneText scene = one_mass_scene(
+    "Law = spring | Spring stiffness = 100",
+    "Scheme = newmark | Relative tolerance = 1e-4 | Smallest time step = 1e-6 "
+    "| End time = " +
+      text(end) + " | Time step = " + text(end / 12),
+    SceneText()
+      .mass("body", "0", 1)
+      .add("Loads/pull", "Joints = 0 | Force x = 100 * t"));
+
+  SceneRun run(scene.str());
+
+  std::vector<double> n_steps;
+  for (unsigned int i = 0; i < 12; ++i)
+    n_steps.push_back(run.advance().substeps);
+  // The load begins within the first of these.
+  const auto mean = [&](const unsigned int first, const unsigned int last) {
+    return std::accumulate(n_steps.begin() + first,
+                           n_steps.begin() + last + 1,
+                           0.) /
+      (last + 1 - first);
+  };
+  EXPECT_LT(mean(1, 2), 1.5 * mean(5, 10));
+  EXPECT_GT(n_steps[11], 0.65 * mean(5, 10));
 }
 
 TEST(StepError, EstimateIsThatOfTheErrorThatIsMade)
