@@ -35,16 +35,19 @@ namespace auxfem
      * all, so that steps do not become short for nothing. */
     constexpr double least_left = 0.1;
 
-    /** The time left is never taken for less than this part of the run, so
-     * that the last steps do not use up what others have saved: they become
-     * long, and errors dear. */
-    constexpr double least_time_left = 0.5;
+    /** Of what a step might err if all steps erred alike. Steps that use up
+     * what others have left become long, and errors dear. */
+    constexpr double largest_share = 1.25;
 
     /** Of the tolerance, for what steps err more than is wanted of them. */
     constexpr double part_of_tolerance = 0.8;
 
     /** By so much of what the tolerance grows in a step may the step err. */
     constexpr double part_of_growth = 0.8;
+
+    /** Of the motions so far no errors are allowed beyond this part because of
+     * motions to come: where steps hardly follow, no estimate is sure. */
+    constexpr double part_of_motions = 1e-3;
 
     double absolute_tolerance_of(const TimeParameters &parameters,
                                  const LatticeModel   &model)
@@ -55,23 +58,25 @@ namespace auxfem
     }
   } // namespace
 
-  StepError::StepError(const Equations      &equations,
-                       const TimeParameters &parameters)
+  StepError::StepError(const Equations &equations, const Scene &scene)
     : equations(equations)
-    , scheme(parameters.implicit_scheme())
-    , tolerance(*parameters.relative_tolerance)
-    , end_time(parameters.end_time)
+    , scheme(scene.time.implicit_scheme())
+    , tolerance(*scene.time.relative_tolerance)
+    , end_time(scene.time.end_time)
     , all{Motions{"displacements",
                   "Time/Absolute tolerance",
                   "m",
                   equations.model().rows.free_translations,
-                  absolute_tolerance_of(parameters, equations.model())},
+                  absolute_tolerance_of(scene.time, equations.model())},
           Motions{"rotations",
                   "Time/Absolute tolerance of rotations",
                   "rad",
                   equations.model().rows.free_rotations,
-                  parameters.absolute_tolerance_of_rotations}}
-  {}
+                  scene.time.absolute_tolerance_of_rotations}}
+  {
+    if (scheme.stages() != nullptr)
+      loads.emplace(scene);
+  }
 
   double StepError::mean(const Motions &motions, const Vector &values) const
   {
@@ -85,19 +90,25 @@ namespace auxfem
 
   double StepError::allowed(const Motions &motions,
                             const double   largest,
+                            const double   time,
                             const double   of_displacements) const
   {
-    return std::max(tolerance * largest,
+    const double growth = loads ? loads->growth(time) : 1;
+    return std::max(std::max(tolerance,
+                             std::min(tolerance * growth, part_of_motions)) *
+                      largest,
                     motions.absolute_tolerance.value_or(
                       of_displacements / equations.model().mean_strut_length));
   }
 
-  double StepError::allowed_so_far(const Motions &motions) const
+  double StepError::allowed_until(const double   time,
+                                  const Motions &motions) const
   {
     const Motions &displacements = all.front();
     return allowed(motions,
                    motions.largest,
-                   allowed(displacements, displacements.largest, 0));
+                   time,
+                   allowed(displacements, displacements.largest, time, 0));
   }
 
   void StepError::estimate(Motions          &motions,
@@ -110,16 +121,19 @@ namespace auxfem
     latest.error              = of_oscillation * error;
     latest.largest =
       std::max(motions.largest, mean(motions, step.to.displacement));
-    latest.allowed =
-      allowed(motions, latest.largest, all.front().latest.allowed);
+    latest.allowed      = allowed(motions,
+                             latest.largest,
+                             step.to.time,
+                             all.front().latest.allowed);
     const double wanted = part_of_tolerance * latest.allowed,
                  left =
                    std::max(wanted - motions.left_error, least_left * wanted),
-                 part = step.dt /
-      std::max(end_time - step.from.time, least_time_left * end_time),
-                 grown = wanted - part_of_tolerance * allowed_so_far(motions);
-    latest.relative    = latest.error /
-      std::max({part * left, part_of_growth * grown, damping * wanted});
+                 rate  = std::min(left / (end_time - step.from.time),
+                                 largest_share * wanted / end_time),
+                 grown = wanted -
+      part_of_tolerance * allowed_until(step.from.time, motions);
+    latest.relative = latest.error /
+      std::max({step.dt * rate, part_of_growth * grown, damping * wanted});
   }
 
   double StepError::relative(const Evaluation &step)
@@ -209,10 +223,14 @@ namespace auxfem
         text << "The error of the time integration is estimated at up to "
              << motions.total_error << ' ' << motions.unit << ", "
              << 100 * motions.total_error / largest << " % of the "
-             << motions.name
-             << ", more than Time/Relative tolerance allows. Set "
-             << motions.parameter << " to " << tolerance * largest << ' '
-             << motions.unit << ", or reduce Time/Smallest time step.";
+             << motions.name << ", more than Time/Relative tolerance allows. ";
+        if (allowed_until(end_time, motions) > tolerance * largest)
+          text << "Set " << motions.parameter << " to " << tolerance * largest
+               << ' ' << motions.unit;
+        else
+          text << "Set it to "
+               << tolerance * tolerance * largest / motions.total_error;
+        text << ", or reduce Time/Smallest time step.";
         findings.push_back({Verdict::doubtful, text.str(), 0, ""});
       }
     return findings;

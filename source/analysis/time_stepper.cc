@@ -54,7 +54,7 @@ namespace auxfem
       solvers->rates =
         std::make_unique<RateSolver>(equations, scene.solver, work);
     if (parameters.relative_tolerance)
-      error.emplace(equations, parameters);
+      error.emplace(equations, scene);
     if (scheme.stages() != nullptr)
       stages.emplace(equations, scheme);
   }

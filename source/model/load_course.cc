@@ -1,8 +1,10 @@
 #include <auxfem/model/load_course.h>
 #include <auxfem/parameters/errors.h>
+#include <auxfem/scene/step_ends.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace auxfem
 {
@@ -19,18 +21,13 @@ namespace auxfem
     /** All courses in time of the scene that are not zero. */
     std::vector<TimeFunction> courses_of(const Scene &scene)
     {
-      std::vector<TimeFunction> courses;
-      const auto                add = [&courses](const auto &components) {
-        for (const TimeFunction &component : components)
-          if (!component.is_zero())
-            courses.push_back(component);
-      };
-      for (const JointLoadDefinition &load : scene.joint_loads)
-        add(load.components);
-      for (const LineLoadDefinition &load : scene.line_loads)
-        add(load.components);
-      for (const SupportDefinition &support : scene.supports)
-        add(support.motion);
+      std::vector<TimeFunction> courses = functions_of_time(scene);
+      courses.erase(std::remove_if(courses.begin(),
+                                   courses.end(),
+                                   [](const TimeFunction &course) {
+                                     return course.is_zero();
+                                   }),
+                    courses.end());
       return courses;
     }
 
@@ -61,6 +58,24 @@ namespace auxfem
         }
       return largest > 0 ? rate / largest : 0;
     }
+
+    /** Lowers @p growths, at the ends of @p interval s, to those of a course. */
+    void lower(const TimeFunction  &course,
+               const double         interval,
+               std::vector<double> &growths)
+    {
+      std::vector<double> largest;
+      double              so_far = std::abs(course.value(0));
+      for (std::size_t i = 1; i <= growths.size(); ++i)
+        {
+          so_far = std::max(so_far, std::abs(course.value(i * interval)));
+          largest.push_back(so_far);
+        }
+      for (std::size_t i = 0; i < growths.size(); ++i)
+        if (largest[i] > 0)
+          growths[i] = std::min(growths[i], so_far / largest[i]);
+    }
+
     /** See uncommanded_motion(); of one course, which does not jump. */
     double uncommanded_part(const TimeFunction &course,
                             const Scene        &scene,
@@ -107,6 +122,35 @@ namespace auxfem
   {
     constexpr double steps_of_a_period = 20;
     return 2 * std::acos(-1.) / (steps_of_a_period * scene.time.step);
+  }
+
+  LoadsToCome::LoadsToCome(const Scene &scene)
+    : interval(scene.time.end_time / most_looks)
+  {
+    if (scene.gravity.norm() > 0 || !scene.initial_velocities.empty())
+      return;
+    constexpr double    unknown = std::numeric_limits<double>::infinity();
+    std::vector<double> least(most_looks, unknown);
+    try
+      {
+        for (const TimeFunction &course : courses_of(scene))
+          lower(course, interval, least);
+      }
+    catch (const ComputationError &)
+      {
+        // What is no number stops the run when it gets there.
+        return;
+      }
+    std::replace(least.begin(), least.end(), unknown, 1.);
+    growths = least;
+  }
+
+  double LoadsToCome::growth(const double time) const
+  {
+    if (growths.empty())
+      return 1;
+    const auto i = static_cast<std::size_t>(std::max(0., time / interval));
+    return growths[std::min(i, growths.size() - 1)];
   }
 
   LoadCourse load_course(const Scene &scene)

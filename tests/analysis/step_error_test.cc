@@ -107,6 +107,40 @@ namespace
     return outcome;
   }
 
+  /** A mass on a spring under @p force, by a scheme that damps. */
+  SceneText pulled(const std::string &force)
+  {
+    return one_mass_scene(
+             "Law = spring | Spring stiffness = 100",
+             "Scheme = esdirk | Order of esdirk = 3 | Smallest time step = "
+             "1e-6 | End time = " +
+               text(end) + " | Time step = " + text(end / 12),
+             SceneText()
+               .mass("body", "0", 1)
+               .add("Loads/pull", "Joints = 0 | Force x = " + force))
+      .probe("mass", "0");
+  }
+
+  /** Of @p n steps of the scene. */
+  std::vector<double> parts_of_steps(SceneRun &run, const unsigned int n)
+  {
+    std::vector<double> parts;
+    for (unsigned int i = 0; i < n; ++i)
+      parts.push_back(run.advance().substeps);
+    return parts;
+  }
+
+  /** Of those from @p first to @p last. */
+  double mean(const std::vector<double> &values,
+              const unsigned int         first,
+              const unsigned int         last)
+  {
+    return std::accumulate(values.begin() + first,
+                           values.begin() + last + 1,
+                           0.) /
+      (last + 1 - first);
+  }
+
   /** Of an oscillator. */
   void expect_met(const SceneText &scene, const double tolerance)
   {
@@ -151,18 +185,49 @@ TEST(StepError, StepsOfAMotionThatGrowsSteadilyAreAsLongAtTheStartAndTheEnd)
 
   SceneRun run(scene.str());
 
-  std::vector<double> n_steps;
-  for (unsigned int i = 0; i < 12; ++i)
-    n_steps.push_back(run.advance().substeps);
-  // The load begins within the first of these.
-  const auto mean = [&](const unsigned int first, const unsigned int last) {
-    return std::accumulate(n_steps.begin() + first,
-                           n_steps.begin() + last + 1,
-                           0.) /
-      (last + 1 - first);
-  };
-  EXPECT_LT(mean(1, 2), 1.5 * mean(5, 10));
-  EXPECT_GT(n_steps[11], 0.65 * mean(5, 10));
+  const std::vector<double> n_steps = parts_of_steps(run, 12);
+  // The load begins within the first.
+  EXPECT_LT(mean(n_steps, 1, 2), 1.5 * mean(n_steps, 5, 10));
+  EXPECT_GT(n_steps[11], 0.65 * mean(n_steps, 5, 10));
+}
+
+TEST(StepError, MotionsMayErrAsThoseThatLoadsWillCause)
+{
+  SceneRun run(pulled("t^4").set("Time/Relative tolerance", "1e-7").str());
+
+  const std::vector<double> n_steps = parts_of_steps(run, 12);
+  // As the force itself asks for.
+  EXPECT_LT(mean(n_steps, 2, 7), mean(n_steps, 8, 11));
+}
+
+TEST(StepError, MotionsThatDoNotGrowAsLoadsAreToldOf)
+{
+  // In resonance first; what comes is larger and hardly moves the mass.
+  const RunResult result =
+    run(pulled("if(t < " + text(end / 2) + ", sin(10 * t), 100 * sin(200 * t))")
+          .str(),
+        {"Time/Relative tolerance=1e-5"})
+      .result;
+  ASSERT_EQ(result.findings.size(), 1u);
+  EXPECT_EQ(result.findings[0].verdict, Verdict::doubtful);
+  EXPECT_TRUE(contains(result.findings[0].text,
+                       "Time/Relative tolerance allows. Set it to "))
+    << result.findings[0].text;
+}
+
+TEST(StepError, StepsOfAFreeOscillationAreAlike)
+{
+  SceneRun run(oscillator("newmark")
+                 .set("Time/Relative tolerance", "1e-5")
+                 .set("Time/Smallest time step", "1e-6")
+                 .str());
+
+  const std::vector<double> n_steps = parts_of_steps(run, 6);
+  for (const double n : n_steps)
+    {
+      EXPECT_GT(n, 0.7 * n_steps[1]);
+      EXPECT_LT(n, 1.1 * n_steps[1]);
+    }
 }
 
 TEST(StepError, EstimateIsThatOfTheErrorThatIsMade)

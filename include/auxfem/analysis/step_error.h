@@ -3,8 +3,8 @@
 
 #include <auxfem/analysis/stages.h>
 #include <auxfem/analysis/third_difference.h>
+#include <auxfem/model/load_course.h>
 #include <auxfem/output/verdict.h>
-#include <auxfem/time/time_parameters.h>
 
 #include <array>
 #include <optional>
@@ -36,9 +36,15 @@ namespace auxfem
    *
    * In free oscillation the errors of all steps add up, so each may take, of
    * what the steps before it have left of the tolerance, the part that its
-   * length is of the time that remains, or of half the run if that is longer.
-   * While motions grow, so does what is tolerated, and a step may take most of
-   * that: errors of small motions are soon small beside the large ones.
+   * length is of the time that remains, but hardly more than if all steps erred
+   * alike. While motions grow, so does what is tolerated, and a step may take
+   * most of that: errors of small motions are soon small beside the large ones.
+   *
+   * Motions are expected to grow as loads still do (LoadsToCome), and may err
+   * as those to come, up to a thousandth of what they are; if they do not grow,
+   * the errors that were made are told. Of
+   * schemes without stages they are not: what these do not follow at the start
+   * they do not damp either, and later steps would have to follow it.
    *
    * Oscillations that are too fast to be followed have small displacements, but
    * the largest accelerations; in the third difference (ThirdDifference) they
@@ -51,7 +57,7 @@ namespace auxfem
   {
   public:
     /** @p equations must outlive the object. */
-    StepError(const Equations &equations, const TimeParameters &parameters);
+    StepError(const Equations &equations, const Scene &scene);
 
     /**
      * Error of @p step over the one that is wanted. Collective.
@@ -112,14 +118,15 @@ namespace auxfem
     double mean(const Motions &motions, const Vector &values) const;
     /**
      * Error that all steps together may make.
-     * @param largest of the motions so far (m, rad)
+     * @param largest of the motions until @p time (m, rad, s)
      * @param of_displacements allowed error (m)
      */
     double allowed(const Motions &motions,
                    double         largest,
+                   double         time,
                    double         of_displacements) const;
-    /** Error that they may make by the motions before the step. */
-    double allowed_so_far(const Motions &motions) const;
+    /** The same by the motions before the step, until @p time (s). */
+    double allowed_until(double time, const Motions &motions) const;
     /**
      * Of displacements first, as that of rotations may depend on them.
      * Collective.
@@ -138,6 +145,8 @@ namespace auxfem
     const Equations      &equations;
     const ImplicitScheme &scheme;
     const double          tolerance, end_time;
+    /** None if motions are not expected to grow with them. */
+    std::optional<LoadsToCome> loads;
     /** Displacements, rotations. */
     std::array<Motions, 2> all;
     ThirdDifference        displacements;
