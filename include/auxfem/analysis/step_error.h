@@ -42,9 +42,9 @@ namespace auxfem
    *
    * Motions are expected to grow as loads still do (LoadsToCome), and may err
    * as those to come, up to a thousandth of what they are; if they do not grow,
-   * the errors that were made are told. Of
-   * schemes without stages they are not: what these do not follow at the start
-   * they do not damp either, and later steps would have to follow it.
+   * the errors that were made are told. Not so by schemes without stages: what
+   * these do not follow at the start they do not damp either, and later steps
+   * would have to follow it.
    *
    * Oscillations that are too fast to be followed have small displacements, but
    * the largest accelerations; in the third difference (ThirdDifference) they
