@@ -101,8 +101,8 @@ namespace auxfem
                       of_displacements / equations.model().mean_strut_length));
   }
 
-  double StepError::allowed_until(const double   time,
-                                  const Motions &motions) const
+  double StepError::allowed_until(const Motions &motions,
+                                  const double   time) const
   {
     const Motions &displacements = all.front();
     return allowed(motions,
@@ -131,7 +131,7 @@ namespace auxfem
                  rate  = std::min(left / (end_time - step.from.time),
                                  largest_share * wanted / end_time),
                  grown = wanted -
-      part_of_tolerance * allowed_until(step.from.time, motions);
+      part_of_tolerance * allowed_until(motions, step.from.time);
     latest.relative = latest.error /
       std::max({step.dt * rate, part_of_growth * grown, damping * wanted});
   }
@@ -224,7 +224,7 @@ namespace auxfem
              << motions.total_error << ' ' << motions.unit << ", "
              << 100 * motions.total_error / largest << " % of the "
              << motions.name << ", more than Time/Relative tolerance allows. ";
-        if (allowed_until(end_time, motions) > tolerance * largest)
+        if (allowed_until(motions, end_time) > tolerance * largest)
           text << "Set " << motions.parameter << " to " << tolerance * largest
                << ' ' << motions.unit;
         else

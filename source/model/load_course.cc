@@ -129,27 +129,26 @@ namespace auxfem
   {
     if (scene.gravity.norm() > 0 || !scene.initial_velocities.empty())
       return;
-    constexpr double    unknown = std::numeric_limits<double>::infinity();
-    std::vector<double> least(most_looks, unknown);
+    constexpr double unbounded = std::numeric_limits<double>::infinity();
+    growths.assign(most_looks, unbounded);
     try
       {
         for (const TimeFunction &course : courses_of(scene))
-          lower(course, interval, least);
+          lower(course, interval, growths);
+        std::replace(growths.begin(), growths.end(), unbounded, 1.);
       }
     catch (const ComputationError &)
       {
         // What is no number stops the run when it gets there.
-        return;
+        growths.clear();
       }
-    std::replace(least.begin(), least.end(), unknown, 1.);
-    growths = least;
   }
 
   double LoadsToCome::growth(const double time) const
   {
     if (growths.empty())
       return 1;
-    const auto i = static_cast<std::size_t>(std::max(0., time / interval));
+    const auto i = static_cast<std::size_t>(time / interval);
     return growths[std::min(i, growths.size() - 1)];
   }
 

@@ -126,7 +126,7 @@ namespace auxfem
                    double         time,
                    double         of_displacements) const;
     /** The same by the motions before the step, until @p time (s). */
-    double allowed_until(double time, const Motions &motions) const;
+    double allowed_until(const Motions &motions, double time) const;
     /**
      * Of displacements first, as that of rotations may depend on them.
      * Collective.
