@@ -29,6 +29,10 @@ namespace auxfem
      */
     constexpr double far_from_solution = 1e-6;
 
+    /** A residual that is not computed is taken for so many times what it should
+     * be. */
+    constexpr double doubt = 10;
+
     /** How often an increment is halved. */
     constexpr unsigned int most_halvings = 5;
 
@@ -56,6 +60,10 @@ namespace auxfem
     , parameters(parameters)
     , rows(solver.equations(), parameters.tolerance)
     , is_linear(solver.equations().is_linear())
+    , estimates_stages(
+        parameters.estimates_stages &&
+        solver.equations().stages_need_no_residual() &&
+        solver.model().numbering.constraints().n_multipliers() == 0)
     , rotations(solver.model().numbering)
   {}
 
@@ -81,6 +89,12 @@ namespace auxfem
     // Of the last iterate; large if its norm was not small.
     double excess_before = std::numeric_limits<double>::infinity();
 
+    const auto solved = [&](const double force) {
+      result.converged            = true;
+      has_failed                  = false;
+      evaluation.to.largest_force = force;
+      return result;
+    };
     while (true)
       {
         // A wild iterate must not set the scale for what follows.
@@ -97,8 +111,9 @@ namespace auxfem
           }
         result.relative_residual = force > 0 ? size / force : 0.;
         const auto stagnates     = [&] {
-          return reduction < parameters.kept_reduction ||
-            result.iterations == 0;
+          return result.iterations == 0
+            ? size <= far_from_solution * force
+            : reduction < parameters.kept_reduction;
         };
         if (is_in_place && meets_constraints(results, evaluation.to) &&
             is_small(evaluation, results, size, force, stagnates()))
@@ -111,12 +126,7 @@ namespace auxfem
             if (excess <= 1 ||
                 (stagnates() &&
                  rows.excess_beyond_round_off(evaluation, results) <= 1))
-              {
-                result.converged            = true;
-                has_failed                  = false;
-                evaluation.to.largest_force = force;
-                return result;
-              }
+              return solved(force);
           }
         else
           excess_before = std::numeric_limits<double>::infinity();
@@ -137,6 +147,12 @@ namespace auxfem
           return result;
         is_in_place = true;
         ++result.iterations;
+        if (added == nullptr && result.iterations == 1 &&
+            is_sure(evaluation, size, force))
+          {
+            solver.find_stage_results(evaluation, results);
+            return solved(force);
+          }
 
         const double before = size;
         solver.residual(evaluation, results);
@@ -147,6 +163,9 @@ namespace auxfem
           size = shorten(scheme, evaluation, results, added, before);
         grows     = is_worse;
         reduction = before / size;
+        kept->reduction.reset();
+        if (result.iterations == 1 && !kept->is_fresh)
+          kept->reduction = reduction;
       }
   }
 
@@ -163,6 +182,8 @@ namespace auxfem
                      tangent->factors.mass,
                      tangent->is_exact ? 1. : 0.,
                      tangent->is_fresh ? 1. : 0.});
+    if (tangent && tangent->reduction)
+      values.push_back(*tangent->reduction);
     records.keep(newton_record, values);
     // A linear one is the same whenever it is assembled.
     solver.save(tangent_record, kept && !is_linear, records);
@@ -183,6 +204,9 @@ namespace auxfem
              solver.matrix().version(),
              values[6] != 0,
              values[7] != 0};
+    std::optional<Kept> &tangent = is_linear ? to_assemble : kept;
+    if (tangent && values.size() > 8)
+      tangent->reduction = values[8];
   }
 
   bool Newton::prepare(const ImplicitScheme    &scheme,
@@ -213,11 +237,14 @@ namespace auxfem
     kept.reset();
     solver.assemble(evaluation, results, factors);
     const bool again = to_assemble && is_of_step(*to_assemble);
+    const std::optional<double> known =
+      again ? to_assemble->reduction : std::nullopt;
     to_assemble.reset();
     if (!(again ? solver.factorize_again(exactness)
                 : solver.factorize(exactness)))
       return false;
     take_factorization(evaluation, factors);
+    kept->reduction = known;
     return true;
   }
 
@@ -308,6 +335,15 @@ namespace auxfem
       (stagnates &&
        size <=
          wanted + solver.equations().round_off_floor(evaluation, results));
+  }
+
+  bool Newton::is_sure(const Evaluation &evaluation,
+                       const double      size,
+                       const double      scale) const
+  {
+    return estimates_stages && !may_touch && kept->reduction &&
+      evaluation.kind == Evaluation::Kind::stage && !evaluation.ends_step &&
+      doubt * size <= *kept->reduction * parameters.tolerance * scale;
   }
 
   bool Newton::meets_constraints(const EvaluationResults &results,

@@ -168,7 +168,10 @@ namespace auxfem
     if (part == 1)
       next.event_at_to = step.event_at_to;
     if (stage + 1 == n())
-      next.taken_from_kinetic = &taken_from_kinetic;
+      {
+        next.ends_step          = true;
+        next.taken_from_kinetic = &taken_from_kinetic;
+      }
     return next;
   }
 

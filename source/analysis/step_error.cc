@@ -13,10 +13,10 @@ namespace auxfem
     const std::string displacement_record = "step error: displacements";
 
     const std::string step_error_record =
-      "step error: of displacements, rotations: left of it, of all steps, "
-      "largest motions";
+      "step error: of displacements, rotations: left of it, slow and fast, of "
+      "all steps, largest motions";
 
-    constexpr unsigned int n_values_of_motions = 3;
+    constexpr unsigned int n_values_of_motions = 4;
 
     /** Displacements of lattices are larger than this part of a strut, or no
      * error is of interest that is a part of it. */
@@ -30,6 +30,10 @@ namespace auxfem
      * those in between are taken for less than they are (measured on lattices).
      */
     constexpr double of_several_oscillations = 1.6;
+
+    /** Of what a step errs as much at least is in oscillations that are too slow
+     * for physical damping to count on it (measured on lattices). */
+    constexpr double part_of_slow = 0.25;
 
     /** What is left of the tolerance is never taken for less than this part of
      * all, so that steps do not become short for nothing. */
@@ -63,6 +67,7 @@ namespace auxfem
     , scheme(scene.time.implicit_scheme())
     , tolerance(*scene.time.relative_tolerance)
     , end_time(scene.time.end_time)
+    , damping(scene, equations.model())
     , all{Motions{"displacements",
                   "Time/Absolute tolerance",
                   "m",
@@ -111,29 +116,38 @@ namespace auxfem
                    allowed(displacements, displacements.largest, time, 0));
   }
 
-  void StepError::estimate(Motions          &motions,
-                           const Evaluation &step,
-                           const double      error,
-                           const double      damping)
+  void StepError::estimate(Motions                    &motions,
+                           const Evaluation           &step,
+                           const double                error,
+                           const std::optional<double> angle)
   {
     Motions::Estimate &latest = motions.latest;
-    latest.damping            = damping;
     latest.error              = of_oscillation * error;
     latest.largest =
       std::max(motions.largest, mean(motions, step.to.displacement));
-    latest.allowed      = allowed(motions,
+    latest.allowed = allowed(motions,
                              latest.largest,
                              step.to.time,
                              all.front().latest.allowed);
+    latest.of_slow = angle ? std::min(1., scheme.amplification(*angle)) : 1;
+    latest.of_fast = latest.of_slow *
+      (angle ? std::exp(-step.dt * damping.rate(*angle / step.dt)) : 1);
+
     const double wanted = part_of_tolerance * latest.allowed,
                  left =
-                   std::max(wanted - motions.left_error, least_left * wanted),
+                   std::max(wanted - motions.left_error(), least_left * wanted),
                  rate  = std::min(left / (end_time - step.from.time),
                                  largest_share * wanted / end_time),
                  grown = wanted -
       part_of_tolerance * allowed_until(motions, step.from.time);
-    latest.relative = latest.error /
-      std::max({step.dt * rate, part_of_growth * grown, damping * wanted});
+    const auto may_be = [&](const double leaves) {
+      return std::max({step.dt * rate,
+                       part_of_growth * grown,
+                       (1 - leaves) * wanted});
+    };
+    latest.relative = latest.error *
+      (part_of_slow / may_be(latest.of_slow) +
+       (1 - part_of_slow) / may_be(latest.of_fast));
   }
 
   double StepError::relative(const Evaluation &step)
@@ -151,8 +165,7 @@ namespace auxfem
           difference = std::min(difference, mean(motions, *third));
         estimate(motions,
                  step,
-                 std::abs(*scheme.error_constant()) * difference,
-                 /*damping=*/0);
+                 std::abs(*scheme.error_constant()) * difference);
       }
     return worst();
   }
@@ -169,7 +182,7 @@ namespace auxfem
                  step,
                  of_several_oscillations * scheme.error_by_difference(angle) *
                    of_motion,
-                 1 - std::min(1., scheme.amplification(angle)));
+                 angle);
       }
     return worst();
   }
@@ -184,9 +197,12 @@ namespace auxfem
     for (Motions &motions : all)
       {
         const Motions::Estimate &latest = motions.latest;
-        motions.left_error =
-          (1 - latest.damping) * motions.left_error + latest.error;
-        motions.total_error = std::max(motions.total_error, motions.left_error);
+        motions.slow_error        = latest.of_slow * motions.slow_error +
+          part_of_slow * latest.error;
+        motions.fast_error = latest.of_fast * motions.fast_error +
+          (1 - part_of_slow) * latest.error;
+        motions.total_error =
+          std::max(motions.total_error, motions.left_error());
         motions.largest     = latest.largest;
       }
     if (scheme.stages() == nullptr)
@@ -241,7 +257,10 @@ namespace auxfem
     std::vector<double> values;
     for (const Motions &motions : all)
       values.insert(values.end(),
-                    {motions.left_error, motions.total_error, motions.largest});
+                    {motions.slow_error,
+                     motions.fast_error,
+                     motions.total_error,
+                     motions.largest});
     records.keep(step_error_record, values);
     displacements.save(displacement_record,
                        UnknownRecords(equations.model().numbering),
@@ -255,7 +274,8 @@ namespace auxfem
     auto value = values.begin();
     for (Motions &motions : all)
       {
-        motions.left_error  = *value++;
+        motions.slow_error  = *value++;
+        motions.fast_error  = *value++;
         motions.total_error = *value++;
         motions.largest     = *value++;
       }

@@ -30,6 +30,13 @@ namespace auxfem
     equation_system.residual(evaluation, results);
   }
 
+  void TangentSolver::find_stage_results(const Evaluation  &stage,
+                                         EvaluationResults &results)
+  {
+    const Stopwatch watch(work.wall.residual);
+    equation_system.find_stage_results(stage, results);
+  }
+
   void TangentSolver::assemble(const Evaluation        &evaluation,
                                const EvaluationResults &results,
                                const TangentFactors    &factors)

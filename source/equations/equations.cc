@@ -141,14 +141,7 @@ namespace auxfem
   void Equations::residual(const Evaluation  &evaluation,
                            EvaluationResults &results) const
   {
-    // Supports prescribe motions where they have known of unknowns from the
-    // start.
-    if (with_ghosts)
-      {
-        unknowns().layout.update_ghosts(evaluation.to.displacement.data());
-        if (evaluation.to.velocity)
-          unknowns().layout.update_ghosts(evaluation.to.velocity->data());
-      }
+    update_ghosts(evaluation.to);
     double *residual = evaluation.to.residual.data();
     std::fill(residual, residual + evaluation.to.residual.size(), 0.);
     const auto add = [&](const unsigned int begin, const unsigned int end) {
@@ -190,6 +183,17 @@ namespace auxfem
     // std::max drops a NaN in its second place.
     if (!are_finite(all.data(), all.size()))
       results.force_scale = std::numeric_limits<double>::quiet_NaN();
+  }
+
+  void Equations::update_ghosts(State &state) const
+  {
+    // Supports prescribe motions where they have known of unknowns from the
+    // start.
+    if (!with_ghosts)
+      return;
+    unknowns().layout.update_ghosts(state.displacement.data());
+    if (state.velocity)
+      unknowns().layout.update_ghosts(state.velocity->data());
   }
 
   void Equations::tangent(const Evaluation        &evaluation,
@@ -275,6 +279,24 @@ namespace auxfem
     for (unsigned int i = 0; i < effects.size(); ++i)
       effects[i]->account_stage(stage, results.of_effects[i].get(), account);
     account.close();
+  }
+
+  bool Equations::stages_need_no_residual() const
+  {
+    return std::none_of(effects.begin(), effects.end(), [](const auto &effect) {
+      return effect->stage_needs() == Effect::StageNeeds::residual;
+    });
+  }
+
+  void Equations::find_stage_results(const Evaluation  &stage,
+                                     EvaluationResults &results) const
+  {
+    update_ghosts(stage.to);
+    for (unsigned int i = 0; i < effects.size(); ++i)
+      if (effects[i]->stage_needs() != Effect::StageNeeds::state)
+        effects[i]->add_residual(stage,
+                                 stage.to.residual.data(),
+                                 results.of_effects[i].get());
   }
 
   std::vector<double>

@@ -356,6 +356,17 @@ namespace auxfem
                                   rotations.spatial_rate(stage.to, i));
       }
 
+      StageNeeds stage_needs() const override
+      {
+        return std::all_of(model.supports.begin(),
+                           model.supports.end(),
+                           [](const Support &support) {
+                             return support.is_at_rest();
+                           })
+          ? StageNeeds::state
+          : StageNeeds::residual;
+      }
+
     private:
       /** Of impulses: times the mean of the velocities before and after. */
       double impulse_work(const Support    &support,

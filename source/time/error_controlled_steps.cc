@@ -15,7 +15,7 @@ namespace auxfem
     /** @name Relative errors, of which one is what is wanted in the mean. */
     ///@{
     /** In an oscillation the error of single steps is larger than the mean. */
-    constexpr double largest_of_a_step = 2;
+    constexpr double largest_of_a_step = 4;
     /** Lengths stay as they are between these, so that factorizations serve. */
     constexpr double largest_mean = 1.2, largest_of_longer_steps = 0.7;
     constexpr double aim_of_shorter_steps = 0.8;
@@ -24,17 +24,17 @@ namespace auxfem
     /** Of the newest step in the mean. */
     constexpr double share_of_newest = 0.25;
 
-    /** The smallest number 2^k or 3 2^k that is not less than @p n. */
+    /** The smallest number that is not less than @p n, of 1, 2, 3, 4, 6, 8 and
+     * from there on multiples of a power of two of which 8 are twice it. */
     unsigned int number_of_pieces(const double n)
     {
       constexpr double round_off = 1e-6;
-      unsigned int     power     = 1;
-      while (2 * power < n * (1 - round_off))
-        power *= 2;
-      if (power >= n * (1 - round_off))
-        return power;
-      return power > 1 && 3 * power / 2 >= n * (1 - round_off) ? 3 * power / 2
-                                                               : 2 * power;
+      const double     least     = n * (1 - round_off);
+      unsigned int     unit      = 1;
+      // Of a few pieces, five or seven could not be divided anew on the way.
+      while (least > (unit == 1 ? 4 : 8) * unit)
+        unit *= 2;
+      return unit * std::max(1u, unsigned(std::ceil(least / unit)));
     }
 
     unsigned int next(const unsigned int pieces)

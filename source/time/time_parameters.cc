@@ -231,6 +231,7 @@ namespace auxfem
     NewtonParameters parameters = *this;
     if (time_tolerance && !tolerance_is_given)
       parameters.tolerance = std::clamp(*time_tolerance / 10, 1e-10, 1e-5);
+    parameters.estimates_stages = time_tolerance.has_value();
     return parameters;
   }
 } // namespace auxfem

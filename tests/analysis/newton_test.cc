@@ -264,3 +264,139 @@ TEST(Newton, AStructureWithoutResistanceIsReported)
                 "an iteration turned a section by more than half a turn")
     << result.reason;
 }
+
+namespace
+{
+  /** Of a cantilever in motion under 0.1 t N, stages of which each is solved
+   * from the one before, from rest at first. */
+  struct StagesInTurn
+  {
+    explicit StagesInTurn(const SceneText &and_this = {})
+      : of_scene(testing_support::cantilever("0.1 * t", "Scheme = esdirk")
+                   .add(and_this),
+                 {},
+                 MPI_COMM_SELF)
+      , solver(of_scene.equations, of_scene.scene.solver, work)
+      , newton(solver, estimating())
+      , from(of_scene.equations.initial_state())
+      , to(from)
+    {}
+
+    static NewtonParameters estimating()
+    {
+      NewtonParameters parameters;
+      parameters.estimates_stages = true;
+      return parameters;
+    }
+
+    Evaluation stage()
+    {
+      return Evaluation::stage(from, to, /*dt=*/1, /*weight=*/0);
+    }
+
+    Newton::Result solve(const double time, const bool ends_step = false)
+    {
+      to.time          = time;
+      Evaluation asked = stage();
+      asked.ends_step  = ends_step;
+      prescribe_motion(of_scene.model, asked);
+      return newton.solve(of_scene.scene.time.implicit_scheme(),
+                          asked,
+                          of_scene.results);
+    }
+
+    double relative_residual()
+    {
+      solver.residual(stage(), of_scene.results);
+      return of_scene.results.force / of_scene.results.force_scale;
+    }
+
+    EquationsOnRanks of_scene;
+    Work             work;
+    TangentSolver    solver;
+    Newton           newton;
+    State            from, to;
+  };
+
+  const double tolerance_of_stages = NewtonParameters().tolerance;
+
+  /** Of a result that is solved in one iteration: whether it tells the residual
+   * before that, as the one after it was not computed. */
+  bool is_estimated(const Newton::Result &result)
+  {
+    EXPECT_TRUE(result.converged);
+    EXPECT_EQ(result.iterations, 1u);
+    return result.relative_residual > 10 * tolerance_of_stages;
+  }
+
+  SceneText large_rotation(const char *const is)
+  {
+    return SceneText().set("Effects/Large rotation", is);
+  }
+} // namespace
+
+TEST(Newton, TheResidualOfAStageIsEstimatedOnceIterationsAreKnown)
+{
+  for (const SceneText &scene : {large_rotation("on"), large_rotation("off")})
+    {
+      StagesInTurn stages(scene);
+      // The factorization is made, and has then not served elsewhere yet.
+      EXPECT_LT(stages.solve(1).relative_residual, tolerance_of_stages);
+      EXPECT_FALSE(is_estimated(stages.solve(1.00001)));
+      EXPECT_TRUE(is_estimated(stages.solve(1.00002)));
+      EXPECT_LT(stages.relative_residual(), tolerance_of_stages);
+    }
+}
+
+TEST(Newton, TheResidualAtTheEndOfAStepIsComputed)
+{
+  StagesInTurn stages;
+  stages.solve(1);
+  stages.solve(1.00001);
+  EXPECT_FALSE(is_estimated(stages.solve(1.00002, /*ends_step=*/true)));
+}
+
+TEST(Newton, TheResidualOfAStageThatIsFarIsComputed)
+{
+  StagesInTurn stages;
+  stages.solve(1);
+  stages.solve(1.00001);
+  const Newton::Result far = stages.solve(1.5);
+  EXPECT_GT(far.iterations, 1u);
+  EXPECT_LT(far.relative_residual, tolerance_of_stages);
+  EXPECT_LT(stages.relative_residual(), tolerance_of_stages);
+}
+
+TEST(Newton, TheResidualOfAStageIsComputedWhereSupportsMoveAndPartsAreRigid)
+{
+  const SceneText
+    lifted = SceneText().add(
+      "Supports/lift",
+      "Joints = 1 | Type = prescribed | Displacement x = 1e-3 * t"),
+    rigid = SceneText()
+              .set("Lattice/Joints", "0 0; 1 0; 2 0")
+              .set("Lattice/Struts", "0 1; 1 2")
+              .rigid_part("end", "1", 1);
+  for (const SceneText &scene : {lifted, rigid})
+    {
+      StagesInTurn stages(scene);
+      for (const double time : {1., 1.00001, 1.00002, 1.00003})
+        EXPECT_LT(stages.solve(time).relative_residual, tolerance_of_stages)
+          << scene.str();
+    }
+}
+
+TEST(Newton, ResidualsAreEstimatedAfterARunIsResumed)
+{
+  for (const SceneText &scene : {large_rotation("on"), large_rotation("off")})
+    {
+      StagesInTurn stages(scene), resumed(scene);
+      stages.solve(1);
+      stages.solve(1.00001);
+      Records records;
+      stages.newton.save(records);
+      resumed.to = stages.to;
+      resumed.newton.resume(records);
+      EXPECT_TRUE(is_estimated(resumed.solve(1.00002))) << scene.str();
+    }
+}

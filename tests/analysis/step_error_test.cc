@@ -224,6 +224,56 @@ TEST(StepError, StepsOfAFreeOscillationAreAlike)
     }
 }
 
+namespace
+{
+  struct Motion
+  {
+    std::vector<double> tip; ///< y (m), by row
+    unsigned long       iterations;
+  };
+
+  /** Of struts in line that are damped, struck across at one end. */
+  Motion motion_of_damped_line(const SceneText   &and_this,
+                               const std::string &tolerance)
+  {
+    SceneText scene;
+    scene.frame("0 0; 1 0; 2 0; 3 0", "0 1; 1 2; 2 3")
+      .circle("rod", 0.05, {1e9, 1000, 0.3})
+      .set("Sections/rod/Stiffness-proportional damping", "2 ms")
+      .support("clamp", "0", "clamp")
+      .load("pull", "3", {"0", "300 * max(0, 1 - abs(t / 0.002 - 1))", "0"})
+      .mesh(3)
+      .time(0.2, 0.02, "esdirk")
+      .set("Time/Order of esdirk", "3")
+      .set("Time/Relative tolerance", tolerance)
+      .probe("tip", "3")
+      .add(and_this);
+    const Scene     read = read_scene_from_text(scene, "test.prm");
+    MemoryRecorder  recorder(read, MPI_COMM_WORLD);
+    const RunResult result = LatticeRun(read, MPI_COMM_WORLD).run(recorder);
+    return {recorder.column("tip.uy"), result.work.iterations};
+  }
+} // namespace
+
+TEST(StepError, ErrorsOfFastOscillationsThatAreDampedAreForgotten)
+{
+  // Hardly a force, but not damped: nothing is sure any more.
+  const SceneText soft_spring =
+    SceneText().add("Connectors/spring",
+                    "Law = spring | Between = 0 3 | Spring stiffness = 1e-6");
+  const Motion damped = motion_of_damped_line({}, "1e-6"),
+               unsure = motion_of_damped_line(soft_spring, "1e-6"),
+               exact  = motion_of_damped_line({}, "1e-9");
+  EXPECT_LT(damped.iterations, 0.85 * unsure.iterations);
+  double error = 0, largest = 0;
+  for (std::size_t i = 0; i < exact.tip.size(); ++i)
+    {
+      error   = std::max(error, std::abs(damped.tip.at(i) - exact.tip[i]));
+      largest = std::max(largest, std::abs(exact.tip[i]));
+    }
+  EXPECT_LT(error, 1e-6 * largest);
+}
+
 TEST(StepError, EstimateIsThatOfTheErrorThatIsMade)
 {
   for (const char *const scheme : {"newmark", "hht", "generalized-alpha"})

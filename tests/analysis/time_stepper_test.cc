@@ -1,3 +1,4 @@
+#include <auxfem/output/memory_recorder.h>
 #include <auxfem/parameters/errors.h>
 
 #include <analysis/expect_same.h>
@@ -5,6 +6,11 @@
 #include <gtest/gtest.h>
 #include <support/scene_run.h>
 #include <support/scene_text.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
 
 using namespace auxfem;
 using namespace auxfem::testing_support;
@@ -252,4 +258,43 @@ TEST(TimeStepper, ASmoothMotionKeepsItsEnergy)
   const double coarse = largest_error("0.02"), fine = largest_error("0.01");
   EXPECT_LT(coarse, 1e-3);
   EXPECT_NEAR(std::log2(coarse / fine), 2., 0.3);
+}
+
+TEST(TimeStepper, EstimatedResidualsOfStagesChangeNothingThatCounts)
+{
+  const SceneText text =
+    cantilever("0.4 * sin(t)^2",
+               "Scheme = esdirk | End time = 4 | Time step = 0.2 | "
+               "Relative tolerance = 1e-6")
+      .connector("damper",
+                 "maxwell",
+                 "Spring stiffness = 0.3 | Damping coefficient = 0.2 | "
+                 "Between = ground: 1 | Ground offset = 0 1")
+      .set("Sections/band/Stiffness-proportional damping", 0.1)
+      .probe("tip", "1");
+  std::array<std::map<std::string, std::vector<double>>, 2> columns;
+  for (const bool estimates : {false, true})
+    {
+      Scene scene = read_scene_from_text(text, "test.prm");
+      ASSERT_TRUE(scene.newton.estimates_stages);
+      scene.newton.estimates_stages = estimates;
+      MemoryRecorder recorder(scene, MPI_COMM_WORLD);
+      LatticeRun(scene, MPI_COMM_WORLD).run(recorder);
+      for (const char *const name :
+           {"tip.uy", "damper.force", "dissipated", "external", "strain"})
+        columns[estimates][name] = recorder.column(name);
+    }
+  for (const auto &[name, computed] : columns[false])
+    {
+      const std::vector<double> &estimated = columns[true].at(name);
+      const double               largest =
+        std::abs(*std::max_element(computed.begin(),
+                                   computed.end(),
+                                   [](const double a, const double b) {
+                                     return std::abs(a) < std::abs(b);
+                                   }));
+      ASSERT_EQ(computed.size(), estimated.size());
+      for (std::size_t i = 0; i < computed.size(); ++i)
+        EXPECT_NEAR(estimated[i], computed[i], 1e-8 * largest) << name;
+    }
 }

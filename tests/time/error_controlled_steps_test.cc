@@ -59,8 +59,8 @@ TEST(ErrorControlledSteps, FindTheLengthThatTheErrorAsksForAndKeepIt)
         const StepsTo run(order, 1e-5, 20, always(right));
         const double  last = run.lengths.back();
         EXPECT_LE(last, 1.1 * right) << order;
-        // Numbers of pieces are a factor of up to 3 / 2 apart.
-        EXPECT_GE(last, right / 1.5 * 0.8) << order;
+        // Numbers of pieces are a factor of up to 3 / 2 apart, many of 5 / 4.
+        EXPECT_GE(last, right / (right < 0.1 ? 1.25 : 1.5) * 0.8) << order;
         EXPECT_LE(run.rejected, 3u);
         EXPECT_LE(run.changes, 3u) << order << ' ' << right;
       }
@@ -90,9 +90,9 @@ TEST(ErrorControlledSteps, LengthsAreAFewExactPartsOfTheInterval)
         ++pieces;
       while (pieces % 2 == 0)
         pieces /= 2;
-      EXPECT_TRUE(pieces == 1 || pieces == 3) << length;
+      EXPECT_LE(pieces, 7u) << length;
     }
-  EXPECT_LE(lengths.size(), 8u);
+  EXPECT_LE(lengths.size(), 12u);
   EXPECT_GE(lengths.size(), 3u);
 }
 
@@ -106,6 +106,14 @@ TEST(ErrorControlledSteps, NoneIsShorterThanTheSmallest)
   control->plan(0, 1);
   EXPECT_TRUE(control->may_be_accepted(1e3));
   EXPECT_FALSE(control->rejected(0));
+}
+
+TEST(ErrorControlledSteps, OneOfWhichTheErrorIsLargeIsUndoneOnlyIfItIsVeryLarge)
+{
+  const auto control = make_error_controlled_steps(1, 1e-3, 2);
+  control->plan(0, 1);
+  EXPECT_TRUE(control->may_be_accepted(3.9));
+  EXPECT_FALSE(control->may_be_accepted(4.1));
 }
 
 TEST(ErrorControlledSteps, OneThatIsNotSolvedIsHalved)

@@ -99,6 +99,10 @@ namespace auxfem
       bool             is_exact;
       /** Whether no iteration has used it yet but the last. */
       bool is_fresh;
+      /** By which a single iteration has reduced the residual of the last
+       * evaluation that one was enough for, not that it was made in; none:
+       * there is no such, or the last needed more. */
+      std::optional<double> reduction = {};
     };
 
     /** Factorizes unless the kept factorization serves; false if singular. */
@@ -112,6 +116,11 @@ namespace auxfem
                     double                   size,
                     double                   scale,
                     bool                     stagnates) const;
+    /** Whether the residual, of @p size (N) before the first iteration, is small
+     * enough after it as those of evaluations before were, and nothing else
+     * needs it. */
+    bool
+    is_sure(const Evaluation &evaluation, double size, double scale) const;
     bool   meets_constraints(const EvaluationResults &results,
                              const State             &state) const;
     double in_force_units(const EvaluationResults &results) const;
@@ -142,6 +151,8 @@ namespace auxfem
     const NewtonParameters parameters;
     const RowCriterion     rows;
     const bool             is_linear;
+    /** Whether residuals of stages can be estimated. */
+    const bool          estimates_stages;
     const NodeRotations    rotations;
     Vector                 increment;
     /** The last one that line search may shorten, rotations in space as spins.

@@ -3,6 +3,7 @@
 
 #include <auxfem/analysis/stages.h>
 #include <auxfem/analysis/third_difference.h>
+#include <auxfem/model/least_damping.h>
 #include <auxfem/model/load_course.h>
 #include <auxfem/output/verdict.h>
 
@@ -99,8 +100,11 @@ namespace auxfem
        * is allowed of displacements, over the length of a strut. */
       std::optional<double> absolute_tolerance = {};
       double                largest            = 0; ///< so far
-      /** Of all steps, what is left of it and the largest so far. */
-      double left_error = 0, total_error = 0;
+      /** @name Of all steps, what is left of it in oscillations that nothing
+       * but the scheme damps and in fast ones, and the largest so far. */
+      ///@{
+      double slow_error = 0, fast_error = 0, total_error = 0;
+      ///@}
 
       /** Of the step that relative() was last asked of. */
       struct Estimate
@@ -108,10 +112,16 @@ namespace auxfem
         double error    = 0;
         double largest  = 0; ///< motion so far
         double allowed  = 0; ///< error of all steps
-        double damping  = 0; ///< part of errors so far that it takes away
+        /** Parts of errors so far that it leaves. */
+        double of_slow = 1, of_fast = 1;
         double relative = 0; ///< error over the one that is wanted
       };
       Estimate latest = {};
+
+      double left_error() const
+      {
+        return slow_error + fast_error;
+      }
     };
 
     /** Root mean square of those in @p values, or their rates. Collective. */
@@ -131,12 +141,13 @@ namespace auxfem
      * Of displacements first, as that of rotations may depend on them.
      * Collective.
      * @param error that the step adds to displacements (m, rad)
-     * @param damping part of errors that the step takes away
+     * @param angle by which what errs most turns in the step; none: of this
+     *   scheme it is not known
      */
     void estimate(Motions          &motions,
                   const Evaluation &step,
                   double            error,
-                  double            damping);
+                  std::optional<double> angle = {});
     /** Largest motions (m, rad) that all errors are a part of. */
     double largest_of_all(const Motions &motions) const;
     /** The larger of both. */
@@ -147,6 +158,7 @@ namespace auxfem
     const double          tolerance, end_time;
     /** None if motions are not expected to grow with them. */
     std::optional<LoadsToCome> loads;
+    const LeastDamping         damping;
     /** Displacements, rotations. */
     std::array<Motions, 2> all;
     ThirdDifference        displacements;

@@ -36,6 +36,10 @@ namespace auxfem
     /** Equations::residual(). */
     void residual(const Evaluation &evaluation, EvaluationResults &results);
 
+    /** Equations::find_stage_results(). */
+    void find_stage_results(const Evaluation  &stage,
+                            EvaluationResults &results);
+
     /** Counts Work::shortened. */
     void count_shortened()
     {

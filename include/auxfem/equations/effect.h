@@ -174,6 +174,19 @@ namespace auxfem
                                EnergyAccount & /*account*/) const
     {}
 
+    /** What of an evaluation account_stage() and find_internal_rates() need. */
+    enum class StageNeeds
+    {
+      state,   ///< no forces
+      results, ///< those of this effect
+      residual ///< that of all effects
+    };
+
+    virtual StageNeeds stage_needs() const
+    {
+      return StageNeeds::state;
+    }
+
     /**
      * Rates of the internal variables that obey differential equations
      * (StateLayout::integrated), written to @p rates, which has the size of

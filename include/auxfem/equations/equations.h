@@ -185,6 +185,15 @@ namespace auxfem
     void account_stage(const Evaluation        &stage,
                        const EvaluationResults &results) const;
 
+    /** Whether account_stage() and find_internal_rates() can do without a
+     * residual: find_stage_results() is enough for them. */
+    bool stages_need_no_residual() const;
+
+    /** Of residual() what they need: results of effects and internal variables.
+     */
+    void find_stage_results(const Evaluation  &stage,
+                            EvaluationResults &results) const;
+
     /**
      * Rates of internal variables at @p state, as Effect::find_internal_rates().
      * @param results of residual() at the state
@@ -253,6 +262,8 @@ namespace auxfem
     void refuse_unknown_errors(const Scene &scene) const;
     void enter_energies();
     void register_blocks();
+    /** Of motions at @p state. */
+    void update_ghosts(State &state) const;
     /** As update_couplings(), for what effects have changed and want. */
     bool couple(bool changed, const std::vector<int> &wanted, State &accepted);
 

@@ -69,6 +69,8 @@ namespace auxfem
     const Vector *impulses = nullptr;
     /** Of a stage: the time for which its power counts in the step (s). */
     double weight = 0;
+    /** Of a stage: whether the step ends with it. */
+    bool ends_step = false;
 
     /** Two vectors that are multiplied by way of a matrix between them. */
     struct Pair

@@ -77,13 +77,16 @@ namespace auxfem
     bool         keep_factorization = true; ///< false: full Newton
     /** A kept factorization must reduce the residual so much an iteration. */
     double kept_reduction = 5;
+    /** Whether residuals of stages within a step need not be computed if they
+     * can be told from others. */
+    bool estimates_stages = false;
 
     /**
      * The same for steps whose length follows their error, which may be as
-     * large
-     * as @p time_tolerance: unless the tolerance is given it is a tenth of that,
-     * neither below 1e-10 nor above 1e-5. The error it leaves in displacements
-     * is much smaller than itself.
+     * large as @p time_tolerance: unless the tolerance is given it is a tenth of
+     * that, neither below 1e-10 nor above 1e-5. The error it leaves in
+     * displacements is much smaller than itself. Residuals within such a step
+     * are estimated.
      */
     NewtonParameters
     for_steps_within(const std::optional<double> &time_tolerance) const;

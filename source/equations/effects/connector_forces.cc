@@ -252,6 +252,11 @@ namespace auxfem
           }
       }
 
+      StageNeeds stage_needs() const override
+      {
+        return law->is_viscous() ? StageNeeds::results : StageNeeds::state;
+      }
+
       void find_internal_rates(const State         &state,
                                const EffectResults *results,
                                double              *rates) const override

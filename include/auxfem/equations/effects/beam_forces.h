@@ -194,6 +194,12 @@ namespace auxfem
         account.add_power(damping_entry, energy_of(results).dissipation);
     }
 
+    Effect::StageNeeds stage_needs() const override
+    {
+      return Beam::is_damped ? Effect::StageNeeds::results
+                             : Effect::StageNeeds::state;
+    }
+
     void raise_forces(const Evaluation & /*evaluation*/,
                       const EffectResults *results,
                       double              *forces) const override

@@ -128,6 +128,12 @@ namespace auxfem
           friction_account.add_power(point.friction, account);
     }
 
+    Effect::StageNeeds stage_needs() const override
+    {
+      return friction.coefficient == 0 ? Effect::StageNeeds::state
+                                       : Effect::StageNeeds::results;
+    }
+
   protected:
     /** A pair that this rank has rows of, with the local unknowns of both. */
     struct Coupled
