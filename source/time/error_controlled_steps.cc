@@ -15,7 +15,7 @@ namespace auxfem
     /** @name Relative errors, of which one is what is wanted in the mean. */
     ///@{
     /** In an oscillation the error of single steps is larger than the mean. */
-    constexpr double largest_of_a_step = 4;
+    constexpr double largest_of_a_step = 3;
     /** Lengths stay as they are between these, so that factorizations serve. */
     constexpr double largest_mean = 1.2, largest_of_longer_steps = 0.7;
     constexpr double aim_of_shorter_steps = 0.8;

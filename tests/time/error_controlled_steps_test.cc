@@ -112,8 +112,8 @@ TEST(ErrorControlledSteps, OneOfWhichTheErrorIsLargeIsUndoneOnlyIfItIsVeryLarge)
 {
   const auto control = make_error_controlled_steps(1, 1e-3, 2);
   control->plan(0, 1);
-  EXPECT_TRUE(control->may_be_accepted(3.9));
-  EXPECT_FALSE(control->may_be_accepted(4.1));
+  EXPECT_TRUE(control->may_be_accepted(2.9));
+  EXPECT_FALSE(control->may_be_accepted(3.1));
 }
 
 TEST(ErrorControlledSteps, OneThatIsNotSolvedIsHalved)
