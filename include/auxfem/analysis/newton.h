@@ -45,6 +45,10 @@ namespace auxfem
    * iteration can go. And every row must be solved by the measure of the forces
    * that act in it (RowCriterion). The constraints of rigid parts must hold to
    * their own round-off.
+   *
+   * If NewtonParameters::estimates_stages, the residual at a stage within a
+   * step is not computed where a single iteration is known to be enough by the
+   * evaluation before.
    */
   class Newton
   {

@@ -52,7 +52,8 @@ namespace auxfem
    * count by their displacements. After a jump of accelerations it is the
    * change of these that is right, and the smaller. What a Runge-Kutta scheme
    * damps of such oscillations is known: ImplicitScheme::amplification() of z
-   * is left.
+   * is left. Where the structure damps them as well (LeastDamping), most of the
+   * error, which is fast, is forgotten as quickly.
    */
   class StepError
   {
