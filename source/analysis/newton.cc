@@ -29,8 +29,8 @@ namespace auxfem
      */
     constexpr double far_from_solution = 1e-6;
 
-    /** A residual that is not computed is taken for so many times what it should
-     * be. */
+    /** A residual that is not computed is taken for so many times what it
+     * should be. */
     constexpr double doubt = 10;
 
     /** How often an increment is halved. */
@@ -60,10 +60,10 @@ namespace auxfem
     , parameters(parameters)
     , rows(solver.equations(), parameters.tolerance)
     , is_linear(solver.equations().is_linear())
-    , estimates_stages(
-        parameters.estimates_stages &&
-        solver.equations().stages_need_no_residual() &&
-        solver.model().numbering.constraints().n_multipliers() == 0)
+    , estimates_stages(parameters.estimates_stages &&
+                       solver.equations().stages_need_no_residual() &&
+                       solver.model().numbering.constraints().n_multipliers() ==
+                         0)
     , rotations(solver.model().numbering)
   {}
 
@@ -111,9 +111,8 @@ namespace auxfem
           }
         result.relative_residual = force > 0 ? size / force : 0.;
         const auto stagnates     = [&] {
-          return result.iterations == 0
-            ? size <= far_from_solution * force
-            : reduction < parameters.kept_reduction;
+          return result.iterations == 0 ? size <= far_from_solution * force
+                                            : reduction < parameters.kept_reduction;
         };
         if (is_in_place && meets_constraints(results, evaluation.to) &&
             is_small(evaluation, results, size, force, stagnates()))
@@ -236,7 +235,7 @@ namespace auxfem
       exactness = Exactness::exact;
     kept.reset();
     solver.assemble(evaluation, results, factors);
-    const bool again = to_assemble && is_of_step(*to_assemble);
+    const bool                  again = to_assemble && is_of_step(*to_assemble);
     const std::optional<double> known =
       again ? to_assemble->reduction : std::nullopt;
     to_assemble.reset();

@@ -31,8 +31,8 @@ namespace auxfem
      */
     constexpr double of_several_oscillations = 1.6;
 
-    /** Of what a step errs as much at least is in oscillations that are too slow
-     * for physical damping to count on it (measured on lattices). */
+    /** Of what a step errs as much at least is in oscillations that are too
+     * slow for physical damping to count on it (measured on lattices). */
     constexpr double part_of_slow = 0.25;
 
     /** What is left of the tolerance is never taken for less than this part of
@@ -141,9 +141,8 @@ namespace auxfem
                  grown = wanted -
       part_of_tolerance * allowed_until(motions, step.from.time);
     const auto may_be = [&](const double leaves) {
-      return std::max({step.dt * rate,
-                       part_of_growth * grown,
-                       (1 - leaves) * wanted});
+      return std::max(
+        {step.dt * rate, part_of_growth * grown, (1 - leaves) * wanted});
     };
     latest.relative = latest.error *
       (part_of_slow / may_be(latest.of_slow) +
@@ -197,13 +196,13 @@ namespace auxfem
     for (Motions &motions : all)
       {
         const Motions::Estimate &latest = motions.latest;
-        motions.slow_error        = latest.of_slow * motions.slow_error +
-          part_of_slow * latest.error;
+        motions.slow_error =
+          latest.of_slow * motions.slow_error + part_of_slow * latest.error;
         motions.fast_error = latest.of_fast * motions.fast_error +
           (1 - part_of_slow) * latest.error;
         motions.total_error =
           std::max(motions.total_error, motions.left_error());
-        motions.largest     = latest.largest;
+        motions.largest = latest.largest;
       }
     if (scheme.stages() == nullptr)
       displacements.add(step.to.time, step.to.displacement);

@@ -115,18 +115,17 @@ namespace auxfem
                  const EvaluationResults &results,
                  double                   reduction);
     /** Whether the residual is small beside the largest force @p scale (N). */
-    bool   is_small(const Evaluation        &evaluation,
-                    const EvaluationResults &results,
-                    double                   size,
-                    double                   scale,
-                    bool                     stagnates) const;
+    bool is_small(const Evaluation        &evaluation,
+                  const EvaluationResults &results,
+                  double                   size,
+                  double                   scale,
+                  bool                     stagnates) const;
     /** Whether the residual, of @p size (N) before the first iteration, is small
      * enough after it as those of evaluations before were, and nothing else
      * needs it. */
-    bool
-    is_sure(const Evaluation &evaluation, double size, double scale) const;
-    bool   meets_constraints(const EvaluationResults &results,
-                             const State             &state) const;
+    bool is_sure(const Evaluation &evaluation, double size, double scale) const;
+    bool meets_constraints(const EvaluationResults &results,
+                           const State             &state) const;
     double in_force_units(const EvaluationResults &results) const;
     /**
      * Line search: shortens the last increment until the residual is smaller
@@ -157,8 +156,8 @@ namespace auxfem
     const bool             is_linear;
     /** Whether residuals of stages can be estimated. */
     const bool          estimates_stages;
-    const NodeRotations    rotations;
-    Vector                 increment;
+    const NodeRotations rotations;
+    Vector              increment;
     /** The last one that line search may shorten, rotations in space as spins.
      */
     Vector              way;

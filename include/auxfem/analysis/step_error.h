@@ -110,9 +110,9 @@ namespace auxfem
       /** Of the step that relative() was last asked of. */
       struct Estimate
       {
-        double error    = 0;
-        double largest  = 0; ///< motion so far
-        double allowed  = 0; ///< error of all steps
+        double error   = 0;
+        double largest = 0; ///< motion so far
+        double allowed = 0; ///< error of all steps
         /** Parts of errors so far that it leaves. */
         double of_slow = 1, of_fast = 1;
         double relative = 0; ///< error over the one that is wanted
@@ -145,9 +145,9 @@ namespace auxfem
      * @param angle by which what errs most turns in the step; none: of this
      *   scheme it is not known
      */
-    void estimate(Motions          &motions,
-                  const Evaluation &step,
-                  double            error,
+    void estimate(Motions              &motions,
+                  const Evaluation     &step,
+                  double                error,
                   std::optional<double> angle = {});
     /** Largest motions (m, rad) that all errors are a part of. */
     double largest_of_all(const Motions &motions) const;
