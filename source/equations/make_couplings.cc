@@ -2,8 +2,6 @@
 #include <auxfem/equations/effects/rotational_springs.h>
 #include <auxfem/equations/make_effects.h>
 
-#include <algorithm>
-
 namespace auxfem
 {
   namespace
@@ -44,15 +42,9 @@ namespace auxfem
 
   std::unique_ptr<Effect> make_rotational_springs(const LatticeModel &model)
   {
-    const std::vector<JointRelease> &releases  = model.releases;
-    const DofNumbering              &numbering = model.numbering;
+    const DofNumbering &numbering = model.numbering;
     // On all ranks, also those without any: the records of the state are alike.
-    if (std::none_of(releases.begin(),
-                     releases.end(),
-                     [](const JointRelease &release) {
-                       return release.definition->type ==
-                         JointDefinition::Type::rotational_spring;
-                     }))
+    if (!have_rotational_springs(model.releases))
       return nullptr;
     if (model.simulated.large_rotation && model.lattice.dimension == 3)
       {

@@ -7,8 +7,6 @@
 #include <auxfem/model/proportional_loads.h>
 #include <auxfem/parameters/errors.h>
 
-#include <algorithm>
-
 // Which effects a scene calls for.
 
 namespace auxfem
@@ -79,19 +77,13 @@ namespace auxfem
   void Equations::enter_energies()
   {
     // The ledger is that of all ranks, of which some may lack an effect.
-    const bool has_springs =
-      std::any_of(structure.releases.begin(),
-                  structure.releases.end(),
-                  [](const JointRelease &release) {
-                    return release.definition->type ==
-                      JointDefinition::Type::rotational_spring;
-                  });
     if (structure.simulated.inertia)
       {
         state_layout.energies.enter(kinetic_energy_entry());
         state_layout.energies.enter(numerical_energy_entry());
       }
-    if (structure.lattice.n_elastic_struts() > 0 || has_springs)
+    if (structure.lattice.n_elastic_struts() > 0 ||
+        have_rotational_springs(structure.releases))
       state_layout.energies.enter(strain_energy_entry());
   }
 

@@ -358,13 +358,7 @@ namespace auxfem
 
       StageNeeds stage_needs() const override
       {
-        return std::all_of(model.supports.begin(),
-                           model.supports.end(),
-                           [](const Support &support) {
-                             return support.is_at_rest();
-                           })
-          ? StageNeeds::state
-          : StageNeeds::residual;
+        return StageNeeds::residual;
       }
 
     private:

@@ -199,6 +199,16 @@ namespace auxfem
     return releases;
   }
 
+  bool have_rotational_springs(const std::vector<JointRelease> &releases)
+  {
+    return std::any_of(releases.begin(),
+                       releases.end(),
+                       [](const JointRelease &release) {
+                         return release.definition->type ==
+                           Type::rotational_spring;
+                       });
+  }
+
   Ties ties_of(const std::vector<JointRelease> &releases,
                const Lattice                   &lattice)
   {

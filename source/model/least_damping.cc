@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace auxfem
 {
@@ -9,27 +10,14 @@ namespace auxfem
   {
     double least_of_struts(const Scene &scene, const LatticeModel &model)
     {
-      const bool has_springs =
-        std::any_of(model.releases.begin(),
-                    model.releases.end(),
-                    [](const JointRelease &release) {
-                      return release.definition->type ==
-                        JointDefinition::Type::rotational_spring;
-                    });
-      const bool has_undamped_connectors =
-        !scene.connectors.empty() && !model.simulated.connector_viscosity;
-      if (!model.simulated.strut_damping || has_springs ||
-          has_undamped_connectors || model.sections.empty())
+      if (!model.simulated.strut_damping ||
+          have_rotational_springs(model.releases) ||
+          (!scene.connectors.empty() && !model.simulated.connector_viscosity))
         return 0;
-      const auto damping = [](const Section &section) {
-        return section.stiffness_proportional_damping;
-      };
-      return damping(
-        *std::min_element(model.sections.begin(),
-                          model.sections.end(),
-                          [&](const Section &one, const Section &other) {
-                            return damping(one) < damping(other);
-                          }));
+      double least = std::numeric_limits<double>::infinity();
+      for (const Section &section : model.sections)
+        least = std::min(least, section.stiffness_proportional_damping);
+      return least;
     }
   } // namespace
 
@@ -49,11 +37,11 @@ namespace auxfem
 
   double LeastDamping::time(const double omega) const
   {
+    if (of_struts == 0 || omega == 0)
+      return 0;
     double least = of_struts;
     for (const std::shared_ptr<const ConnectorLaw> &law : connectors)
       {
-        if (!(least > 0 && omega > 0))
-          return 0;
         const std::complex<double> stiffness =
           law->dynamic_stiffness({0, omega});
         if (stiffness.real() > 0)

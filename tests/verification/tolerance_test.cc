@@ -215,7 +215,7 @@ namespace
           const double error = std::max(errors[0], errors[1]);
           EXPECT_LT(error, 3 * tolerance) << name << ' ' << scheme << order;
           // Long steps of high order err less than anyone would ask for, and
-          // damping of struts takes errors away, which is not known.
+          // damping of struts takes errors away, of which a part is not known.
           EXPECT_GT(error, tolerance / (order == 2 ? 14 : 1000))
             << name << ' ' << scheme << order;
         }

@@ -103,9 +103,9 @@ namespace auxfem
       bool             is_exact;
       /** Whether no iteration has used it yet but the last. */
       bool is_fresh;
-      /** By which a single iteration has reduced the residual of the last
-       * evaluation that one was enough for, not that it was made in; none:
-       * there is no such, or the last needed more. */
+      /** Factor by which an iteration with it has reduced the residual of the
+       * last evaluation, if that needed no other; none: it needed more, or is
+       * the one whose tangent this is. */
       std::optional<double> reduction = {};
     };
 

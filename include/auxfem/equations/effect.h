@@ -182,6 +182,7 @@ namespace auxfem
       residual ///< that of all effects
     };
 
+    /** The same whatever the state. */
     virtual StageNeeds stage_needs() const
     {
       return StageNeeds::state;

@@ -41,6 +41,9 @@ namespace auxfem
   std::vector<JointRelease> joint_releases(const Scene   &scene,
                                            const Lattice &lattice);
 
+  /** Whether some of @p releases have springs. */
+  bool have_rotational_springs(const std::vector<JointRelease> &releases);
+
   /** What @p releases release and couple. */
   Ties ties_of(const std::vector<JointRelease> &releases,
                const Lattice                   &lattice);
