@@ -27,19 +27,25 @@ namespace auxfem
     constexpr double accuracy = 0.1, accuracy_of_tolerance = 0.01;
 
     /** Of the change by the iteration before, with a factorization that still
-     * serves. */
-    constexpr double kept_reduction = 0.3;
+     * serves; with that at rest of the one before the last: a bent strut seems
+     * to be stretched, which is made good one iteration later. */
+    constexpr double kept_reduction = 0.3, reduction_at_rest = 0.1;
 
-    /** Of the error, by which it may still change for its stiffness to tell
-     * whether a state is stable. */
-    constexpr double near = 0.5;
+    /** What is stable at so many times a motion is trusted to be so up to so
+     * many. */
+    constexpr double ahead = 8, trusted = 4;
 
-    /** Looks are for motions that are larger than all before by a quarter,
-     * unless little is missing. */
-    constexpr double larger = 1.25, little = 0.3;
+    /** By what a motion is larger than another for stability to be looked at
+     * again where that is not known ahead. */
+    constexpr double larger = 1.25;
 
-    /** Part of what is allowed that an error is taken for at least. */
-    constexpr double least_known = 0.01;
+    /** Part of what is allowed: below it an error is little, and which it is
+     * taken for at least. */
+    constexpr double little = 0.3, least_known = 0.01;
+
+    /** Compressions (SmallDisplacementError) by which hardly anything buckles,
+     * and nothing does: a thousand struts in a row. */
+    constexpr double little_compression = 1e-2, no_compression = 1e-6;
 
     /** A vibration goes four amplitudes while it turns by 2 pi. */
     constexpr double radians_of_way = dealii::numbers::PI / 2;
@@ -70,8 +76,7 @@ namespace auxfem
     }
 
     const std::string correction_record = "error of small displacements",
-                      error_record      = correction_record + ", by unknown",
-                      stiffness_record  = correction_record + ", stiffness";
+                      error_record      = correction_record + ", by unknown";
 
     /** Times at which loads are looked at. */
     std::vector<TimeLimit> times_of_loads(const Scene &scene)
@@ -91,48 +96,57 @@ namespace auxfem
   KinematicCorrection::KinematicCorrection(const Scene   &scene,
                                            TangentSolver &exact)
     : scene(scene)
+    , has_follower_loads(std::any_of(scene.joint_loads.begin(),
+                                     scene.joint_loads.end(),
+                                     [](const JointLoadDefinition &load) {
+                                       return load.follows_joint;
+                                     }))
     , solver(exact)
     , rotations(exact.model().numbering)
     , inertia(scene.time.scheme->is_dynamic()
                 ? std::pow(2 / scene.time.end_time, 2)
                 : 0.)
-    , error(exact.model().numbering.layout().n_local(), 0.)
+    , stiffness(exact, inertia)
+    , of_exact(scene, exact.equations())
   {
-    const Equations &equations = exact.equations();
-    if (!equations.reporting().struts.empty())
-      {
-        watches.push_back(make_strain_watch(equations));
-        if (!scene.lattice.struts_may_cross)
-          watches.push_back(make_crossing_watch(scene, equations));
-      }
-    if (watches.empty())
+    begin_anew();
+  }
+
+  void KinematicCorrection::begin_anew()
+  {
+    const Equations &equations = solver.equations();
+    worst                      = {};
+    error.assign(solver.model().numbering.layout().n_local(), 0.);
+    watches.clear();
+    if (equations.reporting().struts.empty())
       return;
+    watches.push_back(make_strain_watch(equations));
+    if (!scene.lattice.struts_may_cross)
+      watches.push_back(make_crossing_watch(scene, equations));
     const State beginning = equations.initial_state();
     for (const auto &watch : watches)
       watch->start(beginning);
   }
 
-  State KinematicCorrection::at_rest() const
+  State KinematicCorrection::exact_state(const State &motion,
+                                         const double times) const
   {
-    State rest = solver.equations().initial_state();
-    for (std::optional<Vector> *rates : {&rest.velocity, &rest.acceleration})
-      if (*rates)
-        (*rates)->assign((*rates)->size(), 0.);
-    return rest;
-  }
-
-  State KinematicCorrection::exact_state(const State &motion) const
-  {
-    State exact        = at_rest();
+    State exact        = stiffness.at_rest();
     exact.time         = motion.time;
     exact.path         = motion.path;
     exact.displacement = motion.displacement;
     exact.velocity     = motion.velocity;
     exact.acceleration = motion.acceleration;
     exact.history      = motion.history;
-    add_multiple(1., error, exact.displacement);
+    // It goes with the square of the motion.
+    add_multiple(times, error, exact.displacement);
     if (exact.acceleration)
-      add_multiple(inertia, error, *exact.acceleration);
+      add_multiple(times * inertia, error, *exact.acceleration);
+    scale(times, exact.displacement);
+    scale(times, exact.history);
+    for (std::optional<Vector> *rates : {&exact.velocity, &exact.acceleration})
+      if (*rates)
+        scale(times, **rates);
     for (unsigned int i = 0; i < exact.rotations.size(); ++i)
       exact.rotations[i] = exponential(rotations.values(exact.displacement, i));
     for (std::optional<Vector> *rates : {&exact.velocity, &exact.acceleration})
@@ -141,79 +155,104 @@ namespace auxfem
     return exact;
   }
 
-  bool KinematicCorrection::factorize(const Evaluation        &evaluation,
-                                      const EvaluationResults &results)
-  {
-    solver.assemble(evaluation, results, {1., 0., inertia});
-    // The symmetric part serves as well, for less, and has an inertia.
-    is_factorized = solver.factorize(Exactness::approximate);
-    return is_factorized;
-  }
-
   template <class EvaluationOf>
   void KinematicCorrection::find(const State        &motion,
                                  const EvaluationOf &evaluation_of,
                                  const Vector       &left)
   {
-    const LatticeModel &model  = solver.model();
-    const double        size   = size_of(model, motion.displacement);
-    double              before = std::numeric_limits<double>::infinity();
-    // Since the factorization; that of a state at rest is far away.
-    double            way_of_error = std::numeric_limits<double>::infinity();
-    EvaluationResults results      = solver.equations().make_results();
-    largest_motion                 = std::max(largest_motion, size);
-    largest_rotation =
-      std::max(largest_rotation,
+    const LatticeModel &model = solver.model();
+    const double        size  = size_of(model, motion.displacement);
+    worst.largest_motion      = std::max(worst.largest_motion, size);
+    worst.largest_rotation =
+      std::max(worst.largest_rotation,
                auxfem::largest_motion(model, motion.displacement).second);
-    if (!(largest_rotation < small_angle))
+    if (!(worst.largest_rotation < small_angle))
       return;
+    const Vector guess = error;
+    bool         found = stiffness.take_that_of_rest() &&
+      converge(motion, size, evaluation_of, left);
+    if (!found)
+      {
+        error = guess;
+        stiffness.forget();
+        found = converge(motion, size, evaluation_of, left);
+      }
+    worst.largest_error =
+      std::max(worst.largest_error,
+               found ? size_of(model, error)
+                     : std::numeric_limits<double>::infinity());
+  }
+
+  template <class EvaluationOf>
+  bool KinematicCorrection::converge(const State        &motion,
+                                     const double        size,
+                                     const EvaluationOf &evaluation_of,
+                                     const Vector       &left)
+  {
+    const LatticeModel &model      = solver.model();
+    const bool          is_of_rest = stiffness.is_of_rest();
+    EvaluationResults   results    = solver.equations().make_results();
+    // Of the error, in the last iteration and the one before it.
+    double last = std::numeric_limits<double>::infinity(), before_last = last;
     for (unsigned int i = 0; i < most_iterations; ++i)
       {
-        State            exact      = exact_state(motion);
+        State            exact      = exact_state(motion, 1);
         const State      start      = exact;
         const Evaluation evaluation = evaluation_of(start, exact);
         solver.residual(evaluation, results);
         Vector change = right_side(exact, left);
-        if (!is_factorized)
-          {
-            way_of_error = 0;
-            if (!factorize(evaluation, results))
-              break;
-          }
-        if (!solver.solve(change))
-          break;
+        if ((!is_of_rest && !stiffness.is_of_another() &&
+             !stiffness.factorize(evaluation, results)) ||
+            !solver.solve(change))
+          return false;
         add_multiple(1., change, error);
-        const double size_of_change = size_of(model, change),
-                     size_of_error  = size_of(model, error);
-        way_of_error += size_of_change;
+        const double size_of_change = size_of(model, change);
         if (size_of_change <=
-            std::max(accuracy * size_of_error,
+            std::max(accuracy * size_of(model, error),
                      accuracy_of_tolerance * scene.effects.tolerance * size))
           {
-            largest_error = std::max(largest_error, size_of_error);
-            judge(evaluation, results, way_of_error <= near * size_of_error);
-            return;
+            for (const auto &watch : watches)
+              watch->step(evaluation, results, solver);
+            judge_stability(motion,
+                            size,
+                            of_exact.at(exact).compression,
+                            evaluation_of);
+            return true;
           }
-        if (!(size_of_change <= kept_reduction * before))
-          is_factorized = false;
-        before = size_of_change;
+        if (is_of_rest && !(size_of_change <= reduction_at_rest * before_last))
+          return false;
+        if (!is_of_rest && !(size_of_change <= kept_reduction * last))
+          stiffness.forget();
+        before_last = std::exchange(last, size_of_change);
       }
-    is_factorized = false;
-    largest_error = std::numeric_limits<double>::infinity();
+    return false;
   }
 
-  void KinematicCorrection::judge(const Evaluation        &evaluation,
-                                  const EvaluationResults &results,
-                                  const bool               is_factorized_near)
+  template <class EvaluationOf>
+  void KinematicCorrection::judge_stability(const State        &motion,
+                                            const double        size,
+                                            const double        compression,
+                                            const EvaluationOf &evaluation_of)
   {
-    for (const auto &watch : watches)
-      watch->step(evaluation, results, solver);
-    const auto on_the_way =
-      is_factorized_near ? solver.new_negative_modes() : std::nullopt;
-    if ((on_the_way && on_the_way->n == 0) || !factorize(evaluation, results))
+    if (size <= stable_size && compression <= stable_compression)
       return;
-    if (const auto modes = solver.new_negative_modes())
-      unstable = unstable || modes->n > 0;
+    const auto is_positive = [&](const double times) {
+      State       exact = exact_state(motion, times);
+      const State start = exact;
+      return stiffness.is_positive(evaluation_of(start, exact));
+    };
+    double until = trusted;
+    // The stiffness of follower loads is that of the loads of the moment.
+    std::optional<bool> stable =
+      has_follower_loads ? std::nullopt : is_positive(ahead);
+    if (!stable.value_or(false))
+      {
+        until  = larger;
+        stable = is_positive(1);
+      }
+    worst.unstable     = worst.unstable || !stable.value_or(true);
+    stable_size        = until * size;
+    stable_compression = until * std::max(compression, no_compression);
   }
 
   Vector KinematicCorrection::right_side(const State  &exact,
@@ -245,7 +284,7 @@ namespace auxfem
       }
     if (!motion)
       return;
-    State small        = at_rest();
+    State small        = stiffness.at_rest();
     small.displacement = *motion;
     if (small.acceleration)
       add_multiple(inertia, *motion, *small.acceleration);
@@ -255,13 +294,13 @@ namespace auxfem
         return equilibrium_at(largest, before, now);
       },
       Vector(motion->size(), 0.));
-    forget_tangent();
+    stiffness.rest();
   }
 
   std::optional<Vector>
   KinematicCorrection::linear_answer(const TimeLimit &time)
   {
-    const State       rest       = at_rest();
+    const State       rest       = stiffness.at_rest();
     State             loaded     = rest;
     EvaluationResults results    = solver.equations().make_results();
     const Evaluation  evaluation = equilibrium_at(time, rest, loaded);
@@ -276,14 +315,14 @@ namespace auxfem
         // A load that is no number: the run will tell when it gets there.
         return {};
       }
-    if ((!is_factorized && !factorize(evaluation, results)) ||
-        !solver.solve(motion))
+    if (!stiffness.take_that_of_rest() || !solver.solve(motion))
       return {};
     return motion;
   }
 
   void KinematicCorrection::begin(const Equations &small)
   {
+    begin_anew();
     this->small = &small;
     estimate.emplace(scene, small);
   }
@@ -293,14 +332,25 @@ namespace auxfem
     if (++n_steps < SmallDisplacementEstimate::distance_in_motion &&
         state.velocity)
       return false;
-    n_steps              = 0;
-    const double allowed = little * scene.effects.tolerance,
-                 now     = estimate->at(state).total();
-    if (estimated == 0)
-      return now > allowed;
-    return now > larger * estimated &&
-      std::max(relative(), least_known * scene.effects.tolerance) * now >
-      allowed * estimated;
+    n_steps                           = 0;
+    const SmallDisplacementError &now = estimate_at(state);
+    if (size_of_motion == 0)
+      return now.total() > little * scene.effects.tolerance ||
+        now.compression > little_compression;
+    return !is_known(size_of(solver.model(), state.displacement), now);
+  }
+
+  bool KinematicCorrection::is_known(const double                  size,
+                                     const SmallDisplacementError &now) const
+  {
+    const double tolerance = scene.effects.tolerance,
+                 growth    = std::max(
+                   {1.,
+                       size / worst.largest_motion,
+                    now.total() <= estimated ? 1. : now.total() / estimated});
+    return size <= stable_size && now.compression <= stable_compression &&
+      std::max(relative(), least_known * tolerance) * growth <=
+      little * tolerance;
   }
 
   void KinematicCorrection::look_at(const State &state)
@@ -312,12 +362,11 @@ namespace auxfem
     if (state.velocity)
       way += (state.time - time) * size_of(solver.model(), *state.velocity);
     time              = state.time;
-    const double size = size_of(solver.model(), state.displacement),
-                 now  = estimate->at(state).total();
-    if (size <= larger * size_of_motion && now <= larger * estimated &&
-        relative() <= little * scene.effects.tolerance)
+    const double size = size_of(solver.model(), state.displacement);
+    const SmallDisplacementError &now = estimate_at(state);
+    if (size_of_motion > 0 && is_known(size, now))
       return;
-    estimated = std::max(estimated, now);
+    estimated = std::max(estimated, now.total());
     Vector left;
     {
       State             linear  = state;
@@ -327,13 +376,15 @@ namespace auxfem
     }
     grow_error(size);
     find(state, evaluation_of, left);
-    forget_tangent();
+    stiffness.rest();
   }
 
-  void KinematicCorrection::forget_tangent()
+  const SmallDisplacementError &
+  KinematicCorrection::estimate_at(const State &state)
   {
-    is_factorized = false;
-    solver.matrix().release();
+    if (!known_estimate || known_estimate->first != state.time)
+      known_estimate.emplace(state.time, estimate->at(state));
+    return known_estimate->second;
   }
 
   void KinematicCorrection::grow_error(const double size)
@@ -348,26 +399,26 @@ namespace auxfem
 
   double KinematicCorrection::relative() const
   {
-    if (largest_error == 0)
+    if (worst.largest_error == 0)
       return 0;
     const double turns = inertia > 0
-      ? std::max(0., way / largest_motion - 1) * radians_of_way
+      ? std::max(0., way / worst.largest_motion - 1) * radians_of_way
       : 0.;
-    return (1 + turns / 2) * largest_error / largest_motion;
+    return (1 + turns / 2) * worst.largest_error / worst.largest_motion;
   }
 
   std::string KinematicCorrection::why_exact(const double allowed) const
   {
     std::ostringstream why;
     why.precision(2);
-    if (!(largest_rotation * largest_rotation / 2 <= allowed))
-      why << "rotations reach " << largest_rotation << " rad";
-    else if (!std::isfinite(largest_error))
+    if (!(worst.largest_rotation * worst.largest_rotation / 2 <= allowed))
+      why << "rotations reach " << worst.largest_rotation << " rad";
+    else if (!std::isfinite(worst.largest_error))
       why << "no equilibrium of exact kinematics is near";
     else if (relative() > allowed)
       why << "small displacements are wrong by " << relative() << ", most the "
           << location();
-    else if (unstable)
+    else if (worst.unstable)
       why << "a stiffness is not positive";
     else
       for (const auto &watch : watches)
@@ -379,17 +430,19 @@ namespace auxfem
   void KinematicCorrection::save(Records &records) const
   {
     records.keep(correction_record,
-                 {largest_error,
-                  largest_motion,
-                  largest_rotation,
+                 {worst.largest_error,
+                  worst.largest_motion,
+                  worst.largest_rotation,
                   size_of_motion,
                   way,
                   time,
-                  unstable ? 1. : 0.,
+                  worst.unstable ? 1. : 0.,
+                  stable_size,
+                  stable_compression,
                   estimated,
                   double(n_steps)});
     UnknownRecords(solver.model().numbering).keep(error_record, error, records);
-    solver.save(stiffness_record, /*with_factorization=*/false, records);
+    stiffness.save(records);
     Records of_watches;
     for (const auto &watch : watches)
       watch->save(of_watches);
@@ -398,19 +451,21 @@ namespace auxfem
 
   void KinematicCorrection::resume(const Records &records)
   {
-    const std::vector<double> values = records.values(correction_record, 9);
-    largest_error                    = values[0];
-    largest_motion                   = values[1];
-    largest_rotation                 = values[2];
+    const std::vector<double> values = records.values(correction_record, 11);
+    worst.largest_error              = values[0];
+    worst.largest_motion             = values[1];
+    worst.largest_rotation           = values[2];
     size_of_motion                   = values[3];
     way                              = values[4];
     time                             = values[5];
-    unstable                         = values[6] != 0;
-    estimated                        = values[7];
-    n_steps                          = values[8];
+    worst.unstable                   = values[6] != 0;
+    stable_size                      = values[7];
+    stable_compression               = values[8];
+    estimated                        = values[9];
+    n_steps                          = values[10];
     error =
       UnknownRecords(solver.model().numbering).values(error_record, records);
-    solver.resume(stiffness_record, records);
+    stiffness.resume(records);
     const Records of_watches = records.all_of(correction_record);
     for (const auto &watch : watches)
       watch->resume(of_watches);

@@ -115,13 +115,14 @@ namespace auxfem
     {
     public:
       /** @param touches in the run of small displacements; may be none */
-      SmallDisplacementRecorder(LatticeRun       &exact,
-                                const TouchWatch *touches,
-                                Recorder         &recorder)
+      SmallDisplacementRecorder(LatticeRun          &exact,
+                                KinematicCorrection &error,
+                                const TouchWatch    *touches,
+                                Recorder            &recorder)
         : DecisionRecorder(exact, recorder)
         , scene(exact.scene)
         , exact(exact)
-        , error(exact.scene, exact.solver())
+        , error(error)
         , distance(
             std::max<unsigned long>(scene.time.n_steps() / n_error_looks, 1))
         , touches(touches)
@@ -213,7 +214,7 @@ namespace auxfem
 
       const Scene            &scene;
       LatticeRun             &exact;
-      KinematicCorrection     error;
+      KinematicCorrection    &error;
       const unsigned long     distance; ///< of looks, steps
       const TouchWatch *const touches;
       std::string             why;
@@ -230,13 +231,12 @@ namespace auxfem
     }
 
     /** Decides whether small displacements are worth a trial. */
-    EffectDecision decision_by_loads(LatticeRun &exact)
+    EffectDecision decision_by_loads(KinematicCorrection &correction,
+                                     const double         tolerance)
     {
-      KinematicCorrection of_loads(exact.scene, exact.solver());
-      of_loads.look_at_loads();
-      const double tolerance = exact.scene.effects.tolerance,
-                   error     = of_loads.relative();
-      const std::string why  = of_loads.why_exact(worth_trying * tolerance);
+      correction.look_at_loads();
+      const double      error = correction.relative();
+      const std::string why   = correction.why_exact(worth_trying * tolerance);
       return {large_rotation,
               !why.empty(),
               why.empty() ? reason_for_trial(error, tolerance)
@@ -244,6 +244,7 @@ namespace auxfem
               EffectMeasure{std::min(error, 1.),
                             "the static answer to the loads"}};
     }
+
     /** Tells what was decided, and what follows for contact of struts. */
     void explain(LatticeRun &exact, const EffectDecision &kinematics)
     {
@@ -254,12 +255,51 @@ namespace auxfem
       const EffectCause cause = contact.cause(with_small_displacements(exact));
       exact.model.explain({contact.name, cause.given, cause.reason});
     }
+
+    /** Decides, and tries; nothing if @p exact is to run. */
+    std::optional<RunResult> run_with_small_displacements(LatticeRun &exact,
+                                                          Recorder   &recorder)
+    {
+      const Scene         &scene      = exact.scene;
+      const Records *const checkpoint = recorder.goes_on_from();
+      const EffectDecision contact =
+        exact.model.decision(contact_effect().name);
+      KinematicCorrection correction(scene, exact.solver());
+      explain(exact,
+              checkpoint != nullptr
+                ? saved_decision(*checkpoint)
+                : decision_by_loads(correction, scene.effects.tolerance));
+      if (exact.model.decision(large_rotation).on)
+        return {};
+
+      const Scene small_scene = with_small_displacements(exact);
+      LatticeRun  small(small_scene, exact);
+      for (const EffectDecision &decision : exact.model.simulated.decisions)
+        small.model.explain(decision);
+      SmallDisplacementRecorder watching(exact,
+                                         correction,
+                                         watch_touches(small, exact),
+                                         recorder);
+      const RunResult           result = small.run(watching);
+      if (watching.reason().empty())
+        return result;
+      exact.add_effort(small.work());
+      exact.model.explain(contact);
+      exact.model.explain({large_rotation,
+                           true,
+                           watching.reason() + "; run again from the start",
+                           exact.model.decision(large_rotation).measure});
+      return {};
+    }
   } // namespace
 
   void explain_kinematics(LatticeRun &exact)
   {
-    if (has_choice(exact.scene, exact.equations))
-      explain(exact, decision_by_loads(exact));
+    if (!has_choice(exact.scene, exact.equations))
+      return;
+    KinematicCorrection correction(exact.scene, exact.solver());
+    explain(exact,
+            decision_by_loads(correction, exact.scene.effects.tolerance));
   }
 
   RunResult run_with_chosen_kinematics(const Scene   &scene,
@@ -269,32 +309,9 @@ namespace auxfem
     LatticeRun exact(scene, communicator);
     if (!has_choice(scene, exact.equations))
       return exact.run(recorder);
-    const EffectDecision contact = exact.model.decision(contact_effect().name);
-    if (const Records *const checkpoint = recorder.goes_on_from())
-      explain(exact, saved_decision(*checkpoint));
-    else
-      explain_kinematics(exact);
-
+    if (const auto result = run_with_small_displacements(exact, recorder))
+      return *result;
     DecisionRecorder deciding(exact, recorder);
-    if (!exact.model.decision(large_rotation).on)
-      {
-        const Scene small_scene = with_small_displacements(exact);
-        LatticeRun  small(small_scene, exact);
-        for (const EffectDecision &decision : exact.model.simulated.decisions)
-          small.model.explain(decision);
-        SmallDisplacementRecorder watching(exact,
-                                           watch_touches(small, exact),
-                                           recorder);
-        const RunResult           result = small.run(watching);
-        if (watching.reason().empty())
-          return result;
-        exact.add_effort(small.work());
-        exact.model.explain(contact);
-        exact.model.explain({large_rotation,
-                             true,
-                             watching.reason() + "; run again from the start",
-                             exact.model.decision(large_rotation).measure});
-      }
     return exact.run(deciding);
   }
 } // namespace auxfem

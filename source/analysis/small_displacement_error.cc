@@ -206,7 +206,7 @@ namespace auxfem
                             displacement);
     };
     Worst  worst;
-    double work = 0, axial_energy = 0;
+    double work = 0, axial_energy = 0, compression = 0;
     for (const Chord &chord : chords)
       {
         const double rotation = rotation_of(chord.line);
@@ -214,6 +214,7 @@ namespace auxfem
         work += force * rotation * rotation * chord.line.length;
         axial_energy +=
           force * force * chord.line.length / (2 * chord.axial_stiffness);
+        compression = std::max(compression, -force / chord.buckling_force);
         worst.add({std::max(rotation, node_rotation(chord, displacement)),
                    // Below that it depends on what bends.
                    -force > chord.buckling_force ? -force / chord.buckling_force
@@ -237,7 +238,8 @@ namespace auxfem
     SmallDisplacementError error = worst.error;
     error.second_order =
       std::max(error.second_order, of_all_struts(work, axial_energy, state));
-    error.location = location_of(worst);
+    error.compression = equations.unknowns().layout.largest(compression);
+    error.location    = location_of(worst);
     return error;
   }
 

@@ -17,8 +17,9 @@ namespace auxfem
       proximity.follow(begin);
     is_following = true;
 
-    const auto found = proximity.first_too_near(begin, end, /*allowed=*/0);
-    proximity.follow(end);
+    const double way = proximity.way_to(end);
+    const auto found = proximity.first_too_near(begin, end, /*allowed=*/0, way);
+    proximity.follow(end, way);
     before.swap(after);
     if (!found)
       return {};

@@ -369,17 +369,24 @@ namespace auxfem
     return false;
   }
 
-  bool StrutProximity::follow(const std::vector<double> &u)
+  double StrutProximity::way_to(const std::vector<double> &u) const
+  {
+    // At first that is at rest.
+    return thickest > 0
+      ? motion(looked.empty() ? std::vector<double>(u.size(), 0.) : looked, u)
+      : 0.;
+  }
+
+  bool StrutProximity::follow(const std::vector<double> &u, const double way)
   {
     if (!(thickest > 0))
       return false;
     const bool is_first = looked.empty();
     if (is_first)
       looked = std::vector<double>(u.size(), 0.);
-    const double since = motion(looked, u);
-    if (!is_first && since < unseen_motion())
+    else if (way < unseen_motion())
       return false;
-    travelled += since;
+    travelled += way;
     if (is_first || travelled >= list_due)
       find_pairs_in_reach(u);
     look_at_pairs(u);
@@ -404,7 +411,8 @@ namespace auxfem
   std::optional<AxisPair>
   StrutProximity::first_too_near(const std::vector<double> &from,
                                  const std::vector<double> &to,
-                                 const double               allowed) const
+                                 const double               allowed,
+                                 const double               way) const
   {
     // Without a state to start from nothing is known.
     if (!(thickest > 0) || looked.empty())
@@ -420,14 +428,13 @@ namespace auxfem
             comes_too_near(pair, from, to, least))
           return pair;
       }
-    const double since = motion(looked, to);
-    if (since < unseen_motion())
+    if (way < unseen_motion())
       return {};
     const auto is_bad = [&](const AxisPair &pair) {
       return !std::binary_search(near_pairs.begin(), near_pairs.end(), pair) &&
         comes_too_near(pair, from, to, 0.);
     };
-    if (travelled + since >= list_due + reach / 8)
+    if (travelled + way >= list_due + reach / 8)
       {
         for (const AxisPair &pair : pairs_in_boxes(from, to, 0.))
           if (is_bad(pair))
@@ -435,10 +442,10 @@ namespace auxfem
       }
     else
       for (const Reach &pair : in_reach)
-        if (travelled + since >= pair.due && is_bad(pair.pair))
+        if (travelled + way >= pair.due && is_bad(pair.pair))
           return pair.pair;
     for (unsigned int axis = 0; axis < turning_due.size(); ++axis)
-      if (travelled + since >= turning_due[axis] &&
+      if (travelled + way >= turning_due[axis] &&
           motion(axis, looked, to) >= unseen_motion() &&
           turning(axis, to) >= allowed_turning[axis])
         for (const unsigned int i : connected_of_axis[axis])

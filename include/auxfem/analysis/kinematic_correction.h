@@ -1,6 +1,7 @@
 #ifndef auxfem_analysis_kinematic_correction_h
 #define auxfem_analysis_kinematic_correction_h
 
+#include <auxfem/analysis/exact_stiffness.h>
 #include <auxfem/analysis/small_displacement_error.h>
 #include <auxfem/analysis/watch.h>
 #include <auxfem/equations/node_rotations.h>
@@ -38,22 +39,22 @@ namespace auxfem
      */
     void look_at_loads();
 
-    /** Before states are looked at. @param small their equations, which must
-     * outlive the object */
+    /** Before states are looked at: of the loads only what is stable is
+     * remembered. @param small their equations, which must outlive the object */
     void begin(const Equations &small);
 
     /**
      * Of a state of small displacements, which has its energies. Does nothing
-     * where less than a quarter has been added to the motion and to the first
-     * estimate of its error since the last look, and little error was found.
+     * where what was seen before tells that it is stable and its error small.
      */
     void look_at(const State &state);
 
     /**
      * Whether @p state, of any step, has to be looked at: the first estimate of
-     * its error (SmallDisplacementEstimate) has grown so much since the last
-     * look that the error may be near what is allowed. With inertia it is taken
-     * in every tenth step.
+     * its error (SmallDisplacementEstimate) and the size of the motion have
+     * grown so much since the last look that the error may be near what is
+     * allowed, or that it may be unstable. With inertia they are taken in every
+     * twentieth step.
      */
     bool asks_for_look(const State &state);
 
@@ -78,11 +79,11 @@ namespace auxfem
     ///@}
 
   private:
-    /** The unloaded state, whose rates are zero. Made anew for every look:
-     * looks are rare. */
-    State at_rest() const;
-    /** The exact state of @p motion with `error` added. */
-    State exact_state(const State &motion) const;
+    /** Forgets what was seen but for what is stable. */
+    void begin_anew();
+    /** The exact state of so many @p times @p motion, with the error that has
+     * then. */
+    State exact_state(const State &motion, double times) const;
     /**
      * Newton's method for `error`.
      * @param motion of small displacements
@@ -93,45 +94,70 @@ namespace auxfem
     void find(const State        &motion,
               const EvaluationOf &evaluation_of,
               const Vector       &left);
-    /** What else the exact state at the end of that tells.
-     * @param is_factorized_near whether the factorization is of a stiffness not
-     * far from there */
-    void judge(const Evaluation        &evaluation,
-               const EvaluationResults &results,
-               bool                     is_factorized_near);
+    /** The same from the first guess in `error`, with the stiffness at rest if
+     * it is there, else with others for as long as they serve; whether that
+     * converges. Looks at what it has found.
+     * @param size of the motion (m) */
+    template <class EvaluationOf>
+    bool converge(const State        &motion,
+                  double              size,
+                  const EvaluationOf &evaluation_of,
+                  const Vector       &left);
+    /**
+     * Whether the exact stiffness at the end of that is positive. It is looked
+     * at ahead, unless loads follow the motion, so that it need not be known
+     * for each motion.
+     * @param size of the motion (m)
+     * @param compression as SmallDisplacementError
+     */
+    template <class EvaluationOf>
+    void judge_stability(const State        &motion,
+                         double              size,
+                         double              compression,
+                         const EvaluationOf &evaluation_of);
     /** Of its increments. */
     Vector right_side(const State &exact, const Vector &left) const;
-    /** Of the exact stiffness; returns whether that succeeds. */
-    bool factorize(const Evaluation        &evaluation,
-                   const EvaluationResults &results);
+    /** Whether what was seen tells that the error of a motion of @p size (m),
+     * whose first estimate is @p now, is small, and that it is stable. */
+    bool is_known(double size, const SmallDisplacementError &now) const;
+    /** The first estimate of a state, taken once. */
+    const SmallDisplacementError &estimate_at(const State &state);
     /** Displacements that answer the loads of @p time; nothing if none can be
      * found. */
     std::optional<Vector> linear_answer(const TimeLimit &time);
     /** Where the error last looked at is largest. */
     std::string location() const;
-    /** Looks are rare: neither memory nor a checkpoint holds it till the next.
-     */
-    void forget_tangent();
     /** First guess of `error` from that of the look before, for a motion of
      * @p size (m). */
     void grow_error(double size);
 
-    const Scene        &scene;
-    TangentSolver      &solver;
-    const NodeRotations rotations;
-    const double        inertia; ///< of the error (1/s2)
-    Vector              error;
-    double              largest_error = 0, largest_motion = 0; ///< m
-    double              largest_rotation = 0;                  ///< rad
-    double              size_of_motion   = 0; ///< at the last look (m)
-    double              way              = 0; ///< so far (m)
-    double              time             = 0; ///< of the last look (s)
-    const Equations    *small = nullptr; ///< from begin() on, with `estimate`
+    const Scene                    &scene;
+    const bool                      has_follower_loads;
+    TangentSolver                  &solver;
+    const NodeRotations             rotations;
+    const double                    inertia; ///< of the error (1/s2)
+    ExactStiffness                  stiffness;
+    const SmallDisplacementEstimate of_exact; ///< compression of exact states
+    Vector                          error;
+    struct
+    {
+      double largest_error = 0, largest_motion = 0; ///< m
+      double largest_rotation = 0;                  ///< rad
+      bool   unstable         = false;
+    } worst;                             ///< since begin_anew()
+    double           size_of_motion = 0; ///< at the last look (m)
+    double           way            = 0; ///< so far (m)
+    double           time           = 0; ///< of the last look (s)
+    const Equations *small = nullptr;    ///< from begin() on, with `estimate`
     std::optional<SmallDisplacementEstimate> estimate;
-    double       estimated = 0; ///< at the last look
-    unsigned int n_steps   = 0; ///< since the last estimate
+    std::optional<std::pair<double, SmallDisplacementError>>
+                 known_estimate; ///< with its time (s)
+    double       estimated = 0;  ///< at the last look
+    unsigned int n_steps   = 0;  ///< since the last estimate
     std::vector<std::unique_ptr<Watch>> watches;
-    bool                                unstable = false, is_factorized = false;
+    /** Up to which motions are trusted to be stable: their size (m), and
+     * SmallDisplacementError::compression. */
+    double stable_size = 0, stable_compression = 0;
   };
 } // namespace auxfem
 

@@ -27,6 +27,9 @@ namespace auxfem
     double strain = 0;
     /** `strut 3`, say; empty: nothing moves. */
     std::string location;
+    /** No error of its own: largest compressive force of a strut over its
+     * buckling load with hinged ends. */
+    double compression = 0;
 
     /** Of displacements and forces; half the rotation is the part of a strut's
      * motion that turning on a circle and not on its tangent makes. */
@@ -47,7 +50,7 @@ namespace auxfem
   public:
     /** Steps from one estimate to the next with inertia, where one costs about
      * as much as a tenth of a step, and motions take many steps. */
-    static constexpr unsigned int distance_in_motion = 10;
+    static constexpr unsigned int distance_in_motion = 20;
 
     /** @param scene, equations must outlive the object. */
     SmallDisplacementEstimate(const Scene &scene, const Equations &equations);

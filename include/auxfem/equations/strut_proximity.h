@@ -31,8 +31,18 @@ namespace auxfem
                    const StrutCurves               &curves,
                    const std::vector<StrutOverlap> &overlaps);
 
-    /** Follows an accepted state; whether near() has changed. Collective. */
-    bool follow(const std::vector<double> &displacements);
+    /** Largest motion of a node since the last look (m). */
+    double way_to(const std::vector<double> &displacements) const;
+
+    /** Follows an accepted state; whether near() has changed. Collective.
+     * @param way way_to() there */
+    ///@{
+    bool follow(const std::vector<double> &displacements, double way);
+    bool follow(const std::vector<double> &displacements)
+    {
+      return follow(displacements, way_to(displacements));
+    }
+    ///@}
 
     /** Pairs that touch or may do so soon, sorted. */
     const std::vector<AxisPair> &near() const
@@ -56,10 +66,20 @@ namespace auxfem
      * was followed. Collective.
      * @param allowed penetration of near pairs over half their thickness;
      *   others may not touch
+     * @param way way_to() the second state
      */
+    ///@{
     std::optional<AxisPair> first_too_near(const std::vector<double> &from,
                                            const std::vector<double> &to,
-                                           double allowed) const;
+                                           double                     allowed,
+                                           double way) const;
+    std::optional<AxisPair> first_too_near(const std::vector<double> &from,
+                                           const std::vector<double> &to,
+                                           const double allowed) const
+    {
+      return first_too_near(from, to, allowed, way_to(to));
+    }
+    ///@}
 
   private:
     /** A pair within reach of each other. */

@@ -1,4 +1,5 @@
 #include <auxfem/analysis/watch.h>
+#include <auxfem/analysis/watched_part.h>
 #include <auxfem/model/unknown_records.h>
 #include <auxfem/time/largest_in_time.h>
 
@@ -24,12 +25,16 @@ namespace auxfem
     /** Turn of a joint in one step (rad). */
     constexpr double doubtful_increment = 0.5;
 
+    /** For which a part of the unknowns is looked at; the third tells first. */
+    constexpr unsigned int n_steps_of_part = 6;
+
     /**
      * Error of the trapezoidal rule in a step, dt^3 u''' / 12, by the third
      * difference of displacements at the ends of steps: accelerations may ring
      * where displacements do not. Sums over all unknowns and steps weigh each
-     * motion by the way it goes. What another scheme misses is that of the
-     * vibration of which the rule would miss so much.
+     * motion by the way it goes; in large linear scenes over parts of them
+     * (WatchedPart). What another scheme misses is that of the vibration of
+     * which the rule would miss so much.
      */
     class StepWatch : public Watch
     {
@@ -40,6 +45,7 @@ namespace auxfem
         : scene_step(step)
         , scheme(scheme)
         , equations(equations)
+        , part(equations, n_steps_of_part)
       {}
 
       void step(const Evaluation &step,
@@ -51,6 +57,8 @@ namespace auxfem
         const unsigned int n = equations.unknowns().layout.n_owned();
         if (n != n_unknowns)
           sort_unknowns(n);
+        if (part.passes_on())
+          forget_steps();
         if (step.event_at_from)
           n_before = 0;
         add_way(step);
@@ -94,6 +102,7 @@ namespace auxfem
                       increment.time,
                       double(n_before),
                       dt_before});
+        part.save(step_record, records);
         save_translations(rate_record, rates, records);
         save_translations(acceleration_record, accelerations, records);
       }
@@ -108,6 +117,11 @@ namespace auxfem
         time                = values[2];
         largest_increment   = {values[3], values[4]};
         sort_unknowns(equations.unknowns().layout.n_owned());
+        if (!part.resume(step_record, records))
+          {
+            forget_steps();
+            return;
+          }
         n_before      = values[5];
         dt_before     = values[6];
         rates         = saved_translations(rate_record, records);
@@ -121,7 +135,7 @@ namespace auxfem
       {
         Vector values(equations.model().numbering.layout().n_local(), 0.);
         for (std::size_t k = 0; k < of_translations.size(); ++k)
-          values[translations[k]] = of_translations[k];
+          values[translations[part.now()][k]] = of_translations[k];
         UnknownRecords(equations.model().numbering).keep(name, values, records);
       }
 
@@ -131,7 +145,7 @@ namespace auxfem
         const Vector values =
           UnknownRecords(equations.model().numbering).values(name, records);
         std::vector<double> of_translations;
-        for (const int i : translations)
+        for (const int i : translations[part.now()])
           of_translations.push_back(values[i]);
         return of_translations;
       }
@@ -139,17 +153,24 @@ namespace auxfem
       void sort_unknowns(const unsigned int n)
       {
         const auto &kinds = equations.unknowns().kinds;
-        translations.clear();
+        translations.assign(part.n_parts(), {});
         rotations.clear();
         for (unsigned int i = 0; i < n; ++i)
           if (kinds[i] == UnknownKind::translation)
-            translations.push_back(i);
-          else if (kinds[i] == UnknownKind::rotation)
+            translations[part.part_of(i)].push_back(i);
+          // Where they are small steps hardly matter.
+          else if (kinds[i] == UnknownKind::rotation && !equations.is_linear())
             rotations.push_back(i);
-        rates.assign(translations.size(), 0.);
-        accelerations.assign(translations.size(), 0.);
         n_unknowns = n;
-        n_before   = 0;
+        forget_steps();
+      }
+
+      void forget_steps()
+      {
+        const std::size_t n = translations[part.now()].size();
+        rates.assign(n, 0.);
+        accelerations.assign(n, 0.);
+        n_before = 0;
       }
 
       void add_way(const Evaluation &step)
@@ -158,10 +179,11 @@ namespace auxfem
         const double  per_mean = n_before > 0 ? 2 / (step.dt + dt_before) : 0;
         const double *before   = step.from.displacement.data(),
                      *now      = step.to.displacement.data();
-        double way_now = 0, change = 0;
-        for (std::size_t k = 0; k < translations.size(); ++k)
+        const std::vector<int> &watched = translations[part.now()];
+        double                  way_now = 0, change = 0;
+        for (std::size_t k = 0; k < watched.size(); ++k)
           {
-            const int    i            = translations[k];
+            const int    i            = watched[k];
             const double increment    = now[i] - before[i];
             const double rate         = increment * per_step;
             const double acceleration = (rate - rates[k]) * per_mean;
@@ -210,15 +232,21 @@ namespace auxfem
       double                time = 0;           ///< s
       LargestInTime         largest_increment;  ///< rad
 
-      /** Owned and free ones of n_unknowns owned in all. */
-      std::vector<int> translations, rotations;
-      unsigned int     n_unknowns = 0;
+      WatchedPart part;
+      /** Owned and free ones of n_unknowns owned in all: by part, and all large
+       * ones. */
+      ///@{
+      std::vector<std::vector<int>> translations;
+      std::vector<int>              rotations;
+      unsigned int                  n_unknowns = 0;
+      ///@}
 
       /** @name Of the steps just before. */
       ///@{
-      std::vector<double> rates, accelerations; ///< m/s, m/s2; of translations
-      unsigned int        n_before  = 0;        ///< steps known, at most two
-      double              dt_before = 0;        ///< s
+      /** M/s, m/s2; of the translations of the part. */
+      std::vector<double> rates, accelerations;
+      unsigned int        n_before  = 0; ///< steps known, at most two
+      double              dt_before = 0; ///< s
       ///@}
     };
   } // namespace

@@ -1,4 +1,5 @@
 #include <auxfem/analysis/watch.h>
+#include <auxfem/analysis/watched_part.h>
 #include <auxfem/elements/strut_order.h>
 #include <auxfem/model/line_rule.h>
 #include <auxfem/model/unknown_records.h>
@@ -98,6 +99,22 @@ namespace auxfem
     /** By local unknown; no mass: there is no filter. */
     using Translations = std::vector<FilteredTranslation>;
 
+    /** For which a part of them is looked at: filters that begin anew need a
+     * time of 1 / frequency to follow. */
+    unsigned int n_steps_to_follow(const Translations  &translations,
+                                   const UnknownLayout &layout,
+                                   const double         time_step)
+    {
+      constexpr double least = 4, times_to_follow = 6;
+      double           slowest = std::numeric_limits<double>::infinity();
+      for (const FilteredTranslation &translation : translations)
+        if (translation.mass > 0)
+          slowest =
+            std::min(slowest, translation.mass_times_filter / translation.mass);
+      return std::ceil(layout.largest(
+        std::max(least, times_to_follow / (slowest * time_step))));
+    }
+
     void add_element(const LatticeModel &model,
                      const unsigned int  e,
                      const LineRule     &rule,
@@ -182,20 +199,26 @@ namespace auxfem
     class FilteredVelocities
     {
     public:
-      explicit FilteredVelocities(const Translations &translations)
+      /** Takes in a translation if it has so many poles. */
+      void add(const unsigned int         unknown,
+               const FilteredTranslation &translation)
       {
-        for (std::size_t i = 0; i < translations.size(); ++i)
-          if (const FilteredTranslation &translation = translations[i];
-              translation.mass > 0 && translation.n_poles == n_poles)
-            {
-              unknowns.push_back(i);
-              struts.push_back(translation.strut);
-              masses.push_back(translation.mass);
-              filters.push_back(translation.mass_times_filter /
-                                translation.mass);
-            }
-        filtered.assign(unknowns.size(), {});
-        unresolved.assign(unknowns.size(), 0.);
+        if (translation.n_poles != n_poles)
+          return;
+        unknowns.push_back(unknown);
+        struts.push_back(translation.strut);
+        masses.push_back(translation.mass);
+        filters.push_back(translation.mass_times_filter / translation.mass);
+        filtered.push_back({});
+        unresolved.push_back(0.);
+      }
+
+      /** As if all had been at rest. */
+      void forget_steps()
+      {
+        std::fill(filtered.begin(),
+                  filtered.end(),
+                  std::array<double, n_poles>{});
       }
 
       void tell(FilterMemory &memory) const
@@ -259,17 +282,52 @@ namespace auxfem
       std::vector<double>                      unresolved; ///< J s
     };
 
+    /** By their number of poles. */
+    class AllFilteredVelocities
+    {
+    public:
+      void add(const unsigned int         unknown,
+               const FilteredTranslation &translation)
+      {
+        for_each([&](auto &of_poles) { of_poles.add(unknown, translation); });
+      }
+
+      /** Calls @p act with each. */
+      ///@{
+      template <class Act>
+      void for_each(const Act &act)
+      {
+        std::apply([&](auto &...of_poles) { (act(of_poles), ...); }, by_poles);
+      }
+
+      template <class Act>
+      void for_each(const Act &act) const
+      {
+        std::apply([&](const auto &...of_poles) { (act(of_poles), ...); },
+                   by_poles);
+      }
+      ///@}
+
+    private:
+      static_assert(poles_of(largest_plane_order) <= most_poles);
+      std::tuple<FilteredVelocities<1>,
+                 FilteredVelocities<2>,
+                 FilteredVelocities<3>>
+        by_poles;
+    };
+
     /**
      * Kinetic energy in bending waves too short for the elements: what is left
      * of it when the velocities have passed a high-pass filter with the
-     * frequency of such waves, over the time.
+     * frequency of such waves, over the time; in large linear scenes of parts
+     * of them (WatchedPart).
      */
     class WaveWatch : public Watch
     {
     public:
       WaveWatch(const double time_step, const Equations &equations)
-        : WaveWatch(equations.unknowns().layout,
-                    equations.model().numbering,
+        : WaveWatch(equations,
+                    time_step,
                     filtered_translations(equations.model(), time_step))
       {}
 
@@ -277,10 +335,12 @@ namespace auxfem
                 const EvaluationResults & /*results*/,
                 TangentSolver & /*solver*/) override
       {
+        if (part.passes_on())
+          forget_steps(velocities[part.now()]);
         double in_step = 0;
-        for_all(*this,
-                [&](auto &of_poles) { in_step += of_poles.filter(step); });
-        in_step = layout.sum(in_step);
+        velocities[part.now()].for_each(
+          [&](auto &of_poles) { in_step += of_poles.filter(step); });
+        in_step = part.n_parts() * layout.sum(in_step);
         unresolved += in_step * step.dt;
         kinetic += step.to.energies.kinetic() * step.dt;
         largest.add(in_step, step.to.time);
@@ -311,8 +371,11 @@ namespace auxfem
       {
         records.keep(wave_record,
                      {unresolved, kinetic, largest.value, largest.time});
+        part.save(wave_record, records);
         FilterMemory memory(numbering.layout().n_local());
-        for_all(*this, [&](auto &of_poles) { of_poles.tell(memory); });
+        for (const AllFilteredVelocities &of_part : velocities)
+          of_part.for_each(
+            [&](const auto &of_poles) { of_poles.tell(memory); });
         memory.save(UnknownRecords(numbering), records);
       }
 
@@ -323,26 +386,29 @@ namespace auxfem
         kinetic                          = values[1];
         largest                          = {values[2], values[3]};
         const FilterMemory memory(UnknownRecords(numbering), records);
-        for_all(*this, [&](auto &of_poles) { of_poles.take(memory); });
+        for (AllFilteredVelocities &of_part : velocities)
+          of_part.for_each([&](auto &of_poles) { of_poles.take(memory); });
+        if (!part.resume(wave_record, records))
+          forget_steps(velocities[part.now()]);
       }
 
     private:
-      static_assert(poles_of(largest_plane_order) <= most_poles);
-
-      WaveWatch(const UnknownLayout &layout,
-                const DofNumbering  &numbering,
-                const Translations  &translations)
-        : layout(layout)
-        , numbering(numbering)
-        , velocities(translations, translations, translations)
-      {}
-
-      template <class WatchType, class Act>
-      static void for_all(WatchType &watch, const Act &act)
+      WaveWatch(const Equations    &equations,
+                const double        time_step,
+                const Translations &translations)
+        : layout(equations.unknowns().layout)
+        , numbering(equations.model().numbering)
+        , part(equations, n_steps_to_follow(translations, layout, time_step))
+        , velocities(part.n_parts())
       {
-        act(std::get<0>(watch.velocities));
-        act(std::get<1>(watch.velocities));
-        act(std::get<2>(watch.velocities));
+        for (unsigned int i = 0; i < translations.size(); ++i)
+          if (translations[i].mass > 0)
+            velocities[part.part_of(i)].add(i, translations[i]);
+      }
+
+      static void forget_steps(AllFilteredVelocities &velocities)
+      {
+        velocities.for_each([](auto &of_poles) { of_poles.forget_steps(); });
       }
 
       /** With the most of that energy. */
@@ -357,8 +423,9 @@ namespace auxfem
       {
         WorstStrut                     mine;
         std::map<unsigned int, double> by_strut;
-        for_all(*this,
-                [&](auto &of_poles) { of_poles.add_unresolved(by_strut); });
+        for (const AllFilteredVelocities &of_part : velocities)
+          of_part.for_each(
+            [&](const auto &of_poles) { of_poles.add_unresolved(by_strut); });
         for (const auto &[strut, value] : by_strut)
           if (value > mine.unresolved)
             mine = {value, strut};
@@ -370,14 +437,12 @@ namespace auxfem
 
       const UnknownLayout &layout;
       const DofNumbering  &numbering;
-      /** By the number of poles. */
-      std::tuple<FilteredVelocities<1>,
-                 FilteredVelocities<2>,
-                 FilteredVelocities<3>>
-                    velocities;
-      double        unresolved = 0; ///< J s
-      double        kinetic    = 0; ///< J s
-      LargestInTime largest;        ///< J
+      WatchedPart          part;
+      /** By part. */
+      std::vector<AllFilteredVelocities> velocities;
+      double                             unresolved = 0; ///< J s
+      double                             kinetic    = 0; ///< J s
+      LargestInTime                      largest;        ///< J
     };
   } // namespace
 
