@@ -40,4 +40,14 @@ namespace auxfem
     add_multiple(step.dt * step.dt / 2, *step.from.acceleration, increment);
     scheme.correct(step.from, increment, step.dt, step.to);
   }
+
+  void go_on_as_before(const ImplicitScheme &scheme, const Evaluation &step)
+  {
+    if (!step.from.before)
+      return;
+    Vector increment = step.from.displacement;
+    add_multiple(-1., step.from.before->displacement, increment);
+    scale(step.dt / step.from.before->dt, increment);
+    scheme.correct(step.from, increment, step.dt, step.to);
+  }
 } // namespace auxfem

@@ -60,6 +60,7 @@ namespace auxfem
     , parameters(parameters)
     , rows(solver.equations(), parameters.tolerance)
     , is_linear(solver.equations().is_linear())
+    , supports_rest(supports_are_at_rest(solver.model()))
     , estimates_stages(parameters.estimates_stages &&
                        solver.equations().stages_need_no_residual() &&
                        solver.model().numbering.constraints().n_multipliers() ==
@@ -83,7 +84,7 @@ namespace auxfem
     double size      = in_force_units(results);
     double reduction = std::numeric_limits<double>::infinity();
     // Prescribed unknowns may still have to move to their place.
-    bool is_in_place = scheme.is_dynamic();
+    bool is_in_place = scheme.is_dynamic() || supports_rest;
     // Where the residual has grown in the iteration before, too.
     bool grows = false;
     // Of the last iterate; large if its norm was not small.
@@ -122,9 +123,12 @@ namespace auxfem
             // round-off: from here on the weak ones count.
             reduction     = excess_before / excess;
             excess_before = excess;
-            if (excess <= 1 ||
-                (stagnates() &&
-                 rows.excess_beyond_round_off(evaluation, results) <= 1))
+            // Equilibria are refined once at least: what steps guess ahead may
+            // stand far from them in soft directions.
+            if ((scheme.is_dynamic() || result.iterations > 0) &&
+                (excess <= 1 ||
+                 (stagnates() &&
+                  rows.excess_beyond_round_off(evaluation, results) <= 1)))
               return solved(force);
           }
         else

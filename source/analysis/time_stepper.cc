@@ -433,6 +433,8 @@ namespace auxfem
     rule.predict(step.from, step.dt, step.to);
     if (scheme.balances_means())
       guess_ahead(rule, step, equations.model());
+    if (equations.is_linear())
+      go_on_as_before(rule, step);
     rotations.follow(step);
     if (scheme.is_dynamic())
       prescribe_motion(equations.model(), step);

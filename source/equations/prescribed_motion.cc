@@ -471,12 +471,17 @@ namespace auxfem
 
   std::unique_ptr<Effect> make_support_work(const LatticeModel &model)
   {
-    if (std::all_of(model.supports.begin(),
-                    model.supports.end(),
-                    [](const Support &support) {
-                      return support.is_at_rest();
-                    }))
+    if (supports_are_at_rest(model))
       return nullptr;
     return std::make_unique<SupportWork>(model);
+  }
+
+  bool supports_are_at_rest(const LatticeModel &model)
+  {
+    return std::all_of(model.supports.begin(),
+                       model.supports.end(),
+                       [](const Support &support) {
+                         return support.is_at_rest();
+                       });
   }
 } // namespace auxfem

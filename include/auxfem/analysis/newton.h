@@ -153,7 +153,7 @@ namespace auxfem
     TangentSolver         &solver;
     const NewtonParameters parameters;
     const RowCriterion     rows;
-    const bool             is_linear;
+    const bool             is_linear, supports_rest;
     /** Whether residuals of stages can be estimated. */
     const bool          estimates_stages;
     const NodeRotations rotations;

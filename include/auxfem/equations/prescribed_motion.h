@@ -54,6 +54,9 @@ namespace auxfem
    */
   double support_work_error(const LatticeModel &model, const Evaluation &step);
 
+  /** Whether nothing that supports prescribe ever moves. */
+  bool supports_are_at_rest(const LatticeModel &model);
+
   /**
    * Keeps account of the work of supports that move; they have no forces
    * besides the residual. nullptr if all are at rest.
