@@ -35,8 +35,8 @@ namespace auxfem
      * many. */
     constexpr double ahead = 8, trusted = 4;
 
-    /** By what a motion is larger than another for stability to be looked at
-     * again where that is not known ahead. */
+    /** By what a motion is larger than those before for a look between others,
+     * and for its stability to be looked at where that is not known ahead. */
     constexpr double larger = 1.25;
 
     /** Part of what is allowed: below it an error is little, and which it is
@@ -234,7 +234,7 @@ namespace auxfem
                                             const double        compression,
                                             const EvaluationOf &evaluation_of)
   {
-    if (size <= stable_size && compression <= stable_compression)
+    if (is_known_stable(size, compression))
       return;
     const auto is_positive = [&](const double times) {
       State       exact = exact_state(motion, times);
@@ -337,20 +337,32 @@ namespace auxfem
     if (size_of_motion == 0)
       return now.total() > little * scene.effects.tolerance ||
         now.compression > little_compression;
-    return !is_known(size_of(solver.model(), state.displacement), now);
+    const double size = size_of(solver.model(), state.displacement);
+    return !is_known_stable(size, now.compression) ||
+      (growth(size, now) > larger && !is_known_little(size, now));
   }
 
-  bool KinematicCorrection::is_known(const double                  size,
+  double KinematicCorrection::growth(const double                  size,
                                      const SmallDisplacementError &now) const
   {
-    const double tolerance = scene.effects.tolerance,
-                 growth    = std::max(
-                   {1.,
-                       size / worst.largest_motion,
-                    now.total() <= estimated ? 1. : now.total() / estimated});
-    return size <= stable_size && now.compression <= stable_compression &&
-      std::max(relative(), least_known * tolerance) * growth <=
+    return std::max({1.,
+                     size / worst.largest_motion,
+                     now.total() <= estimated ? 1. : now.total() / estimated});
+  }
+
+  bool
+  KinematicCorrection::is_known_little(const double                  size,
+                                       const SmallDisplacementError &now) const
+  {
+    const double tolerance = scene.effects.tolerance;
+    return std::max(relative(), least_known * tolerance) * growth(size, now) <=
       little * tolerance;
+  }
+
+  bool KinematicCorrection::is_known_stable(const double size,
+                                            const double compression) const
+  {
+    return size <= stable_size && compression <= stable_compression;
   }
 
   void KinematicCorrection::look_at(const State &state)
@@ -364,7 +376,8 @@ namespace auxfem
     time              = state.time;
     const double size = size_of(solver.model(), state.displacement);
     const SmallDisplacementError &now = estimate_at(state);
-    if (size_of_motion > 0 && is_known(size, now))
+    if (size_of_motion > 0 && is_known_stable(size, now.compression) &&
+        is_known_little(size, now))
       return;
     estimated = std::max(estimated, now.total());
     Vector left;

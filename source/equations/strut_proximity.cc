@@ -371,10 +371,11 @@ namespace auxfem
 
   double StrutProximity::way_to(const std::vector<double> &u) const
   {
+    if (!(thickest > 0))
+      return 0;
     // At first that is at rest.
-    return thickest > 0
-      ? motion(looked.empty() ? std::vector<double>(u.size(), 0.) : looked, u)
-      : 0.;
+    return looked.empty() ? motion(std::vector<double>(u.size(), 0.), u)
+                          : motion(looked, u);
   }
 
   bool StrutProximity::follow(const std::vector<double> &u, const double way)

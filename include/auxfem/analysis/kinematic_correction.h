@@ -117,9 +117,14 @@ namespace auxfem
                          const EvaluationOf &evaluation_of);
     /** Of its increments. */
     Vector right_side(const State &exact, const Vector &left) const;
-    /** Whether what was seen tells that the error of a motion of @p size (m),
-     * whose first estimate is @p now, is small, and that it is stable. */
-    bool is_known(double size, const SmallDisplacementError &now) const;
+    /** @name What the looks so far tell of a motion of @p size (m) whose first
+     * estimate is @p now. */
+    ///@{
+    /** By what it is larger than all of them. */
+    double growth(double size, const SmallDisplacementError &now) const;
+    bool is_known_little(double size, const SmallDisplacementError &now) const;
+    bool is_known_stable(double size, double compression) const;
+    ///@}
     /** The first estimate of a state, taken once. */
     const SmallDisplacementError &estimate_at(const State &state);
     /** Displacements that answer the loads of @p time; nothing if none can be
