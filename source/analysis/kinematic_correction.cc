@@ -332,7 +332,8 @@ namespace auxfem
     if (++n_steps < SmallDisplacementEstimate::distance_in_motion &&
         state.velocity)
       return false;
-    n_steps                           = 0;
+    n_steps = 0;
+    add_way(state);
     const SmallDisplacementError &now = estimate_at(state);
     if (size_of_motion == 0)
       return now.total() > little * scene.effects.tolerance ||
@@ -371,9 +372,7 @@ namespace auxfem
       return now.velocity ? Evaluation::rates(before, now)
                           : Evaluation::equilibrium(before, now);
     };
-    if (state.velocity)
-      way += (state.time - time) * size_of(solver.model(), *state.velocity);
-    time              = state.time;
+    add_way(state);
     const double size = size_of(solver.model(), state.displacement);
     const SmallDisplacementError &now = estimate_at(state);
     if (size_of_motion > 0 && is_known_stable(size, now.compression) &&
@@ -390,6 +389,13 @@ namespace auxfem
     grow_error(size);
     find(state, evaluation_of, left);
     stiffness.rest();
+  }
+
+  void KinematicCorrection::add_way(const State &state)
+  {
+    if (state.velocity)
+      way += (state.time - time) * size_of(solver.model(), *state.velocity);
+    time = state.time;
   }
 
   const SmallDisplacementError &

@@ -21,7 +21,7 @@ namespace auxfem
     constexpr double worth_trying = 10;
 
     /** Times the error is looked at in a run. */
-    constexpr unsigned int n_error_looks = 20;
+    constexpr unsigned int n_error_looks = 10;
 
     /** Whether small displacements of the scene are simpler than what it asks
      * for, and known how to be judged. */

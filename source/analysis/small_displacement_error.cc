@@ -17,11 +17,22 @@ namespace auxfem
       connector
     };
 
-    /** Error of a part by itself; its location is told by kind and number. */
-    void add(const SmallDisplacementError &candidate,
-             const Kind                    of_kind,
-             const unsigned int            with_number,
-             const unsigned int            in_group = 0)
+    /** Errors as SmallDisplacementError has them, without words. */
+    struct Errors
+    {
+      double rotation = 0, second_order = 0, strain = 0;
+
+      double total() const
+      {
+        return SmallDisplacementError::total(rotation, second_order, strain);
+      }
+    };
+
+    /** Those of a part by itself. */
+    void add(const Errors      &candidate,
+             const Kind         of_kind,
+             const unsigned int with_number,
+             const unsigned int in_group = 0)
     {
       if (candidate.total() <= error.total())
         return;
@@ -47,15 +58,15 @@ namespace auxfem
                 double(number),
                 double(group)};
       told   = layout.sum(told);
-      error  = {told[0], told[1], told[2], ""};
+      error  = {told[0], told[1], told[2]};
       kind   = static_cast<Kind>(std::lround(told[3]));
       number = std::lround(told[4]);
       group  = std::lround(told[5]);
     }
 
-    SmallDisplacementError error;
-    Kind                   kind   = Kind::none;
-    unsigned int           number = 0, group = 0;
+    Errors       error;
+    Kind         kind   = Kind::none;
+    unsigned int number = 0, group = 0;
   };
 
   namespace
@@ -219,28 +230,27 @@ namespace auxfem
                    // Below that it depends on what bends.
                    -force > chord.buckling_force ? -force / chord.buckling_force
                                                  : 0.,
-                   std::abs(force) / chord.axial_stiffness,
-                   ""},
+                   std::abs(force) / chord.axial_stiffness},
                   Worst::Kind::strut,
                   chord.strut);
       }
     for (const Connector &connector : connectors)
-      worst.add({rotation_of(connector.line), 0, 0, ""},
+      worst.add({rotation_of(connector.line), 0, 0},
                 Worst::Kind::connector,
                 connector.joint,
                 connector.group);
     if (const auto *parts = equations.reporting().rigid_parts)
       for (unsigned int i = 0; i < parts->n_reported(); ++i)
-        worst.add({parts->rotation(i, state).norm(), 0, 0, ""},
+        worst.add({parts->rotation(i, state).norm(), 0, 0},
                   Worst::Kind::rigid_part,
                   parts->part(i));
     worst.take_worst_of_all_ranks(equations.unknowns().layout);
-    SmallDisplacementError error = worst.error;
-    error.second_order =
-      std::max(error.second_order, of_all_struts(work, axial_energy, state));
-    error.compression = equations.unknowns().layout.largest(compression);
-    error.location    = location_of(worst);
-    return error;
+    return {worst.error.rotation,
+            std::max(worst.error.second_order,
+                     of_all_struts(work, axial_energy, state)),
+            worst.error.strain,
+            location_of(worst),
+            equations.unknowns().layout.largest(compression)};
   }
 
   std::string SmallDisplacementEstimate::location_of(const Worst &worst) const

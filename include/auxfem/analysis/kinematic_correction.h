@@ -125,6 +125,8 @@ namespace auxfem
     bool is_known_little(double size, const SmallDisplacementError &now) const;
     bool is_known_stable(double size, double compression) const;
     ///@}
+    /** Of the motion up to @p state. */
+    void add_way(const State &state);
     /** The first estimate of a state, taken once. */
     const SmallDisplacementError &estimate_at(const State &state);
     /** Displacements that answer the loads of @p time; nothing if none can be
@@ -152,7 +154,7 @@ namespace auxfem
     } worst;                             ///< since begin_anew()
     double           size_of_motion = 0; ///< at the last look (m)
     double           way            = 0; ///< so far (m)
-    double           time           = 0; ///< of the last look (s)
+    double           time           = 0; ///< up to which that is (s)
     const Equations *small = nullptr;    ///< from begin() on, with `estimate`
     std::optional<SmallDisplacementEstimate> estimate;
     std::optional<std::pair<double, SmallDisplacementError>>

@@ -35,6 +35,12 @@ namespace auxfem
      * motion that turning on a circle and not on its tangent makes. */
     double total() const
     {
+      return total(rotation, second_order, strain);
+    }
+
+    static double
+    total(const double rotation, const double second_order, const double strain)
+    {
       return rotation / 2 + second_order + strain;
     }
   };
