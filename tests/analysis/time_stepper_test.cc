@@ -285,6 +285,36 @@ TEST(TimeStepper, ASmoothMotionKeepsItsEnergy)
   EXPECT_NEAR(std::log2(coarse / fine), 2., 0.3);
 }
 
+TEST(TimeStepper, ResidualsOfStagesAreComputedInContact)
+{
+  // A cantilever that is pressed on a plate all the time.
+  const SceneText text =
+    SceneText()
+      .frame("0 0; 1 0", "0 1")
+      .rectangle("rod", 0.02, 0.02, {1e7, 1000, 0})
+      .support("foot", "0", "clamp")
+      .load("press", "1", {"0", "-0.002 - 0.001 * sin(20 * t)", "0"})
+      .mesh(3)
+      .probe("tip", "1")
+      .add("Plates/floor",
+           "Shape = plane | Normal = 0 1 | Position = 0 -0.0101")
+      .time(1, 0.02, "esdirk")
+      .set("Time/Start from", "static equilibrium")
+      .set("Time/Relative tolerance", 1e-4)
+      .set("Newton/Tolerance", 1e-4);
+  std::array<std::vector<std::vector<double>>, 2> rows;
+  for (const bool estimates : {false, true})
+    {
+      Scene scene = read_scene_from_text(text, "test.prm");
+      ASSERT_TRUE(scene.newton.estimates_stages);
+      scene.newton.estimates_stages = estimates;
+      MemoryRecorder recorder(scene, MPI_COMM_SELF);
+      LatticeRun(scene, MPI_COMM_SELF).run(recorder);
+      rows[estimates] = recorder.rows();
+    }
+  EXPECT_EQ(rows[false], rows[true]);
+}
+
 TEST(TimeStepper, EstimatedResidualsOfStagesChangeNothingThatCounts)
 {
   const SceneText text =
