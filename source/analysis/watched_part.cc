@@ -26,32 +26,43 @@ namespace auxfem
   } // namespace
 
   WatchedPart::WatchedPart(const Equations   &equations,
-                           const unsigned int n_steps)
+                           const unsigned int n_steps,
+                           const double       time)
     : layout(equations.unknowns().layout)
     , n(number_of_parts(equations))
     , n_steps(n_steps)
+    , time(time)
   {}
 
-  bool WatchedPart::passes_on()
+  bool WatchedPart::passes_on(const double dt)
   {
-    if (n == 1 || n_done++ < n_steps)
+    if (n == 1)
       return false;
-    n_done = 1;
-    part   = (part + 1) % n;
-    return true;
+    const bool passes = n_done >= n_steps && elapsed >= time;
+    if (passes)
+      {
+        n_done  = 0;
+        elapsed = 0;
+        part    = (part + 1) % n;
+      }
+    ++n_done;
+    elapsed += dt;
+    return passes;
   }
 
   void WatchedPart::save(const std::string &name, Records &records) const
   {
-    records.keep(record_of(name),
-                 {double(part), double(n_done), double(layout.n_ranks())});
+    records.keep(
+      record_of(name),
+      {double(part), double(n_done), elapsed, double(layout.n_ranks())});
   }
 
   bool WatchedPart::resume(const std::string &name, const Records &records)
   {
-    const std::vector<double> values = records.values(record_of(name), 3);
+    const std::vector<double> values = records.values(record_of(name), 4);
     part                             = values[0];
     n_done                           = values[1];
-    return values[2] == layout.n_ranks();
+    elapsed                          = values[2];
+    return values[3] == layout.n_ranks();
   }
 } // namespace auxfem

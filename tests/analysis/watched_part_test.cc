@@ -53,7 +53,7 @@ namespace
     for (unsigned int i = 0; i < n_steps; ++i)
       {
         const unsigned int before = part.now();
-        const bool         passed = part.passes_on();
+        const bool         passed = part.passes_on(/*dt=*/0.5);
         EXPECT_EQ(passed, part.now() != before);
         turns.push_back(part.now());
       }
@@ -83,6 +83,8 @@ TEST(WatchedPart, TakesTurnsInLargeLinearScenesOnly)
   part.save("test", records);
   EXPECT_TRUE(resumed.resume("test", records));
   EXPECT_EQ(turns(resumed, 2), (std::vector<unsigned int>{1, 2}));
+  WatchedPart for_some_time(run.equations, 2, 1.4);
+  EXPECT_EQ(turns(for_some_time, 4), (std::vector<unsigned int>{0, 0, 0, 1}));
 }
 
 TEST(WatchedPart, TellsOfAllUnknowns)

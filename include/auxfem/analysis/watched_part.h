@@ -17,8 +17,12 @@ namespace auxfem
   class WatchedPart
   {
   public:
-    /** @param n_steps of the scene for which a part is looked at */
-    WatchedPart(const Equations &equations, unsigned int n_steps);
+    /** @param n_steps accepted ones, of any length, for which a part is looked
+     *   at, at least
+     * @param time (s) for which it is, at least */
+    WatchedPart(const Equations &equations,
+                unsigned int     n_steps,
+                double           time = 0);
 
     /** The same on all ranks. */
     unsigned int n_parts() const
@@ -40,8 +44,9 @@ namespace auxfem
       return part;
     }
 
-    /** Before a step; whether another part takes its turn from it on. */
-    bool passes_on();
+    /** Before a step of @p dt (s); whether another part takes its turn from it
+     * on. */
+    bool passes_on(double dt);
 
     /** @name For runs that are resumed.
      * @param name of the watch */
@@ -54,7 +59,9 @@ namespace auxfem
   private:
     const UnknownLayout &layout;
     const unsigned int   n, n_steps;
+    const double         time; ///< s
     unsigned int         part = 0, n_done = 0;
+    double               elapsed = 0; ///< s
   };
 } // namespace auxfem
 

@@ -57,7 +57,7 @@ namespace auxfem
         const unsigned int n = equations.unknowns().layout.n_owned();
         if (n != n_unknowns)
           sort_unknowns(n);
-        if (part.passes_on())
+        if (part.passes_on(step.dt))
           forget_steps();
         if (step.event_at_from)
           n_before = 0;

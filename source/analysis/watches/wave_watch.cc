@@ -99,20 +99,20 @@ namespace auxfem
     /** By local unknown; no mass: there is no filter. */
     using Translations = std::vector<FilteredTranslation>;
 
-    /** For which a part of them is looked at: filters that begin anew need a
-     * time of 1 / frequency to follow. */
-    unsigned int n_steps_to_follow(const Translations  &translations,
-                                   const UnknownLayout &layout,
-                                   const double         time_step)
+    /** Steps for which a part of them is looked at, at least. */
+    constexpr unsigned int n_steps_of_watched_part = 4;
+
+    /** Time (s) that filters which begin anew need to follow. */
+    double time_to_follow(const Translations  &translations,
+                          const UnknownLayout &layout)
     {
-      constexpr double least = 4, times_to_follow = 6;
+      constexpr double turns   = 6;
       double           slowest = std::numeric_limits<double>::infinity();
       for (const FilteredTranslation &translation : translations)
         if (translation.mass > 0)
           slowest =
             std::min(slowest, translation.mass_times_filter / translation.mass);
-      return std::ceil(layout.largest(
-        std::max(least, times_to_follow / (slowest * time_step))));
+      return layout.largest(turns / slowest);
     }
 
     void add_element(const LatticeModel &model,
@@ -327,7 +327,6 @@ namespace auxfem
     public:
       WaveWatch(const double time_step, const Equations &equations)
         : WaveWatch(equations,
-                    time_step,
                     filtered_translations(equations.model(), time_step))
       {}
 
@@ -335,7 +334,7 @@ namespace auxfem
                 const EvaluationResults & /*results*/,
                 TangentSolver & /*solver*/) override
       {
-        if (part.passes_on())
+        if (part.passes_on(step.dt))
           forget_steps(velocities[part.now()]);
         double in_step = 0;
         velocities[part.now()].for_each(
@@ -393,12 +392,12 @@ namespace auxfem
       }
 
     private:
-      WaveWatch(const Equations    &equations,
-                const double        time_step,
-                const Translations &translations)
+      WaveWatch(const Equations &equations, const Translations &translations)
         : layout(equations.unknowns().layout)
         , numbering(equations.model().numbering)
-        , part(equations, n_steps_to_follow(translations, layout, time_step))
+        , part(equations,
+               n_steps_of_watched_part,
+               time_to_follow(translations, layout))
         , velocities(part.n_parts())
       {
         for (unsigned int i = 0; i < translations.size(); ++i)
