@@ -43,10 +43,6 @@ namespace auxfem
      * taken for at least. */
     constexpr double little = 0.3, least_known = 0.01;
 
-    /** Compressions (SmallDisplacementError) by which hardly anything buckles,
-     * and nothing does: a thousand struts in a row. */
-    constexpr double little_compression = 1e-2, no_compression = 1e-6;
-
     /** A vibration goes four amplitudes while it turns by 2 pi. */
     constexpr double radians_of_way = dealii::numbers::PI / 2;
 
@@ -108,6 +104,7 @@ namespace auxfem
                 : 0.)
     , stiffness(exact, inertia)
     , of_exact(scene, exact.equations())
+    , stable(of_exact, exact.model().numbering.layout())
   {
     begin_anew();
   }
@@ -213,10 +210,7 @@ namespace auxfem
           {
             for (const auto &watch : watches)
               watch->step(evaluation, results, solver);
-            judge_stability(motion,
-                            size,
-                            of_exact.at(exact).compression,
-                            evaluation_of);
+            judge_stability(motion, size, of_exact.at(exact), evaluation_of);
             return true;
           }
         if (is_of_rest && !(size_of_change <= reduction_at_rest * before_last))
@@ -229,12 +223,12 @@ namespace auxfem
   }
 
   template <class EvaluationOf>
-  void KinematicCorrection::judge_stability(const State        &motion,
-                                            const double        size,
-                                            const double        compression,
+  void KinematicCorrection::judge_stability(const State &motion,
+                                            const double size,
+                                            const SmallDisplacementError &now,
                                             const EvaluationOf &evaluation_of)
   {
-    if (is_known_stable(size, compression))
+    if (stable.have(size, now))
       return;
     const auto is_positive = [&](const double times) {
       State       exact = exact_state(motion, times);
@@ -243,16 +237,15 @@ namespace auxfem
     };
     double until = trusted;
     // The stiffness of follower loads is that of the loads of the moment.
-    std::optional<bool> stable =
+    std::optional<bool> positive =
       has_follower_loads ? std::nullopt : is_positive(ahead);
-    if (!stable.value_or(false))
+    if (!positive.value_or(false))
       {
-        until  = larger;
-        stable = is_positive(1);
+        until    = larger;
+        positive = is_positive(1);
       }
-    worst.unstable     = worst.unstable || !stable.value_or(true);
-    stable_size        = until * size;
-    stable_compression = until * std::max(compression, no_compression);
+    worst.unstable = worst.unstable || !positive.value_or(true);
+    stable.trust(until, size, now);
   }
 
   Vector KinematicCorrection::right_side(const State  &exact,
@@ -337,9 +330,9 @@ namespace auxfem
     const SmallDisplacementError &now = estimate_at(state);
     if (size_of_motion == 0)
       return now.total() > little * scene.effects.tolerance ||
-        now.compression > little_compression;
+        now.compression > StableMotions::little_compression;
     const double size = size_of(solver.model(), state.displacement);
-    return !is_known_stable(size, now.compression) ||
+    return !stable.have(size, now) ||
       (growth(size, now) > larger && !is_known_little(size, now));
   }
 
@@ -360,12 +353,6 @@ namespace auxfem
       little * tolerance;
   }
 
-  bool KinematicCorrection::is_known_stable(const double size,
-                                            const double compression) const
-  {
-    return size <= stable_size && compression <= stable_compression;
-  }
-
   void KinematicCorrection::look_at(const State &state)
   {
     const auto evaluation_of = [](const State &before, State &now) {
@@ -375,7 +362,7 @@ namespace auxfem
     add_way(state);
     const double size = size_of(solver.model(), state.displacement);
     const SmallDisplacementError &now = estimate_at(state);
-    if (size_of_motion > 0 && is_known_stable(size, now.compression) &&
+    if (size_of_motion > 0 && stable.have(size, now) &&
         is_known_little(size, now))
       return;
     estimated = std::max(estimated, now.total());
@@ -456,10 +443,9 @@ namespace auxfem
                   way,
                   time,
                   worst.unstable ? 1. : 0.,
-                  stable_size,
-                  stable_compression,
                   estimated,
                   double(n_steps)});
+    stable.save(records);
     UnknownRecords(solver.model().numbering).keep(error_record, error, records);
     stiffness.save(records);
     Records of_watches;
@@ -470,7 +456,7 @@ namespace auxfem
 
   void KinematicCorrection::resume(const Records &records)
   {
-    const std::vector<double> values = records.values(correction_record, 11);
+    const std::vector<double> values = records.values(correction_record, 9);
     worst.largest_error              = values[0];
     worst.largest_motion             = values[1];
     worst.largest_rotation           = values[2];
@@ -478,10 +464,9 @@ namespace auxfem
     way                              = values[4];
     time                             = values[5];
     worst.unstable                   = values[6] != 0;
-    stable_size                      = values[7];
-    stable_compression               = values[8];
-    estimated                        = values[9];
-    n_steps                          = values[10];
+    estimated                        = values[7];
+    n_steps                          = values[8];
+    stable.resume(records);
     error =
       UnknownRecords(solver.model().numbering).values(error_record, records);
     stiffness.resume(records);

@@ -95,6 +95,7 @@ namespace auxfem
   {
     for (const StrutGroup &group : equations.reporting().struts)
       add_chords(group);
+    count_struts();
     for (unsigned int group = 0; group < scene.connectors.size(); ++group)
       if (scene.connectors[group].geometry ==
           ConnectorDefinition::Geometry::line)
@@ -142,9 +143,22 @@ namespace auxfem
                           group.forces,
                           e,
                           element.interval.strut,
+                          /*index=*/0,
                           PI * PI * bending / (length * length),
                           section.axial_stiffness()});
       }
+  }
+
+  void SmallDisplacementEstimate::count_struts()
+  {
+    for (const Chord &chord : chords)
+      counted.push_back(chord.strut);
+    std::sort(counted.begin(), counted.end());
+    counted.erase(std::unique(counted.begin(), counted.end()), counted.end());
+    for (Chord &chord : chords)
+      chord.index =
+        std::lower_bound(counted.begin(), counted.end(), chord.strut) -
+        counted.begin();
   }
 
   void SmallDisplacementEstimate::add_connectors(const unsigned int group)
@@ -216,8 +230,9 @@ namespace auxfem
                             line.length,
                             displacement);
     };
-    Worst  worst;
-    double work = 0, axial_energy = 0, compression = 0;
+    Worst               worst;
+    double              work = 0, axial_energy = 0;
+    std::vector<double> compressions(counted.size(), 0.);
     for (const Chord &chord : chords)
       {
         const double rotation = rotation_of(chord.line);
@@ -225,7 +240,8 @@ namespace auxfem
         work += force * rotation * rotation * chord.line.length;
         axial_energy +=
           force * force * chord.line.length / (2 * chord.axial_stiffness);
-        compression = std::max(compression, -force / chord.buckling_force);
+        compressions[chord.index] =
+          std::max(compressions[chord.index], -force / chord.buckling_force);
         worst.add({std::max(rotation, node_rotation(chord, displacement)),
                    // Below that it depends on what bends.
                    -force > chord.buckling_force ? -force / chord.buckling_force
@@ -245,12 +261,16 @@ namespace auxfem
                   Worst::Kind::rigid_part,
                   parts->part(i));
     worst.take_worst_of_all_ranks(equations.unknowns().layout);
+    const double largest = compressions.empty()
+      ? 0.
+      : *std::max_element(compressions.begin(), compressions.end());
     return {worst.error.rotation,
             std::max(worst.error.second_order,
                      of_all_struts(work, axial_energy, state)),
             worst.error.strain,
             location_of(worst),
-            equations.unknowns().layout.largest(compression)};
+            equations.unknowns().layout.largest(largest),
+            compressions};
   }
 
   std::string SmallDisplacementEstimate::location_of(const Worst &worst) const

@@ -212,6 +212,15 @@ TEST(KinematicsChoice, APulseBetweenTwoLooksIsSeen)
   EXPECT_FALSE(small.history.is_exact);
   EXPECT_TRUE(chosen.history.is_exact);
   EXPECT_EQ(chosen.history.rows(), exact.history.rows());
+  // Three and a half times what is still within the tolerance.
+  const auto raised = [](const double part) {
+    return statics(cantilever(2, {0, 0}))
+      .set("Loads/push/Force y",
+           "0.3 * (1 + " + text(part) + " * exp(-((t - 0.105) / 0.001)^2))")
+      .set("Time/Time step", 0.0002);
+  };
+  EXPECT_FALSE(Decided(raised(0), "auto").history.is_exact);
+  EXPECT_TRUE(Decided(raised(2.5), "auto").history.is_exact);
 }
 
 TEST(KinematicsChoice, StrutsMayTouchOnlyWhereTheyMoveFar)
@@ -399,15 +408,50 @@ TEST(KinematicsChoice, WhatBucklesUnseenByTheErrorIsLookedAt)
       .mesh(3, 1)
       .time(0.2, 0.0002, "static");
   };
+  // Nor does what presses it exceed what presses another, which that does not
+  // bend: a strut with both ends held that has a third of pi^2 EI / L^2.
+  const auto beside = [&](const double part) {
+    SceneText scene = column(part);
+    scene.set("Lattice/Joints", "0 0; 1 0; 0 1; 1 1; 0 -1; 1 -1")
+      .set("Lattice/Struts", "0 1; 2 3; 4 5")
+      .set("Supports/clamp/Joints", "0, 2, 4");
+    scene.support("guide", "5", "prescribed")
+      .set("Supports/guide/Displacement y", "0")
+      .set("Supports/guide/Rotation z", "0");
+    return scene.load("hold",
+                      "5",
+                      {text(-std::pow(pi, 3) * 70e9 * std::pow(0.005, 4) / 12),
+                       "0",
+                       "0"});
+  };
+  // Nor need it be pressed much: of a row of twelve struts each by 0.003
+  // pi^2 EI / L^2.
+  const auto row = [&](const double part) {
+    std::string joints = "0 0", struts;
+    for (unsigned int i = 1; i <= 12; ++i)
+      {
+        joints += "; " + text(i / 12.) + " 0";
+        struts +=
+          (i > 1 ? "; " : "") + std::to_string(i - 1) + ' ' + std::to_string(i);
+      }
+    SceneText scene = column(part);
+    return scene.set("Lattice/Joints", joints + "; 0 1; 1 1")
+      .set("Lattice/Struts", struts + "; 13 14")
+      .set("Supports/clamp/Joints", "0, 13")
+      .set("Loads/press/Joints", "12")
+      .set("Loads/bend/Joints", "14");
+  };
   for (const double part : {0.4, 1.2})
     {
       SCOPED_TRACE(part);
-      for (const SceneText &scene : {strip(part), column(part)})
+      for (const SceneText &scene :
+           {strip(part), column(part), beside(part), row(part)})
         {
           const Decided chosen(scene, "auto");
           EXPECT_EQ(chosen.history.is_exact, part > 1) << chosen.history.reason;
         }
     }
+  expect_same_when_resumed(beside(1.2).set("Effects/Large rotation", "auto"));
 }
 
 TEST(KinematicsChoice, StrainsAreWatched)

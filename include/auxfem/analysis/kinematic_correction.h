@@ -2,7 +2,7 @@
 #define auxfem_analysis_kinematic_correction_h
 
 #include <auxfem/analysis/exact_stiffness.h>
-#include <auxfem/analysis/small_displacement_error.h>
+#include <auxfem/analysis/stable_motions.h>
 #include <auxfem/analysis/watch.h>
 #include <auxfem/equations/node_rotations.h>
 #include <auxfem/scene/scene.h>
@@ -108,13 +108,13 @@ namespace auxfem
      * at ahead, unless loads follow the motion, so that it need not be known
      * for each motion.
      * @param size of the motion (m)
-     * @param compression as SmallDisplacementError
+     * @param now of the exact state
      */
     template <class EvaluationOf>
-    void judge_stability(const State        &motion,
-                         double              size,
-                         double              compression,
-                         const EvaluationOf &evaluation_of);
+    void judge_stability(const State                  &motion,
+                         double                        size,
+                         const SmallDisplacementError &now,
+                         const EvaluationOf           &evaluation_of);
     /** Of its increments. */
     Vector right_side(const State &exact, const Vector &left) const;
     /** @name What the looks so far tell of a motion of @p size (m) whose first
@@ -123,7 +123,6 @@ namespace auxfem
     /** By what it is larger than all of them. */
     double growth(double size, const SmallDisplacementError &now) const;
     bool is_known_little(double size, const SmallDisplacementError &now) const;
-    bool is_known_stable(double size, double compression) const;
     ///@}
     /** Of the motion up to @p state. */
     void add_way(const State &state);
@@ -162,9 +161,7 @@ namespace auxfem
     double       estimated = 0;  ///< at the last look
     unsigned int n_steps   = 0;  ///< since the last estimate
     std::vector<std::unique_ptr<Watch>> watches;
-    /** Up to which motions are trusted to be stable: their size (m), and
-     * SmallDisplacementError::compression. */
-    double stable_size = 0, stable_compression = 0;
+    StableMotions                       stable;
   };
 } // namespace auxfem
 

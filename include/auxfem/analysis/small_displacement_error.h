@@ -30,6 +30,8 @@ namespace auxfem
     /** No error of its own: largest compressive force of a strut over its
      * buckling load with hinged ends. */
     double compression = 0;
+    /** The same of each of SmallDisplacementEstimate::struts(). */
+    std::vector<double> compressions;
 
     /** Of displacements and forces; half the rotation is the part of a strut's
      * motion that turning on a circle and not on its tangent makes. */
@@ -61,8 +63,15 @@ namespace auxfem
     /** @param scene, equations must outlive the object. */
     SmallDisplacementEstimate(const Scene &scene, const Equations &equations);
 
-    /** Of @p state, which has its energies; the same on all ranks. Collective. */
+    /** Of @p state, which has its energies; the same on all ranks, but for
+     * SmallDisplacementError::compressions. Collective. */
     SmallDisplacementError at(const State &state) const;
+
+    /** Those that this rank counts, sorted. */
+    const std::vector<unsigned int> &struts() const
+    {
+      return counted;
+    }
 
   private:
     /** A line between two nodes. */
@@ -79,6 +88,7 @@ namespace auxfem
       const StrutForces *struts;
       unsigned int       element; ///< of the numbering
       unsigned int       strut;
+      std::size_t        index;           ///< of the strut in struts()
       double             buckling_force;  ///< pi^2 EI / L^2 (N)
       double             axial_stiffness; ///< EA (N)
     };
@@ -92,6 +102,7 @@ namespace auxfem
     struct Worst;
 
     void add_chords(const StrutGroup &group);
+    void count_struts();
     void add_connectors(unsigned int group);
     /** The largest of both ends of an element (rad). */
     double node_rotation(const Chord &chord, const Vector &displacement) const;
@@ -101,10 +112,11 @@ namespace auxfem
                               const State &state) const;
     std::string location_of(const Worst &worst) const;
 
-    const Scene           &scene;
-    const Equations       &equations;
-    std::vector<Chord>     chords;
-    std::vector<Connector> connectors;
+    const Scene              &scene;
+    const Equations          &equations;
+    std::vector<Chord>        chords;
+    std::vector<unsigned int> counted;
+    std::vector<Connector>    connectors;
   };
 } // namespace auxfem
 

@@ -76,12 +76,12 @@ namespace auxfem
       {
         const std::vector<double> values =
           records.values(small_displacement_record, 5);
-        worst   = {values[0],
-                   values[1],
-                   values[2],
-                   records.text(small_displacement_record + ": location")};
-        time    = values[3];
-        n_steps = values[4];
+        worst.rotation     = values[0];
+        worst.second_order = values[1];
+        worst.strain       = values[2];
+        worst.location = records.text(small_displacement_record + ": location");
+        time           = values[3];
+        n_steps        = values[4];
       }
 
     private:
