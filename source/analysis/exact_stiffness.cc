@@ -1,4 +1,5 @@
 #include <auxfem/analysis/exact_stiffness.h>
+#include <auxfem/analysis/small_motions/mode_space.h>
 #include <auxfem/parameters/errors.h>
 
 namespace auxfem
@@ -72,11 +73,11 @@ namespace auxfem
       return {};
     if (const auto modes = solver.new_negative_modes())
       return modes->n == 0;
-    const std::optional<int> sign = solver.linear_solver().determinant_sign();
+    const std::optional<int> sign = ModeSpace(solver).determinant_sign();
     return sign ? std::optional<bool>(*sign > 0) : std::nullopt;
   }
 
-  void ExactStiffness::rest()
+  void ExactStiffness::end_look()
   {
     solver.matrix().release();
     if (is_of_another())
@@ -97,6 +98,6 @@ namespace auxfem
     assemble_at_rest();
     if (solver.factorize_again(Exactness::approximate))
       factorized = Factorized::at_rest;
-    rest();
+    end_look();
   }
 } // namespace auxfem

@@ -287,7 +287,7 @@ namespace auxfem
         return equilibrium_at(largest, before, now);
       },
       Vector(motion->size(), 0.));
-    stiffness.rest();
+    stiffness.end_look();
   }
 
   std::optional<Vector>
@@ -375,7 +375,7 @@ namespace auxfem
     }
     grow_error(size);
     find(state, evaluation_of, left);
-    stiffness.rest();
+    stiffness.end_look();
   }
 
   void KinematicCorrection::add_way(const State &state)

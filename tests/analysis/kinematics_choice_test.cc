@@ -110,6 +110,10 @@ namespace
     return scene.mesh(3).time(0.2, 0.001, "generalized-alpha");
   }
 
+  /** Euler's load (N) of the cantilever, a quarter of that with hinged ends. */
+  const double critical =
+    std::pow(pi / 2, 2) * 70e9 * pi * std::pow(0.005, 4) / 4;
+
   SceneText statics(SceneText scene)
   {
     return scene.set("Time/Scheme", "static").set("Time/Time step", 0.01);
@@ -154,8 +158,7 @@ TEST(KinematicsChoice, LoadsThatPressWithoutMovingAreSeen)
   // A column that a load across it has bent at half the time, by small
   // displacements most of all; then twice its buckling load comes on it.
   const auto pressed = [](const double part) {
-    SceneText    scene    = statics(cantilever(2, {0, 0}));
-    const double critical = std::pow(pi, 3) / 4 * 70e9 * std::pow(0.005, 4) / 4;
+    SceneText scene = statics(cantilever(2, {0, 0}));
     scene.set("Loads/push/Force x",
               text(-part * critical) + " * max(0, t / 0.1 - 1)");
     scene.set("Loads/push/Force y",
@@ -173,8 +176,6 @@ TEST(KinematicsChoice, LoadsThatPressWithoutMovingAreSeen)
 TEST(KinematicsChoice, AShortPressureOnAStraightColumnIsSeen)
 {
   // Nothing bends; before the first look, and between two.
-  const double critical =
-    std::pow(pi / 2, 2) * 70e9 * pi * std::pow(0.005, 4) / 4;
   const auto pressed =
     [&](const double part, const double time, const std::string &scheme) {
       return cantilever(2, {0, 0})
@@ -340,8 +341,6 @@ TEST(KinematicsChoice, TurnsWhereItMatters)
 TEST(KinematicsChoice, ABuckledColumnIsExact)
 {
   // Straight, so that nothing but its stiffness tells.
-  const double critical =
-    std::pow(M_PI / 2, 2) * 70e9 * M_PI * std::pow(0.005, 4) / 4;
   for (const double part : {0.9, 1.1})
     {
       const Decided chosen(statics(cantilever(2, {-part * critical, 0})),
@@ -355,7 +354,7 @@ TEST(KinematicsChoice, LoadsThatFollowTheJointAreLookedAtAsTheyAre)
 {
   // Pulls that turn with the end of a straight rod of one element, which the
   // larger ones make unstable: the determinant of the stiffness is negative.
-  const double hinged = std::pow(pi, 3) * 70e9 * std::pow(0.005, 4) / 4;
+  const double hinged = 4 * critical;
   for (const double part : {0.5, 2.5, 20.})
     {
       const Decided chosen(statics(cantilever(2, {part * hinged, 0}))
@@ -373,8 +372,7 @@ TEST(KinematicsChoice, WhatBucklesUnseenByTheErrorIsLookedAt)
   // 4.013 sqrt(EI GJ) / L^2), which presses no strut, and a straight column
   // beside a rod that bends more than anything that presses the column.
   const auto raised = [](const double part) {
-    return text(1.) + " * (0.3 + " + text(part) +
-      " * exp(-((t - 0.105) / 0.002)^2))";
+    return "(0.3 + " + text(part) + " * exp(-((t - 0.105) / 0.002)^2))";
   };
   const auto strip = [&](const double part) {
     const double thickness = 0.0005, height = 0.1;
@@ -395,8 +393,6 @@ TEST(KinematicsChoice, WhatBucklesUnseenByTheErrorIsLookedAt)
       .time(0.2, 0.0002, "static");
   };
   const auto column = [&](const double part) {
-    const double critical =
-      std::pow(pi / 2, 2) * 70e9 * pi * std::pow(0.005, 4) / 4;
     SceneText scene;
     scene.frame("0 0; 1 0; 0 1; 1 1", "0 1; 2 3");
     scene.circle("rod", 0.005, {70e9, 2700, 0.3});
@@ -418,11 +414,7 @@ TEST(KinematicsChoice, WhatBucklesUnseenByTheErrorIsLookedAt)
     scene.support("guide", "5", "prescribed")
       .set("Supports/guide/Displacement y", "0")
       .set("Supports/guide/Rotation z", "0");
-    return scene.load("hold",
-                      "5",
-                      {text(-std::pow(pi, 3) * 70e9 * std::pow(0.005, 4) / 12),
-                       "0",
-                       "0"});
+    return scene.load("hold", "5", {text(-4 * critical / 3), "0", "0"});
   };
   // Nor need it be pressed much: of a row of twelve struts each by 0.003
   // pi^2 EI / L^2.

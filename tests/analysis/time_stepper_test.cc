@@ -285,6 +285,27 @@ TEST(TimeStepper, ASmoothMotionKeepsItsEnergy)
   EXPECT_NEAR(std::log2(coarse / fine), 2., 0.3);
 }
 
+namespace
+{
+  /** Runs the scene with all residuals of stages computed and with estimates,
+   * and calls take(estimates, recorder) for each. */
+  template <class Take>
+  void run_with_and_without_estimates(const SceneText &text,
+                                      const MPI_Comm   communicator,
+                                      const Take      &take)
+  {
+    for (const bool estimates : {false, true})
+      {
+        Scene scene = read_scene_from_text(text, "test.prm");
+        ASSERT_TRUE(scene.newton.estimates_stages);
+        scene.newton.estimates_stages = estimates;
+        MemoryRecorder recorder(scene, communicator);
+        LatticeRun(scene, communicator).run(recorder);
+        take(estimates, recorder);
+      }
+  }
+} // namespace
+
 TEST(TimeStepper, ResidualsOfStagesAreComputedInContact)
 {
   // A cantilever that is pressed on a plate all the time.
@@ -303,15 +324,13 @@ TEST(TimeStepper, ResidualsOfStagesAreComputedInContact)
       .set("Time/Relative tolerance", 1e-4)
       .set("Newton/Tolerance", 1e-4);
   std::array<std::vector<std::vector<double>>, 2> rows;
-  for (const bool estimates : {false, true})
-    {
-      Scene scene = read_scene_from_text(text, "test.prm");
-      ASSERT_TRUE(scene.newton.estimates_stages);
-      scene.newton.estimates_stages = estimates;
-      MemoryRecorder recorder(scene, MPI_COMM_SELF);
-      LatticeRun(scene, MPI_COMM_SELF).run(recorder);
-      rows[estimates] = recorder.rows();
-    }
+  run_with_and_without_estimates(text,
+                                 MPI_COMM_SELF,
+                                 [&rows](const bool            estimates,
+                                         const MemoryRecorder &recorder) {
+                                   rows[estimates] = recorder.rows();
+                                 });
+  EXPECT_GT(rows[false].size(), 0u);
   EXPECT_EQ(rows[false], rows[true]);
 }
 
@@ -328,17 +347,14 @@ TEST(TimeStepper, EstimatedResidualsOfStagesChangeNothingThatCounts)
       .set("Sections/band/Stiffness-proportional damping", 0.1)
       .probe("tip", "1");
   std::array<std::map<std::string, std::vector<double>>, 2> columns;
-  for (const bool estimates : {false, true})
-    {
-      Scene scene = read_scene_from_text(text, "test.prm");
-      ASSERT_TRUE(scene.newton.estimates_stages);
-      scene.newton.estimates_stages = estimates;
-      MemoryRecorder recorder(scene, MPI_COMM_WORLD);
-      LatticeRun(scene, MPI_COMM_WORLD).run(recorder);
+  run_with_and_without_estimates(
+    text,
+    MPI_COMM_WORLD,
+    [&columns](const bool estimates, const MemoryRecorder &recorder) {
       for (const char *const name :
            {"tip.uy", "damper.force", "dissipated", "external", "strain"})
         columns[estimates][name] = recorder.column(name);
-    }
+    });
   for (const auto &[name, computed] : columns[false])
     {
       const std::vector<double> &estimated = columns[true].at(name);

@@ -55,7 +55,7 @@ namespace auxfem
 
     /** Lets go of what will not be asked for when the next motion is looked at.
      */
-    void rest();
+    void end_look();
 
     /** @name For runs that are resumed. */
     ///@{

@@ -81,8 +81,8 @@ namespace auxfem
   private:
     /** Forgets what was seen but for what is stable. */
     void begin_anew();
-    /** The exact state of so many @p times @p motion, with the error that has
-     * then. */
+    /** The exact state of so many @p times @p motion, with the error that it
+     * has then. */
     State exact_state(const State &motion, double times) const;
     /**
      * Newton's method for `error`.
