@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <sstream>
 #include <utility>
 
@@ -49,15 +50,20 @@ namespace auxfem
     /** Root mean square (m), as KinematicCorrection. */
     double size_of(const LatticeModel &model, const Vector &motion)
     {
-      const OwnedRows &rows   = model.rows;
-      const double     length = model.mean_strut_length;
-      double           sum    = 0;
-      for (const int i : rows.free_translations)
-        sum += motion[i] * motion[i];
-      for (const int i : rows.free_rotations)
-        sum += std::pow(length * motion[i], 2);
+      const OwnedRows &rows           = model.rows;
+      const double     length         = model.mean_strut_length;
+      const auto       sum_of_squares = [&motion](const std::vector<int> &of) {
+        return std::transform_reduce(of.begin(),
+                                     of.end(),
+                                     0.,
+                                     std::plus<>(),
+                                     [&motion](const int i) {
+                                       return motion[i] * motion[i];
+                                     });
+      };
       const std::vector<double> all = model.numbering.layout().sum(
-        {sum,
+        {sum_of_squares(rows.free_translations) +
+           length * length * sum_of_squares(rows.free_rotations),
          double(rows.free_translations.size() + rows.free_rotations.size())});
       return all[1] > 0 ? std::sqrt(all[0] / all[1]) : 0;
     }

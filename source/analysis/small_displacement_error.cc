@@ -69,23 +69,16 @@ namespace auxfem
     unsigned int number = 0, group = 0;
   };
 
-  namespace
+  SmallDisplacementEstimate::SmallMotion
+  SmallDisplacementEstimate::Line::motion(const Vector &displacement) const
   {
-    /** Of a line (rad), by what its ends get across it. */
-    double small_rotation(const std::array<int, 6>   &unknowns,
-                          const dealii::Tensor<1, 3> &direction,
-                          const double                length,
-                          const Vector               &displacement)
-    {
-      dealii::Tensor<1, 3> across;
-      for (unsigned int d = 0; d < 3; ++d)
-        across[d] =
-          (unknowns[3 + d] >= 0 ? displacement[unknowns[3 + d]] : 0.) -
-          (unknowns[d] >= 0 ? displacement[unknowns[d]] : 0.);
-      across -= (across * direction) * direction;
-      return across.norm() / length;
-    }
-  } // namespace
+    dealii::Tensor<1, 3> apart;
+    for (unsigned int d = 0; d < 3; ++d)
+      apart[d] = (unknowns[3 + d] >= 0 ? displacement[unknowns[3 + d]] : 0.) -
+        (unknowns[d] >= 0 ? displacement[unknowns[d]] : 0.);
+    const double along = apart * direction;
+    return {(apart - along * direction).norm() / length, along / length};
+  }
 
   SmallDisplacementEstimate::SmallDisplacementEstimate(
     const Scene     &scene,
@@ -138,9 +131,12 @@ namespace auxfem
                      ? section.bending_stiffness_3()
                      : std::min(section.bending_stiffness_2(),
                      section.bending_stiffness_3());
+        // By small displacements its mean axial strain is that of its chord.
+        const bool is_chord =
+          strut.sagitta == 0 && !model.simulated.large_rotation;
         using dealii::numbers::PI;
         chords.push_back({line,
-                          group.forces,
+                          is_chord ? nullptr : group.forces,
                           e,
                           element.interval.strut,
                           /*index=*/0,
@@ -200,7 +196,10 @@ namespace auxfem
         for (unsigned int c = equations.model().lattice.dimension;
              c < n_components;
              ++c)
-          square += std::pow(displacement[unknowns[n_components * end + c]], 2);
+          {
+            const double angle = displacement[unknowns[n_components * end + c]];
+            square += angle * angle;
+          }
         largest_square = std::max(largest_square, square);
       }
     return std::sqrt(largest_square);
@@ -223,20 +222,16 @@ namespace auxfem
 
   SmallDisplacementError SmallDisplacementEstimate::at(const State &state) const
   {
-    const Vector &displacement = state.displacement;
-    const auto    rotation_of  = [&displacement](const Line &line) {
-      return small_rotation(line.unknowns,
-                            line.direction,
-                            line.length,
-                            displacement);
-    };
+    const Vector       &displacement = state.displacement;
     Worst               worst;
     double              work = 0, axial_energy = 0;
     std::vector<double> compressions(counted.size(), 0.);
     for (const Chord &chord : chords)
       {
-        const double rotation = rotation_of(chord.line);
-        const double force    = chord.struts->axial_force(state, chord.element);
+        const auto [rotation, strain] = chord.line.motion(displacement);
+        const double force            = chord.struts == nullptr
+                     ? chord.axial_stiffness * strain
+                     : chord.struts->axial_force(state, chord.element);
         work += force * rotation * rotation * chord.line.length;
         axial_energy +=
           force * force * chord.line.length / (2 * chord.axial_stiffness);
@@ -251,7 +246,7 @@ namespace auxfem
                   chord.strut);
       }
     for (const Connector &connector : connectors)
-      worst.add({rotation_of(connector.line), 0, 0},
+      worst.add({connector.line.motion(displacement).rotation, 0, 0},
                 Worst::Kind::connector,
                 connector.joint,
                 connector.group);

@@ -345,13 +345,9 @@ namespace auxfem
   ParameterRanges StrutCurves::find_free_ranges(const unsigned int axis,
                                                 const unsigned int other) const
   {
-    // Neighbours come apart as far as they are thick before they count: at a
-    // joint they bend.
-    constexpr double apart = 2;
     if (axes[axis].strut == axes[other].strut)
       return {{{0., 1.}}};
-    const double least =
-      thickness(axis, other) * (are_neighbours(axis, other) ? apart : 1.);
+    const double           least = free_distance(axis, other);
     std::vector<AxisCurve> others;
     const auto [first, last] = axes_of(axes[other].strut);
     for (unsigned int b = first; b < last; ++b)

@@ -101,6 +101,9 @@ namespace auxfem
       return std::max((most - lean) / safety, 0.);
     }
 
+    /** Of turning until axes with a common node come near each other. */
+    constexpr double safety_of_turning = 1.5;
+
     using Curves = std::array<AxisCurve, 2>;
 
     /** By how much a point of a curve moves against one of the other at most
@@ -212,6 +215,16 @@ namespace auxfem
     return least - thickness;
   }
 
+  bool StrutGap::is_line_at_rest(const unsigned int axis,
+                                 const AxisCurve   &curve) const
+  {
+    if (curve.degree > 1)
+      return false;
+    const AxisCurve rest = curves.at_rest(axis);
+    return rest.degree == 1 && curve.coefficients[0] == rest.coefficients[0] &&
+      curve.coefficients[1] == rest.coefficients[1];
+  }
+
   double StrutGap::turning_left(const AxisPair  &pair,
                                 const AxisCurve &one,
                                 const AxisCurve &other,
@@ -219,11 +232,13 @@ namespace auxfem
   {
     if (curves.list()[pair[0]].strut == curves.list()[pair[1]].strut)
       return turning_left_of_strut(one, other, least);
-    constexpr unsigned int n      = 4;
-    constexpr double       safety = 1.5;
-    const double apart = (1 + least) * curves.thickness(pair[0], pair[1]);
-    double       left  = dealii::numbers::PI;
-    const auto   look  = [&](const unsigned int first,
+    if (are_lines_at_rest(pair, one, other))
+      if (const double left = turning_left_at_rest(pair, least); left > 0)
+        return left;
+    constexpr unsigned int n = 4;
+    const double apart       = (1 + least) * curves.thickness(pair[0], pair[1]);
+    double       left        = dealii::numbers::PI;
+    const auto   look        = [&](const unsigned int first,
                           const AxisCurve   &axis,
                           const AxisCurve   &opposite,
                           const CommonNode  &node) {
@@ -237,7 +252,9 @@ namespace auxfem
             const double       arm = std::abs(at - node.end[first]) * length +
               std::abs(nearest.parameter - node.end[1 - first]) *
                 opposite_length;
-            left = std::min(left, (nearest.distance - apart) / (safety * arm));
+            left =
+              std::min(left,
+                       (nearest.distance - apart) / (safety_of_turning * arm));
           }
     };
     for (const CommonNode &node : curves.common_nodes(pair[0], pair[1]))
@@ -246,6 +263,31 @@ namespace auxfem
         look(1, other, one, node);
       }
     return std::max(left, 0.);
+  }
+
+  double StrutGap::turning_left_at_rest(const AxisPair &pair,
+                                        const double    least) const
+  {
+    const double apart = (1 + least) * curves.thickness(pair[0], pair[1]);
+    double       left  = dealii::numbers::PI;
+    for (const CommonNode &node : curves.common_nodes(pair[0], pair[1]))
+      {
+        AxisCurve::Vector lines[2];
+        for (unsigned int i = 0; i < 2; ++i)
+          {
+            const AxisCurve::Vector line = curves.at_rest(pair[i]).tangent(0);
+            lines[i] = (node.end[i] > 0 ? -1. : 1.) / line.norm() * line;
+          }
+        // Of two points that are nearest to each other, over their way along
+        // the lines.
+        const double cosine   = std::max(lines[0] * lines[1], 0.),
+                     distance = std::sqrt((1 - cosine) / (1 + cosine));
+        left                  = std::min(left,
+                        distance *
+                          (1 - apart / curves.free_distance(pair[0], pair[1])) /
+                          safety_of_turning);
+      }
+    return left;
   }
 
   bool StrutGap::comes_below(const AxisPair                 &pair,

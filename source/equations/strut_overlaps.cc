@@ -82,21 +82,19 @@ namespace auxfem
     return box;
   }
 
-  std::vector<StrutOverlap> find_overlaps(const StrutCurves   &curves,
-                                          const UnknownLayout &layout)
+  std::vector<StrutOverlap> find_overlaps(const StrutCurves           &curves,
+                                          const std::vector<AxisPair> &near,
+                                          const UnknownLayout         &layout)
   {
     // By more than this, of half the sum of the thicknesses, they pass.
     constexpr double passing = 0.5, digits = 0.01;
 
-    std::vector<dealii::BoundingBox<3>> boxes;
-    for (unsigned int a = 0; a < curves.list().size(); ++a)
-      boxes.push_back(
-        box_around({curves.at_rest(a)}, curves.list()[a].half_thickness));
     std::vector<unsigned int> struts;
     std::vector<double>       parts; // distances over the thickness
-    for (const auto &[a, b] :
-         pairs_that_meet(boxes, share_of_rank(layout, boxes.size())))
+    const auto [begin, end] = share_of_rank(layout, near.size());
+    for (std::size_t i = begin; i < end; ++i)
       {
+        const auto &[a, b] = near[i];
         if (curves.are_neighbours(a, b) || curves.never_touch(a, b))
           continue;
         const double thickness = curves.thickness(a, b),

@@ -21,9 +21,8 @@ namespace auxfem
     constexpr double safety_of_motion = 2;
   } // namespace
 
-  StrutProximity::StrutProximity(const LatticeModel              &model,
-                                 const StrutCurves               &curves,
-                                 const std::vector<StrutOverlap> &overlaps)
+  StrutProximity::StrutProximity(const LatticeModel &model,
+                                 const StrutCurves  &curves)
     : model(model)
     , curves(curves)
     , gap_of(curves)
@@ -52,9 +51,25 @@ namespace auxfem
           connected_of_axis[axis].push_back(i);
           turning_due[axis] = 0;
         }
-    for (const StrutOverlap &overlap : overlaps)
+    find_near_at_rest();
+  }
+
+  void StrutProximity::find_near_at_rest()
+  {
+    const UnknownLayout      &layout = model.numbering.layout();
+    const std::vector<double> rest(layout.n_global(), 0.);
+    std::vector<AxisPair>     pairs = pairs_in_boxes(rest, rest, reach / 2);
+    overlaps_at_rest                = find_overlaps(curves, pairs, layout);
+    for (const StrutOverlap &overlap : overlaps_at_rest)
       if (overlap.is_passing)
         passing.insert(overlap.struts);
+    pairs.erase(std::remove_if(pairs.begin(),
+                               pairs.end(),
+                               [this](const AxisPair &pair) {
+                                 return never_touch(pair);
+                               }),
+                pairs.end());
+    set_pairs_in_reach(pairs);
   }
 
   void StrutProximity::find_nodes()
@@ -185,10 +200,10 @@ namespace auxfem
       passing.count({{struts.first, struts.second}}) > 0;
   }
 
-  void StrutProximity::find_pairs_in_reach(const std::vector<double> &u)
+  void StrutProximity::set_pairs_in_reach(const std::vector<AxisPair> &pairs)
   {
     in_reach.clear();
-    for (const AxisPair &pair : pairs_in_boxes(u, u, reach / 2))
+    for (const AxisPair &pair : pairs)
       in_reach.push_back({pair, 0., false});
     // What is not among them is more than the reach apart, and comes nearer by
     // twice of what the nodes travel; a quarter is left for one step.
@@ -292,10 +307,12 @@ namespace auxfem
     constexpr double much = 0.1;
     const AxisCurve  one = curve(pair[0], u), other = curve(pair[1], u);
     const double     left = gap_of.turning_left(pair, one, other, near_part);
-    Connected        now;
+    const bool       are_apart = curves.are_neighbours(pair[0], pair[1]) &&
+      gap_of.are_lines_at_rest(pair, one, other);
+    Connected now;
     for (unsigned int k = 0; k < 2; ++k)
       now.turning_left[k] = left - turning(pair[k], u);
-    now.is_near = left < much &&
+    now.is_near = left < much && !are_apart &&
       comes_near(pair, gap_of(pair, one, other), u, near_gap(pair));
     return now;
   }
@@ -388,8 +405,8 @@ namespace auxfem
     else if (way < unseen_motion())
       return false;
     travelled += way;
-    if (is_first || travelled >= list_due)
-      find_pairs_in_reach(u);
+    if (travelled >= list_due)
+      set_pairs_in_reach(pairs_in_boxes(u, u, reach / 2));
     look_at_pairs(u);
     look_at_connected(u);
     const bool has_changed = collect_near(u);

@@ -7,6 +7,7 @@
 #include <support/scene_text.h>
 
 #include <cmath>
+#include <random>
 
 #include <support/pi.h>
 
@@ -70,6 +71,53 @@ namespace
       .time(1, 0.125, "static");
   }
 } // namespace
+
+TEST(SmallDisplacementEstimate, HasTheAxialForcesOfTheStruts)
+{
+  // Straight struts are judged by their chords, arcs by what they bear.
+  for (const unsigned int dimension : {2u, 3u})
+    for (const bool is_arc : {false, true})
+      for (const unsigned int order : {1u, 3u})
+        {
+          SCOPED_TRACE(std::to_string(dimension) + " " +
+                       std::to_string(is_arc) + " " + std::to_string(order));
+          const std::string struts =
+            is_arc ? "0 1 0.1; 1 2 0.1; 0 2 0.1" : "0 1; 1 2; 0 2";
+          SceneText text;
+          if (dimension == 2)
+            text.frame("0 0; 1 0; 1.2 0.8", struts);
+          else
+            text.dimension(3).frame("0 0 0; 1 0 0; 1.2 0.8 0.3", struts);
+          text.circle("rod", 0.01, {70e9, 2700, 0.3})
+            .mesh(order)
+            .set("Effects/Large rotation", "off");
+          const Scene      scene = read_scene_from_text(text, "test.prm");
+          const LatticeRun run(scene, MPI_COMM_SELF);
+          State            state = run.equations.initial_state();
+          std::mt19937     generator(5);
+          for (double &value : state.displacement)
+            value = std::uniform_real_distribution<double>(-1, 1)(generator);
+          const SmallDisplacementEstimate estimate(scene, run.equations);
+          const auto        compressions = estimate.at(state).compressions;
+          const StrutGroup &group = run.equations.reporting().struts.at(0);
+          ASSERT_EQ(compressions.size(), 3u);
+          for (unsigned int e = group.forces->elements().begin;
+               e < group.forces->elements().end;
+               ++e)
+            {
+              const unsigned int strut =
+                run.model.numbering.elements()[e].interval.strut;
+              const Section &section = run.model.sections.at(0);
+              const double   length =
+                run.lattice.length(run.lattice.struts[strut]);
+              const double expected =
+                std::max(0.,
+                         -group.forces->axial_force(state, e) * length *
+                           length / (pi * pi * section.bending_stiffness_3()));
+              EXPECT_NEAR(compressions[strut], expected, 1e-9 * (1 + expected));
+            }
+        }
+}
 
 TEST(SmallDisplacementEstimate, KnowsTheSlopeOfACantilever)
 {

@@ -53,7 +53,7 @@ namespace
     for (unsigned int i = 0; i < n_steps; ++i)
       {
         const unsigned int before = part.now();
-        const bool         passed = part.passes_on(/*dt=*/0.5);
+        const bool         passed = part.passes_on(/*dt=*/2e-5);
         EXPECT_EQ(passed, part.now() != before);
         turns.push_back(part.now());
       }
@@ -66,16 +66,19 @@ TEST(WatchedPart, TakesTurnsInLargeLinearScenesOnly)
   const auto n_parts = [](const SceneText &text) {
     const Scene      scene = read_scene_from_text(text, "test.prm");
     const LatticeRun run(scene, MPI_COMM_SELF);
-    return WatchedPart(run.equations, 1).n_parts();
+    return WatchedPart(scene, run.equations, 2).n_parts();
   };
-  EXPECT_EQ(n_parts(shaken_stars("top", vibration)), 5u);
+  const SceneText few = shaken_stars("top", vibration).cells("star", 10, 10);
+  EXPECT_EQ(n_parts(shaken_stars("top", vibration)), 16u);
   EXPECT_EQ(n_parts(shaken_stars("top", vibration, "on")), 1u);
-  EXPECT_EQ(n_parts(shaken_stars("top", vibration).cells("star", 9, 9)), 1u);
+  EXPECT_EQ(n_parts(few), 5u);
+  // Each part four times in the run.
+  EXPECT_EQ(n_parts(SceneText(few).time("640 us", "20 us", "newmark")), 4u);
+  EXPECT_EQ(n_parts(SceneText(few).time("140 us", "20 us", "newmark")), 1u);
 
-  const Scene scene =
-    read_scene_from_text(shaken_stars("top", vibration), "test.prm");
+  const Scene      scene = read_scene_from_text(few, "test.prm");
   const LatticeRun run(scene, MPI_COMM_SELF);
-  WatchedPart      part(run.equations, 2), resumed(run.equations, 2);
+  WatchedPart part(scene, run.equations, 2), resumed(scene, run.equations, 2);
   EXPECT_EQ(turns(part, 12),
             (std::vector<unsigned int>{0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 0, 0}));
   EXPECT_EQ(turns(part, 1), std::vector<unsigned int>{1});
@@ -83,8 +86,15 @@ TEST(WatchedPart, TakesTurnsInLargeLinearScenesOnly)
   part.save("test", records);
   EXPECT_TRUE(resumed.resume("test", records));
   EXPECT_EQ(turns(resumed, 2), (std::vector<unsigned int>{1, 2}));
-  WatchedPart for_some_time(run.equations, 2, 1.4);
-  EXPECT_EQ(turns(for_some_time, 4), (std::vector<unsigned int>{0, 0, 0, 1}));
+  WatchedPart for_some_time(scene, run.equations, 2, 9e-5);
+  EXPECT_EQ(turns(for_some_time, 7),
+            (std::vector<unsigned int>{0, 0, 0, 0, 0, 1, 1}));
+  // Of a run that ends sooner, or later.
+  Scene shorter = scene;
+  shorter.time.end_time /= 20;
+  WatchedPart with_fewer(shorter, run.equations, 2);
+  EXPECT_FALSE(with_fewer.resume("test", records));
+  EXPECT_EQ(turns(with_fewer, 1), std::vector<unsigned int>{0});
 }
 
 TEST(WatchedPart, TellsOfAllUnknowns)

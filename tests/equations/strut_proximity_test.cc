@@ -32,8 +32,7 @@ namespace
                  communicator)
       , axes(make_contact_axes(of_scene.model, 1))
       , curves(of_scene.model, axes)
-      , overlaps(find_overlaps(curves, of_scene.model.numbering.layout()))
-      , proximity(of_scene.model, curves, overlaps)
+      , proximity(of_scene.model, curves)
     {}
 
     AxisCurve curve(const unsigned int axis, const std::vector<double> &u) const
@@ -52,11 +51,10 @@ namespace
                               thickness) < thickness;
     }
 
-    EquationsOnRanks                of_scene;
-    std::vector<ContactAxis>        axes;
-    StrutCurves                     curves;
-    const std::vector<StrutOverlap> overlaps;
-    StrutProximity                  proximity;
+    EquationsOnRanks         of_scene;
+    std::vector<ContactAxis> axes;
+    StrutCurves              curves;
+    StrutProximity           proximity;
   };
 } // namespace
 
@@ -89,6 +87,39 @@ TEST(StrutProximity, AllThatTouchAreNearHoweverTheLatticeMoves)
   EXPECT_GT(n_touching, 20u);
 }
 
+TEST(StrutProximity, StrutsThatPassEachOtherAtRestAreNeverNear)
+{
+  for (const bool pass : {true, false})
+    {
+      const EquationsOnRanks of_scene(
+        SceneText()
+          .frame(std::string("0 0; 1 0; 0.5 0.5; 0.5 ") +
+                   (pass ? "-0.5" : "0.018"),
+                 "0 1; 2 3")
+          .set("Lattice/Struts may cross", "true")
+          .rectangle("strip", 0.02, 0.02, {1, 1, 0})
+          .mesh(2),
+        {},
+        MPI_COMM_SELF);
+      const std::vector<ContactAxis> axes =
+        make_contact_axes(of_scene.model, 1);
+      const StrutCurves curves(of_scene.model, axes);
+      StrutProximity    proximity(of_scene.model, curves);
+      ASSERT_EQ(proximity.overlaps().size(), 1u);
+      EXPECT_EQ(proximity.overlaps()[0].is_passing, pass);
+      std::vector<double> u(of_scene.dofs().layout().n_global(), 0.);
+      // In reach since the start, and by a list made anew.
+      for (const double moved : {0., 0.01, 1.})
+        {
+          for (const ContactAxis &axis : axes)
+            for (std::size_t i = 0; i < axis.unknowns.size(); i += 2)
+              u[axis.unknowns[i]] = moved;
+          proximity.follow(u);
+          EXPECT_EQ(proximity.near().size(), pass ? 0u : 1u);
+        }
+    }
+}
+
 TEST(StrutProximity, WhatPassesThroughInOneStepIsSeen)
 {
   Stars                     stars;
@@ -116,11 +147,13 @@ TEST(StrutProximityOnRanks, SharedLooksFindWhatOneRankFinds)
   Stars shared(MPI_COMM_WORLD, 8, "50 deg", "0.2"),
     alone(MPI_COMM_SELF, 8, "50 deg", "0.2");
   ASSERT_GT(alone.curves.connected().size(), 1000u);
-  EXPECT_FALSE(alone.overlaps.empty());
-  ASSERT_EQ(shared.overlaps.size(), alone.overlaps.size());
-  for (std::size_t i = 0; i < alone.overlaps.size(); ++i)
+  const std::vector<StrutOverlap> &of_ranks = shared.proximity.overlaps(),
+                                  &of_one   = alone.proximity.overlaps();
+  EXPECT_FALSE(of_one.empty());
+  ASSERT_EQ(of_ranks.size(), of_one.size());
+  for (std::size_t i = 0; i < of_one.size(); ++i)
     {
-      const StrutOverlap &one = shared.overlaps[i], &two = alone.overlaps[i];
+      const StrutOverlap &one = of_ranks[i], &two = of_one[i];
       EXPECT_EQ(one.struts, two.struts);
       EXPECT_EQ(one.is_passing, two.is_passing);
     }

@@ -74,9 +74,17 @@ namespace auxfem
     }
 
   private:
+    /** Of a line, to first order. */
+    struct SmallMotion
+    {
+      double rotation, ///< rad, no less than zero
+        strain;
+    };
     /** A line between two nodes. */
     struct Line
     {
+      SmallMotion motion(const Vector &displacement) const;
+
       std::array<int, 6>   unknowns; ///< x, y, z of both; -1: none
       dealii::Tensor<1, 3> direction;
       double               length; ///< m
@@ -85,7 +93,7 @@ namespace auxfem
     struct Chord
     {
       Line               line;
-      const StrutForces *struts;
+      const StrutForces *struts;  ///< none: its axial strain is the chord's
       unsigned int       element; ///< of the numbering
       unsigned int       strut;
       std::size_t        index;           ///< of the strut in struts()

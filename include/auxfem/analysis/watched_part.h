@@ -2,6 +2,7 @@
 #define auxfem_analysis_watched_part_h
 
 #include <auxfem/equations/equations.h>
+#include <auxfem/scene/scene.h>
 #include <auxfem/time/records.h>
 
 #include <string>
@@ -11,8 +12,8 @@ namespace auxfem
   /**
    * Which unknowns a watch looks at in a step. Steps of linear scenes cost
    * little more than a look at every unknown; of such scenes with many unknowns
-   * a part is looked at for some steps, then the next, in turn. Else all are
-   * one part.
+   * a part is looked at for some steps, then the next, in turn, each several
+   * times in the run. Else all are one part.
    */
   class WatchedPart
   {
@@ -20,7 +21,8 @@ namespace auxfem
     /** @param n_steps accepted ones, of any length, for which a part is looked
      *   at, at least
      * @param time (s) for which it is, at least */
-    WatchedPart(const Equations &equations,
+    WatchedPart(const Scene     &scene,
+                const Equations &equations,
                 unsigned int     n_steps,
                 double           time = 0);
 

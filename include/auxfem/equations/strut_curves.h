@@ -82,6 +82,15 @@ namespace auxfem
       return axes[one].half_thickness + axes[other].half_thickness;
     }
 
+    /** How far at rest a point of @p axis is from the strut of @p other if it
+     * may touch that (m). Neighbours come apart as far as they are thick before
+     * they count: at a joint they bend. */
+    double free_distance(const unsigned int axis,
+                         const unsigned int other) const
+    {
+      return (are_neighbours(axis, other) ? 2 : 1) * thickness(axis, other);
+    }
+
     /** The parts of @p axis that may touch the strut of @p other. */
     const ParameterRanges &free_ranges(unsigned int axis,
                                        unsigned int other) const;

@@ -37,6 +37,15 @@ namespace auxfem
                         const AxisCurve &other,
                         double           least) const;
 
+    /** Whether two axes are straight and where they are at rest: neighbours
+     * are then farther apart than they are thick where they may touch. */
+    bool are_lines_at_rest(const AxisPair  &pair,
+                           const AxisCurve &one,
+                           const AxisCurve &other) const
+    {
+      return is_line_at_rest(pair[0], one) && is_line_at_rest(pair[1], other);
+    }
+
     /** Whether a gap becomes smaller than @p least (m) on the straight way from
      * curves to others, of which the first ones are not. */
     bool comes_below(const AxisPair                 &pair,
@@ -51,6 +60,11 @@ namespace auxfem
     double of_strut(const AxisPair  &pair,
                     const AxisCurve &one,
                     const AxisCurve &other) const;
+    /** turning_left() of axes that are straight and at rest, or less, also
+     * than zero, without a look at points. */
+    double turning_left_at_rest(const AxisPair &pair, double least) const;
+    /** Whether an axis is straight and where it is at rest. */
+    bool is_line_at_rest(unsigned int axis, const AxisCurve &curve) const;
 
     const StrutCurves &curves;
   };

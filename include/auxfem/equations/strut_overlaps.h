@@ -30,9 +30,12 @@ namespace auxfem
     bool is_passing;
   };
 
-  /** All of them, by numbers of struts. Ranks share the work; collective. */
-  std::vector<StrutOverlap> find_overlaps(const StrutCurves   &curves,
-                                          const UnknownLayout &layout);
+  /** All of them, by numbers of struts. Ranks share the work; collective.
+   * @param near pairs of axes, with all that are nearer to each other at rest
+   *   than their thickness */
+  std::vector<StrutOverlap> find_overlaps(const StrutCurves           &curves,
+                                          const std::vector<AxisPair> &near,
+                                          const UnknownLayout         &layout);
 } // namespace auxfem
 
 #endif

@@ -23,13 +23,15 @@ namespace auxfem
   class StrutProximity
   {
   public:
-    /**
-     * @param model, curves must outlive the object
-     * @param overlaps at rest
-     */
-    StrutProximity(const LatticeModel              &model,
-                   const StrutCurves               &curves,
-                   const std::vector<StrutOverlap> &overlaps);
+    /** Looks at the struts at rest. Collective.
+     * @param model, curves must outlive the object and its copies */
+    StrutProximity(const LatticeModel &model, const StrutCurves &curves);
+
+    /** At rest; such as pass each other are never near. */
+    const std::vector<StrutOverlap> &overlaps() const
+    {
+      return overlaps_at_rest;
+    }
 
     /** Largest motion of a node since the last look (m). */
     double way_to(const std::vector<double> &displacements) const;
@@ -49,6 +51,16 @@ namespace auxfem
     {
       return near_pairs;
     }
+
+    /** Displacements at the last look; nothing has touched since, while nodes
+     * have gone no farther than needs a look. */
+    const std::vector<double> &last_look() const
+    {
+      return looked;
+    }
+
+    /** Motion of nodes that no pair need be looked at for (m). */
+    double unseen_motion() const;
 
     /** Whether one of them touches, or does so soon. */
     bool may_touch() const
@@ -133,9 +145,11 @@ namespace auxfem
                                          const std::vector<double> &to,
                                          double margin) const;
     bool                  never_touch(const AxisPair &pair) const;
-    void                  find_pairs_in_reach(const std::vector<double> &u);
-    void                  look_at_pairs(const std::vector<double> &u);
-    void                  look_at_connected(const std::vector<double> &u);
+    void                  find_near_at_rest();
+    /** Makes the list anew. @param pairs less than the reach apart */
+    void set_pairs_in_reach(const std::vector<AxisPair> &pairs);
+    void look_at_pairs(const std::vector<double> &u);
+    void look_at_connected(const std::vector<double> &u);
     /** Several of them, by number. */
     void      look_at_connected(const std::vector<unsigned int> &pairs,
                                 const std::vector<double>       &u);
@@ -148,9 +162,6 @@ namespace auxfem
     static Connected connected_at(const std::vector<double> &values,
                                   std::size_t                k);
     ///@}
-    /** Motion of nodes that no pair need be looked at for (m). */
-    double unseen_motion() const;
-
     /** How much an axis has turned since it was looked at (rad). */
     double turning(unsigned int axis, const std::vector<double> &u) const;
     /** How much it may turn until it is looked at again (rad). */
@@ -198,6 +209,7 @@ namespace auxfem
     const StrutCurves  &curves;
     const StrutGap      gap_of;
     const double        reach; ///< between axes that are kept in the list (m)
+    std::vector<StrutOverlap> overlaps_at_rest;
     /** Struts that pass each other at rest. */
     std::set<std::array<unsigned int, 2>> passing;
     double thickest = 0, thinnest = 0; ///< half (m)

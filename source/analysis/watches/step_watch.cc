@@ -39,13 +39,11 @@ namespace auxfem
     class StepWatch : public Watch
     {
     public:
-      StepWatch(const double          step,
-                const ImplicitScheme &scheme,
-                const Equations      &equations)
-        : scene_step(step)
-        , scheme(scheme)
+      StepWatch(const Scene &scene, const Equations &equations)
+        : scene_step(scene.time.step)
+        , scheme(scene.time.implicit_scheme())
         , equations(equations)
-        , part(equations, n_steps_of_part)
+        , part(scene, equations, n_steps_of_part)
       {}
 
       void step(const Evaluation &step,
@@ -254,8 +252,6 @@ namespace auxfem
   std::unique_ptr<Watch> make_step_watch(const Scene     &scene,
                                          const Equations &equations)
   {
-    return std::make_unique<StepWatch>(scene.time.step,
-                                       scene.time.implicit_scheme(),
-                                       equations);
+    return std::make_unique<StepWatch>(scene, equations);
   }
 } // namespace auxfem

@@ -325,9 +325,10 @@ namespace auxfem
     class WaveWatch : public Watch
     {
     public:
-      WaveWatch(const double time_step, const Equations &equations)
-        : WaveWatch(equations,
-                    filtered_translations(equations.model(), time_step))
+      WaveWatch(const Scene &scene, const Equations &equations)
+        : WaveWatch(scene,
+                    equations,
+                    filtered_translations(equations.model(), scene.time.step))
       {}
 
       void step(const Evaluation &step,
@@ -392,10 +393,13 @@ namespace auxfem
       }
 
     private:
-      WaveWatch(const Equations &equations, const Translations &translations)
+      WaveWatch(const Scene        &scene,
+                const Equations    &equations,
+                const Translations &translations)
         : layout(equations.unknowns().layout)
         , numbering(equations.model().numbering)
-        , part(equations,
+        , part(scene,
+               equations,
                n_steps_of_watched_part,
                time_to_follow(translations, layout))
         , velocities(part.n_parts())
@@ -448,6 +452,6 @@ namespace auxfem
   std::unique_ptr<Watch> make_wave_watch(const Scene     &scene,
                                          const Equations &equations)
   {
-    return std::make_unique<WaveWatch>(scene.time.step, equations);
+    return std::make_unique<WaveWatch>(scene, equations);
   }
 } // namespace auxfem

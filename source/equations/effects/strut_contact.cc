@@ -17,8 +17,7 @@ namespace auxfem
         : ContactEffect(scene, model)
         , curves(model, axes)
         , points_of_axes(curves, dimension)
-        , overlapping(find_overlaps(curves, model.numbering.layout()))
-        , proximity(model, curves, overlapping)
+        , proximity(model, curves)
       {}
 
       void register_in(StateLayout &layout) override
@@ -186,12 +185,12 @@ namespace auxfem
 
       std::unique_ptr<StrutLookout> lookout() const override
       {
-        return std::make_unique<StrutLookout>(model, curves, overlapping);
+        return std::make_unique<StrutLookout>(model, curves, proximity);
       }
 
       const std::vector<StrutOverlap> &overlaps() const override
       {
-        return overlapping;
+        return proximity.overlaps();
       }
 
       std::vector<ContactReport> contacts(const EffectResults &results,
@@ -412,11 +411,10 @@ namespace auxfem
                          touch.force);
       }
 
-      const StrutCurves               curves;
-      const StrutContactPoints        points_of_axes;
-      const std::vector<StrutOverlap> overlapping;
-      StrutProximity                  proximity;
-      std::vector<FacingStrut>        facing;
+      const StrutCurves        curves;
+      const StrutContactPoints points_of_axes;
+      StrutProximity           proximity;
+      std::vector<FacingStrut> facing;
       /** Local unknowns of the axes among `coupled`. */
       std::map<unsigned int, std::vector<int>> local_unknowns;
       unsigned int                             numerical_entry = 0;
