@@ -1,3 +1,4 @@
+#include <auxfem/equations/index_lists.h>
 #include <auxfem/equations/strut_curves.h>
 
 #include <deal.II/base/numbers.h>
@@ -65,58 +66,6 @@ namespace auxfem
         }
       return free;
     }
-
-    /** Which axes end at a node. */
-    class AxesAtNodes
-    {
-    public:
-      AxesAtNodes(const std::vector<ContactAxis> &axes,
-                  const unsigned int              dimension,
-                  const std::size_t               n_unknowns)
-        : axes(axes)
-        , dimension(dimension)
-        , first(n_unknowns + 2, 0)
-        , at_nodes(2 * axes.size())
-      {
-        // Counted one place ahead, so that places are the first ones when all
-        // are filled.
-        for (const ContactAxis &axis : axes)
-          for (unsigned int end = 0; end < 2; ++end)
-            ++first[node(axis, end) + 2];
-        std::partial_sum(first.begin(), first.end(), first.begin());
-        for (unsigned int a = 0; a < axes.size(); ++a)
-          for (unsigned int end = 0; end < 2; ++end)
-            at_nodes[first[node(axes[a], end) + 1]++] = a;
-      }
-
-      /** Adds those after @p axis in the list with an end in common. */
-      void add_after(const unsigned int         axis,
-                     std::vector<unsigned int> &others) const
-      {
-        for (unsigned int end = 0; end < 2; ++end)
-          {
-            const std::size_t at = node(axes[axis], end);
-            std::copy_if(at_nodes.begin() + first[at],
-                         at_nodes.begin() + first[at + 1],
-                         std::back_inserter(others),
-                         [axis](const unsigned int other) {
-                           return other > axis;
-                         });
-          }
-      }
-
-    private:
-      /** Its first unknown. */
-      std::size_t node(const ContactAxis &axis, const unsigned int end) const
-      {
-        return axis.unknowns[end * dimension];
-      }
-
-      const std::vector<ContactAxis> &axes;
-      const unsigned int              dimension;
-      std::vector<unsigned int>       first;    ///< of a node, by first unknown
-      std::vector<unsigned int>       at_nodes; ///< node after node
-    };
   } // namespace
 
   StrutCurves::StrutCurves(const LatticeModel             &model,
@@ -125,6 +74,7 @@ namespace auxfem
     , axes(axes)
     , axes_of_struts(model.lattice.struts.size())
   {
+    basis_of.reserve(axes.size());
     for (unsigned int a = 0; a < axes.size(); ++a)
       {
         const unsigned int order = axes[a].n_nodes() - 1;
@@ -311,14 +261,25 @@ namespace auxfem
 
   void StrutCurves::find_connected()
   {
-    const AxesAtNodes         at_nodes(axes,
-                               model.lattice.dimension,
-                               model.numbering.layout().n_global());
+    // By the first unknown of a node.
+    const unsigned int dimension = model.lattice.dimension;
+    const auto node = [&](const ContactAxis &axis, const unsigned int end) {
+      return axis.unknowns[end * dimension];
+    };
+    const IndexLists          at_nodes(model.numbering.layout().n_global(),
+                              [&](const auto &add) {
+                                for (unsigned int a = 0; a < axes.size(); ++a)
+                                  for (unsigned int end = 0; end < 2; ++end)
+                                    add(node(axes[a], end), a);
+                              });
     std::vector<unsigned int> others;
     for (unsigned int a = 0; a < axes.size(); ++a)
       {
         others.clear();
-        at_nodes.add_after(a, others);
+        for (unsigned int end = 0; end < 2; ++end)
+          for (const unsigned int other : at_nodes[node(axes[a], end)])
+            if (other > a)
+              others.push_back(other);
         std::sort(others.begin(), others.end());
         others.erase(std::unique(others.begin(), others.end()), others.end());
         // A straight element cannot reach itself.

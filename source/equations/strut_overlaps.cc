@@ -12,27 +12,6 @@ namespace auxfem
 {
   namespace
   {
-    /** Corners of lines along a curve, and by how much it is away from these at
-     * most, about (m). */
-    double corners_of(const AxisCurve               &curve,
-                      std::vector<dealii::Point<3>> &corners)
-    {
-      const unsigned int n    = curve.degree == 1 ? 1 : curve.degree + 1;
-      double             away = 0;
-      AxisCurve::Vector  before;
-      for (unsigned int i = 0; i <= n; ++i)
-        {
-          const AxisCurve::Vector now = curve.at(double(i) / n);
-          corners.emplace_back(now);
-          if (i > 0 && n > 1)
-            away =
-              std::max(away,
-                       (curve.at((i - 0.5) / n) - (before + now) / 2).norm());
-          before = now;
-        }
-      return away;
-    }
-
     /** Those of a part and behind it that meet the box around the part. */
     std::vector<unsigned int>
     boxes_near(const std::vector<dealii::BoundingBox<3>> &boxes,
@@ -70,14 +49,28 @@ namespace auxfem
     return pairs;
   }
 
-  dealii::BoundingBox<3> box_around(const std::vector<AxisCurve> &states,
-                                    const double                  margin)
+  dealii::BoundingBox<3> box_around(const AxisCurve &curve, const double margin)
   {
-    std::vector<dealii::Point<3>> corners;
-    double                        away = 0;
-    for (const AxisCurve &curve : states)
-      away = std::max(away, corners_of(curve, corners));
-    dealii::BoundingBox<3> box(corners);
+    // Around lines along the curve, which it is away from by so much about.
+    const unsigned int n    = curve.degree == 1 ? 1 : curve.degree + 1;
+    double             away = 0;
+    dealii::Point<3>   before(curve.at(0)), least = before, most = before;
+    for (unsigned int i = 1; i <= n; ++i)
+      {
+        const dealii::Point<3> now(curve.at(double(i) / n));
+        for (unsigned int d = 0; d < 3; ++d)
+          {
+            least[d] = std::min(least[d], now[d]);
+            most[d]  = std::max(most[d], now[d]);
+          }
+        if (n > 1)
+          {
+            const AxisCurve::Vector middle = (before + now) / 2;
+            away = std::max(away, (curve.at((i - 0.5) / n) - middle).norm());
+          }
+        before = now;
+      }
+    dealii::BoundingBox<3> box({least, most});
     box.extend(away + margin);
     return box;
   }

@@ -27,30 +27,33 @@ namespace auxfem
     , curves(curves)
     , gap_of(curves)
     , reach(model.mean_strut_length / 4)
-    , connected_of_axis(curves.list().size())
+    , connected_of_axis(curves.list().size(),
+                        [&curves](const auto &add) {
+                          const std::vector<AxisPair> &pairs =
+                            curves.connected();
+                          for (unsigned int i = 0; i < pairs.size(); ++i)
+                            for (const unsigned int axis : pairs[i])
+                              add(axis, i);
+                        })
     , connected(curves.connected().size())
     , allowed_turning(curves.list().size(), 0.)
     , turning_due(curves.list().size(), std::numeric_limits<double>::infinity())
   {
-    thinnest = std::numeric_limits<double>::infinity();
-    for (unsigned int a = 0; a < curves.list().size(); ++a)
+    thinnest             = std::numeric_limits<double>::infinity();
+    std::size_t n_values = 0;
+    for (const ContactAxis &axis : curves.list())
       {
-        const double h = curves.list()[a].half_thickness;
-        thickest       = std::max(thickest, h);
-        if (h > 0)
-          thinnest = std::min(thinnest, h);
-        first_of_axis.push_back(turned_at.size());
-        turned_at.resize(turned_at.size() + curves.list()[a].unknowns.size(),
-                         0.);
+        thickest = std::max(thickest, axis.half_thickness);
+        if (axis.half_thickness > 0)
+          thinnest = std::min(thinnest, axis.half_thickness);
+        first_of_axis.push_back(n_values);
+        n_values += axis.unknowns.size();
       }
+    turned_at.assign(n_values, 0.);
     find_nodes();
-    turned_at.shrink_to_fit();
-    for (unsigned int i = 0; i < curves.connected().size(); ++i)
-      for (const unsigned int axis : curves.connected()[i])
-        {
-          connected_of_axis[axis].push_back(i);
-          turning_due[axis] = 0;
-        }
+    for (const AxisPair &pair : curves.connected())
+      for (const unsigned int axis : pair)
+        turning_due[axis] = 0;
     find_near_at_rest();
   }
 
@@ -171,13 +174,13 @@ namespace auxfem
                                  const double               margin) const
   {
     std::vector<dealii::BoundingBox<3>> boxes;
+    boxes.reserve(curves.list().size());
     for (unsigned int a = 0; a < curves.list().size(); ++a)
       {
-        std::vector<AxisCurve> ends = {curve(a, to)};
+        const double around = curves.list()[a].half_thickness + margin;
+        boxes.push_back(box_around(curve(a, to), around));
         if (&from != &to)
-          ends.push_back(curve(a, from));
-        boxes.push_back(
-          box_around(ends, curves.list()[a].half_thickness + margin));
+          boxes.back().merge_with(box_around(curve(a, from), around));
       }
     const UnknownLayout      &layout = model.numbering.layout();
     std::vector<unsigned int> axes;
@@ -291,9 +294,10 @@ namespace auxfem
   {
     std::vector<unsigned int> pairs;
     for (const unsigned int axis : turned)
-      pairs.insert(pairs.end(),
-                   connected_of_axis[axis].begin(),
-                   connected_of_axis[axis].end());
+      {
+        const auto of_axis = connected_of_axis[axis];
+        pairs.insert(pairs.end(), of_axis.begin(), of_axis.end());
+      }
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     return pairs;

@@ -127,7 +127,7 @@ TEST(WatchedPart, SeesWhatHappensToOneJoint)
   ASSERT_EQ(expected.size(), 1u);
   EXPECT_NEAR(parts_told(found)[0],
               parts_told(expected)[0],
-              parts_told(expected)[0] / 2);
+              parts_told(expected)[0] / 4);
 }
 
 TEST(WatchedPart, TurnsGoOnInRunsThatAreResumed)

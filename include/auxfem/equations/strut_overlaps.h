@@ -14,10 +14,8 @@ namespace auxfem
   pairs_that_meet(const std::vector<dealii::BoundingBox<3>> &boxes,
                   const std::array<std::size_t, 2>          &part);
 
-  /** Box of the axes between some states, the thickness of the strut and a
-   * margin (m) around them. */
-  dealii::BoundingBox<3> box_around(const std::vector<AxisCurve> &states,
-                                    double                        margin);
+  /** Box of an axis with a margin (m) around it. */
+  dealii::BoundingBox<3> box_around(const AxisCurve &curve, double margin);
 
   /** Two struts without a common joint that are nearer to each other at rest
    * than their thickness. */

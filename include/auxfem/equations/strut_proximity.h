@@ -1,6 +1,7 @@
 #ifndef auxfem_equations_strut_proximity_h
 #define auxfem_equations_strut_proximity_h
 
+#include <auxfem/equations/index_lists.h>
 #include <auxfem/equations/strut_gap.h>
 #include <auxfem/equations/strut_overlaps.h>
 
@@ -224,10 +225,9 @@ namespace auxfem
     std::vector<std::size_t> first_of_axis;
     /** Global numbers of the displacements of each node of any axis, once. */
     std::vector<std::array<int, 3>> nodes;
-    /** Pairs with a common node, of each axis. */
-    std::vector<std::vector<unsigned int>> connected_of_axis;
-    std::vector<Connected>                 connected;
-    std::vector<double> allowed_turning; ///< of each axis (rad)
+    IndexLists             connected_of_axis; ///< pairs with a common node
+    std::vector<Connected> connected;
+    std::vector<double>    allowed_turning; ///< of each axis (rad)
     /** Of each axis, travel of the nodes at which its turning is looked at
      * again (m). */
     std::vector<double> turning_due;
