@@ -1,5 +1,5 @@
-#include <auxfem/equations/index_lists.h>
 #include <auxfem/equations/strut_curves.h>
+#include <auxfem/mesh/index_lists.h>
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/quadrature_lib.h>

@@ -59,10 +59,13 @@ namespace auxfem
 
   void StrutProximity::find_near_at_rest()
   {
-    const UnknownLayout      &layout = model.numbering.layout();
-    const std::vector<double> rest(layout.n_global(), 0.);
-    std::vector<AxisPair>     pairs = pairs_in_boxes(rest, rest, reach / 2);
-    overlaps_at_rest                = find_overlaps(curves, pairs, layout);
+    std::vector<dealii::BoundingBox<3>> boxes;
+    boxes.reserve(curves.list().size());
+    for (unsigned int a = 0; a < curves.list().size(); ++a)
+      boxes.push_back(box_around(curves.at_rest(a),
+                                 curves.list()[a].half_thickness + reach / 2));
+    std::vector<AxisPair> pairs = pairs_in(boxes);
+    overlaps_at_rest = find_overlaps(curves, pairs, model.numbering.layout());
     for (const StrutOverlap &overlap : overlaps_at_rest)
       if (overlap.is_passing)
         passing.insert(overlap.struts);
@@ -182,6 +185,12 @@ namespace auxfem
         if (&from != &to)
           boxes.back().merge_with(box_around(curve(a, from), around));
       }
+    return pairs_in(boxes);
+  }
+
+  std::vector<AxisPair> StrutProximity::pairs_in(
+    const std::vector<dealii::BoundingBox<3>> &boxes) const
+  {
     const UnknownLayout      &layout = model.numbering.layout();
     std::vector<unsigned int> axes;
     for (const AxisPair &pair :

@@ -76,7 +76,9 @@ namespace auxfem
 
     void sort_and_unite(std::vector<unsigned int> &indices)
     {
-      std::sort(indices.begin(), indices.end());
+      // Most are, and those of large lattices are long.
+      if (!std::is_sorted(indices.begin(), indices.end()))
+        std::sort(indices.begin(), indices.end());
       indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
     }
 

@@ -1,3 +1,4 @@
+#include <auxfem/mesh/index_lists.h>
 #include <auxfem/mesh/strut_partition.h>
 #include <auxfem/parameters/errors.h>
 
@@ -34,20 +35,27 @@ namespace auxfem
       void find_neighbours(const Lattice           &lattice,
                            dealii::SparsityPattern &graph) const
       {
-        std::vector<std::vector<unsigned int>> pieces_at(lattice.joints.size());
-        for (unsigned int s = 0; s < lattice.struts.size(); ++s)
-          for (const unsigned int joint : lattice.struts[s].joints)
-            if (auto &pieces = pieces_at[joint];
-                std::find(pieces.begin(), pieces.end(), of_strut[s]) ==
-                pieces.end())
-              pieces.push_back(of_strut[s]);
-
+        const IndexLists struts_at(
+          lattice.joints.size(),
+          [&lattice](const auto &add) {
+            for (unsigned int s = 0; s < lattice.struts.size(); ++s)
+              for (const unsigned int joint : lattice.struts[s].joints)
+                add(joint, s);
+          });
         dealii::DynamicSparsityPattern entries(weights.size(), weights.size());
-        for (const auto &pieces : pieces_at)
-          if (pieces.size() > 1)
-            for (const unsigned int a : pieces)
-              for (const unsigned int b : pieces)
-                entries.add(a, b);
+        std::vector<unsigned int>      pieces;
+        for (unsigned int joint = 0; joint < lattice.joints.size(); ++joint)
+          {
+            pieces.clear();
+            for (const unsigned int s : struts_at[joint])
+              if (std::find(pieces.begin(), pieces.end(), of_strut[s]) ==
+                  pieces.end())
+                pieces.push_back(of_strut[s]);
+            if (pieces.size() > 1)
+              for (const unsigned int a : pieces)
+                for (const unsigned int b : pieces)
+                  entries.add(a, b);
+          }
         graph.copy_from(entries);
       }
 

@@ -1,9 +1,9 @@
 #ifndef auxfem_equations_strut_proximity_h
 #define auxfem_equations_strut_proximity_h
 
-#include <auxfem/equations/index_lists.h>
 #include <auxfem/equations/strut_gap.h>
 #include <auxfem/equations/strut_overlaps.h>
+#include <auxfem/mesh/index_lists.h>
 
 #include <optional>
 #include <set>
@@ -145,8 +145,11 @@ namespace auxfem
     std::vector<AxisPair> pairs_in_boxes(const std::vector<double> &from,
                                          const std::vector<double> &to,
                                          double margin) const;
-    bool                  never_touch(const AxisPair &pair) const;
-    void                  find_near_at_rest();
+    /** The same of boxes of the axes. */
+    std::vector<AxisPair>
+         pairs_in(const std::vector<dealii::BoundingBox<3>> &boxes) const;
+    bool never_touch(const AxisPair &pair) const;
+    void find_near_at_rest();
     /** Makes the list anew. @param pairs less than the reach apart */
     void set_pairs_in_reach(const std::vector<AxisPair> &pairs);
     void look_at_pairs(const std::vector<double> &u);

@@ -1,5 +1,5 @@
-#ifndef auxfem_equations_index_lists_h
-#define auxfem_equations_index_lists_h
+#ifndef auxfem_mesh_index_lists_h
+#define auxfem_mesh_index_lists_h
 
 #include <deal.II/base/array_view.h>
 
