@@ -224,13 +224,29 @@ namespace auxfem
 
   void StrutProximity::look_at_pairs(const std::vector<double> &u)
   {
-    for (Reach &pair : in_reach)
+    struct Look
+    {
+      double due;
+      bool   is_near;
+    };
+    std::vector<unsigned int> looked_at;
+    for (unsigned int i = 0; i < in_reach.size(); ++i)
+      if (travelled >= in_reach[i].due || in_reach[i].is_near)
+        looked_at.push_back(i);
+    const auto looks =
+      shared_results(looked_at.size(),
+                     model.numbering.layout(),
+                     [&](const std::size_t k) {
+                       const AxisPair &pair = in_reach[looked_at[k]].pair;
+                       const double    gap  = this->gap(pair, u),
+                                    least   = near_gap(pair);
+                       return Look{travelled + std::max(gap - least, 0.) / 2,
+                                   comes_near(pair, gap, u, least)};
+                     });
+    for (std::size_t k = 0; k < looks.size(); ++k)
       {
-        if (travelled < pair.due && !pair.is_near)
-          continue;
-        const double gap = this->gap(pair.pair, u), least = near_gap(pair.pair);
-        pair.is_near = comes_near(pair.pair, gap, u, least);
-        pair.due     = travelled + std::max(gap - least, 0.) / 2;
+        in_reach[looked_at[k]].due     = looks[k].due;
+        in_reach[looked_at[k]].is_near = looks[k].is_near;
       }
   }
 
@@ -333,26 +349,15 @@ namespace auxfem
   void StrutProximity::look_at_connected(const std::vector<unsigned int> &pairs,
                                          const std::vector<double>       &u)
   {
-    // Fewer are looked at sooner than ranks tell each other of them.
-    constexpr std::size_t many   = 1000;
-    const UnknownLayout  &layout = model.numbering.layout();
-    const bool            shared = layout.n_ranks() > 1 && pairs.size() >= many;
-    const auto [begin, end]      = shared
-           ? share_of_rank(layout, pairs.size())
-           : std::array<std::size_t, 2>{{0, pairs.size()}};
-    std::vector<double> values;
-    for (std::size_t k = begin; k < end; ++k)
-      {
-        Connected &pair = connected[pairs[k]];
-        pair            = look_at_connected(curves.connected()[pairs[k]], u);
-        if (shared)
-          add_values(pair, values);
-      }
-    if (!shared)
-      return;
-    values = of_all_ranks(values, layout.communicator());
+    const auto looks =
+      shared_results(pairs.size(),
+                     model.numbering.layout(),
+                     [&](const std::size_t k) {
+                       return look_at_connected(curves.connected()[pairs[k]],
+                                                u);
+                     });
     for (std::size_t k = 0; k < pairs.size(); ++k)
-      connected[pairs[k]] = connected_at(values, k);
+      connected[pairs[k]] = looks[k];
   }
 
   void StrutProximity::look_at_connected(const std::vector<double> &u)

@@ -61,6 +61,25 @@ namespace auxfem
     return all;
   }
 
+  /** What @p result_of makes of each of @p n items, by its number; of many each
+   * rank looks at a share. The same on all ranks. Collective. */
+  template <class ResultOf>
+  auto shared_results(const std::size_t    n,
+                      const UnknownLayout &layout,
+                      const ResultOf      &result_of)
+  {
+    // Fewer are looked at sooner than ranks tell each other of them.
+    constexpr std::size_t many      = 1000;
+    const bool            is_shared = layout.n_ranks() > 1 && n >= many;
+    const auto [begin, end] =
+      is_shared ? share_of_rank(layout, n) : std::array<std::size_t, 2>{{0, n}};
+    std::vector<decltype(result_of(begin))> results;
+    results.reserve(end - begin);
+    for (std::size_t i = begin; i < end; ++i)
+      results.push_back(result_of(i));
+    return is_shared ? of_all_ranks(results, layout.communicator()) : results;
+  }
+
   /** Values of all ranks' unknowns by global number: @p mine on one rank, else
    * brought into @p room. Collective. */
   inline const std::vector<double> &
