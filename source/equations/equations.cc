@@ -71,9 +71,11 @@ namespace auxfem
 
     bool are_finite(const double *values, const std::size_t n)
     {
-      return std::all_of(values, values + n, [](const double value) {
-        return std::isfinite(value);
-      });
+      // Without a way out on the way, several are looked at at a time.
+      bool all = true;
+      for (std::size_t i = 0; i < n; ++i)
+        all &= std::isfinite(values[i]);
+      return all;
     }
 
     /** On every rank, the words of the lowest rank that has some. */

@@ -81,4 +81,26 @@ namespace
     for (std::size_t i = 1; i + 1 < bounds.size(); i += 2)
       EXPECT_EQ(bounds[i], bounds[i + 1]);
   }
+
+  TEST(SharedWork, RanksShareManyResultsOnly)
+  {
+    const UnknownLayout layout(MPI_COMM_WORLD, 1, {});
+    for (const std::size_t n : {0, 7, 3001})
+      {
+        std::size_t n_mine = 0;
+        const auto  results =
+          shared_results(n, layout, [&](const std::size_t i) {
+            ++n_mine;
+            return Item{static_cast<unsigned int>(i), i / 2.};
+          });
+        ASSERT_EQ(results.size(), n);
+        for (std::size_t i = 0; i < n; ++i)
+          {
+            EXPECT_EQ(results[i].number, i);
+            EXPECT_EQ(results[i].value, i / 2.);
+          }
+        const auto mine = share_of_rank(layout, n);
+        EXPECT_EQ(n_mine, n < 1000 ? n : mine[1] - mine[0]);
+      }
+  }
 } // namespace

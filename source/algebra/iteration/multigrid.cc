@@ -5,8 +5,9 @@
 #include <MueLu_SmootherBase.hpp>
 
 #include <algorithm>
-#include <map>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "tpetra_types.h"
 
@@ -91,15 +92,18 @@ namespace auxfem
         const TpetraMap &columns_of_ranks = *matrix.getColMap();
         SparseMatrix     rows(layout);
         rows.is_symmetric = is_symmetric;
+        std::vector<std::pair<int, double>> sorted;
         for (unsigned int row = 0; row < layout.n_owned(); ++row)
           {
             TpetraMatrix::local_inds_host_view_type columns;
             TpetraMatrix::values_host_view_type     entries;
             matrix.getLocalRowView(row, columns, entries);
-            std::map<int, double> sorted;
+            sorted.clear();
             for (std::size_t i = 0; i < columns.extent(0); ++i)
-              sorted[layout.local(
-                columns_of_ranks.getGlobalElement(columns[i]))] = entries[i];
+              sorted.emplace_back(
+                layout.local(columns_of_ranks.getGlobalElement(columns[i])),
+                entries[i]);
+            std::sort(sorted.begin(), sorted.end());
             for (const auto &[column, entry] : sorted)
               {
                 rows.columns.push_back(column);
