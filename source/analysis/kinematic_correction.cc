@@ -1,3 +1,4 @@
+#include <auxfem/algebra/row_sums.h>
 #include <auxfem/analysis/kinematic_correction.h>
 #include <auxfem/equations/prescribed_motion.h>
 #include <auxfem/model/unknown_names.h>
@@ -9,9 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <numeric>
 #include <sstream>
 #include <utility>
 
@@ -51,21 +50,12 @@ namespace auxfem
     /** Root mean square (m), as KinematicCorrection. */
     double size_of(const LatticeModel &model, const Vector &motion)
     {
-      const OwnedRows &rows           = model.rows;
-      const double     length         = model.mean_strut_length;
-      const auto       sum_of_squares = [&motion](const std::vector<int> &of) {
-        return std::transform_reduce(of.begin(),
-                                     of.end(),
-                                     0.,
-                                     std::plus<>(),
-                                     [&motion](const int i) {
-                                       return motion[i] * motion[i];
-                                     });
-      };
-      const std::vector<double> all = model.numbering.layout().sum(
-        {sum_of_squares(rows.free_translations) +
-           length * length * sum_of_squares(rows.free_rotations),
-         double(rows.free_translations.size() + rows.free_rotations.size())});
+      const OwnedRows          &rows   = model.rows;
+      const double              length = model.mean_strut_length;
+      const std::vector<double> all    = model.numbering.layout().sum(
+        {sum_of_squares(motion.data(), rows.free_translations) +
+              length * length * sum_of_squares(motion.data(), rows.free_rotations),
+            double(rows.free_translations.size() + rows.free_rotations.size())});
       return all[1] > 0 ? std::sqrt(all[0] / all[1]) : 0;
     }
 

@@ -265,7 +265,7 @@ namespace auxfem
             worst.error.strain,
             location_of(worst),
             equations.unknowns().layout.largest(largest),
-            compressions};
+            std::move(compressions)};
   }
 
   std::string SmallDisplacementEstimate::location_of(const Worst &worst) const

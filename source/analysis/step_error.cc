@@ -1,3 +1,4 @@
+#include <auxfem/algebra/row_sums.h>
 #include <auxfem/analysis/step_error.h>
 
 #include <deal.II/base/numbers.h>
@@ -85,11 +86,9 @@ namespace auxfem
 
   double StepError::mean(const Motions &motions, const Vector &values) const
   {
-    double sum = 0;
-    for (const unsigned int i : motions.rows)
-      sum += values[i] * values[i];
     const std::vector<double> total = equations.model().numbering.layout().sum(
-      {sum, double(motions.rows.size())});
+      {sum_of_squares(values.data(), motions.rows),
+       double(motions.rows.size())});
     return total[1] > 0 ? std::sqrt(total[0] / total[1]) : 0;
   }
 

@@ -22,18 +22,6 @@ namespace auxfem
                                      now.energies.total(),
                                      now.energies.dissipated()});
     }
-
-    std::unique_ptr<StepControl> make_control(const TimeParameters &parameters)
-    {
-      const double smallest = parameters.smallest_step > 0
-        ? parameters.smallest_step
-        : parameters.step / 1024;
-      return parameters.relative_tolerance
-        ? make_error_controlled_steps(parameters.step,
-                                      smallest,
-                                      parameters.implicit_scheme().order())
-        : make_halved_steps(parameters.step, smallest);
-    }
   } // namespace
 
   TimeStepper::TimeStepper(Equations &equations, const Scene &scene, Work &work)
@@ -44,7 +32,7 @@ namespace auxfem
     , trial(equations.initial_solution())
     , rotations(equations.model().numbering)
     , solvers(std::make_unique<Solvers>(equations, scene, work))
-    , control(make_control(parameters))
+    , control(make_step_control(parameters))
     , dense_output(equations, scheme)
     , ends(scene)
     , watches_of_scene(scene, equations, work)

@@ -1,3 +1,4 @@
+#include <auxfem/algebra/row_sums.h>
 #include <auxfem/algebra/shared_work.h>
 #include <auxfem/equations/equations.h>
 #include <auxfem/model/unknown_names.h>
@@ -13,35 +14,6 @@ namespace auxfem
 {
   namespace
   {
-    /**
-     * Calls @p take(result, value) for the values in some rows, for four
-     * results in turn, as one would wait for itself.
-     */
-    template <class Take>
-    std::array<double, 4> take_in_four(const double           *values,
-                                       const std::vector<int> &rows,
-                                       const Take             &take)
-    {
-      std::array<double, 4> results   = {{0, 0, 0, 0}};
-      const std::size_t     n         = rows.size();
-      const std::size_t     n_in_four = n - n % 4;
-      for (std::size_t i = 0; i < n_in_four; i += 4)
-        for (unsigned int k = 0; k < 4; ++k)
-          take(results[k], values[rows[i + k]]);
-      for (std::size_t i = n_in_four; i < n; ++i)
-        take(results[0], values[rows[i]]);
-      return results;
-    }
-
-    double sum_of_squares(const double *values, const std::vector<int> &rows)
-    {
-      const auto sums =
-        take_in_four(values, rows, [](double &sum, const double value) {
-          sum += value * value;
-        });
-      return sums[0] + sums[1] + sums[2] + sums[3];
-    }
-
     /** Sums of squares of a residual, in all rows and in free ones. */
     struct RowSums
     {
@@ -58,15 +30,6 @@ namespace auxfem
       sums.moments =
         sums.free_moments + sum_of_squares(residual, rows.prescribed_rotations);
       return sums;
-    }
-
-    double largest(const double *values, const std::vector<int> &rows)
-    {
-      const auto results =
-        take_in_four(values, rows, [](double &result, const double value) {
-          result = std::max(result, std::abs(value));
-        });
-      return *std::max_element(results.begin(), results.end());
     }
 
     bool are_finite(const double *values, const std::size_t n)
@@ -397,12 +360,13 @@ namespace auxfem
   {
     const Vector     sizes = round_off(evaluation, results);
     const OwnedRows &rows  = structure.rows;
-    return structure.numbering.layout().largest(std::max(
-      {largest(sizes.data(), rows.free_translations),
-       largest(sizes.data(), rows.prescribed_translations),
-       largest(sizes.data(), rows.free_rotations) / structure.mean_strut_length,
-       largest(sizes.data(), rows.prescribed_rotations) /
-         structure.mean_strut_length}));
+    return structure.numbering.layout().largest(
+      std::max({largest_size(sizes.data(), rows.free_translations),
+                largest_size(sizes.data(), rows.prescribed_translations),
+                largest_size(sizes.data(), rows.free_rotations) /
+                  structure.mean_strut_length,
+                largest_size(sizes.data(), rows.prescribed_rotations) /
+                  structure.mean_strut_length}));
   }
 
   bool Equations::may_touch() const
@@ -435,12 +399,13 @@ namespace auxfem
   std::pair<double, double> largest_motion(const LatticeModel &model,
                                            const Vector       &motion)
   {
-    const OwnedRows &rows   = model.rows;
-    const double    *values = motion.data();
-    double mine[2]          = {std::max(largest(values, rows.free_translations),
-                               largest(values, rows.prescribed_translations)),
-                               std::max(largest(values, rows.free_rotations),
-                               largest(values, rows.prescribed_rotations))};
+    const OwnedRows &rows    = model.rows;
+    const double    *values  = motion.data();
+    double           mine[2] = {
+                std::max(largest_size(values, rows.free_translations),
+               largest_size(values, rows.prescribed_translations)),
+                std::max(largest_size(values, rows.free_rotations),
+               largest_size(values, rows.prescribed_rotations))};
     const UnknownLayout &layout = model.numbering.layout();
     if (layout.n_ranks() == 1)
       return {mine[0], mine[1]};

@@ -7,6 +7,8 @@
 #include <boost/iterator/function_output_iterator.hpp>
 
 #include <algorithm>
+#include <limits>
+#include <map>
 
 namespace auxfem
 {
@@ -82,36 +84,29 @@ namespace auxfem
     // By more than this, of half the sum of the thicknesses, they pass.
     constexpr double passing = 0.5, digits = 0.01;
 
-    std::vector<unsigned int> struts;
-    std::vector<double>       parts; // distances over the thickness
-    const auto [begin, end] = share_of_rank(layout, near.size());
-    for (std::size_t i = begin; i < end; ++i)
-      {
-        const auto &[a, b] = near[i];
+    // Over the thickness.
+    const std::vector<double> distances =
+      shared_results(near.size(), layout, [&](const std::size_t i) {
+        const auto [a, b] = near[i];
         if (curves.are_neighbours(a, b) || curves.never_touch(a, b))
-          continue;
-        const double thickness = curves.thickness(a, b),
-                     part      = distance(curves.at_rest(a),
-                                     curves.at_rest(b),
-                                     digits * thickness) /
+          return std::numeric_limits<double>::infinity();
+        const double thickness = curves.thickness(a, b);
+        return distance(curves.at_rest(a),
+                        curves.at_rest(b),
+                        digits * thickness) /
           thickness;
-        if (part >= 1 - digits)
-          continue;
-        const auto [one, other] =
-          std::minmax(curves.list()[a].strut, curves.list()[b].strut);
-        struts.insert(struts.end(), {one, other});
-        parts.push_back(part);
-      }
-    struts = of_all_ranks(struts, layout.communicator());
-    parts  = of_all_ranks(parts, layout.communicator());
+      });
     std::map<std::array<unsigned int, 2>, double> least;
-    for (std::size_t i = 0; i < parts.size(); ++i)
-      {
-        double &known =
-          least.try_emplace({{struts[2 * i], struts[2 * i + 1]}}, parts[i])
-            .first->second;
-        known = std::min(known, parts[i]);
-      }
+    for (std::size_t i = 0; i < near.size(); ++i)
+      if (distances[i] < 1 - digits)
+        {
+          const auto [one, other] =
+            std::minmax(curves.list()[near[i][0]].strut,
+                        curves.list()[near[i][1]].strut);
+          double &known =
+            least.try_emplace({{one, other}}, distances[i]).first->second;
+          known = std::min(known, distances[i]);
+        }
     std::vector<StrutOverlap> overlaps;
     for (const auto &[pair, part] : least)
       overlaps.push_back({pair, part < passing});

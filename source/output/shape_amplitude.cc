@@ -1,3 +1,4 @@
+#include <auxfem/algebra/row_sums.h>
 #include <auxfem/mesh/position_function.h>
 #include <auxfem/output/shape_amplitude.h>
 
@@ -24,10 +25,8 @@ namespace auxfem
                          const Vector    &shape)
   {
     const LatticeModel &model   = equations.model();
-    double              largest = 0;
-    for (const int i : model.rows.free_translations)
-      largest = std::max(largest, std::abs(shape[i]));
-    largest = model.numbering.layout().largest(largest);
+    const double        largest = model.numbering.layout().largest(
+      largest_size(shape.data(), model.rows.free_translations));
     return largest > 0
       ? scene.modes.amplitude * extension(model.lattice) / largest
       : 1.;

@@ -7,6 +7,8 @@
 
 namespace auxfem
 {
+  struct TimeParameters;
+
   /** A step to be tried. */
   struct PlannedStep
   {
@@ -68,11 +70,15 @@ namespace auxfem
   /**
    * Steps whose errors are, in the mean, what is wanted or less, no longer than
    * @p step and no shorter than @p smallest (s): each interval is divided into
-   * 2^k or 3 2^k of equal length. The error of a step over its length goes with
-   * the power @p order of that.
+   * 1, 2, 3, 4, 6 or 8 of equal length, or 5 to 8 times 2^k. The error of a
+   * step over its length goes with the power @p order of that.
    */
   std::unique_ptr<StepControl>
   make_error_controlled_steps(double step, double smallest, unsigned int order);
+
+  /** What the scene asks for: the latter with a relative tolerance. */
+  std::unique_ptr<StepControl>
+  make_step_control(const TimeParameters &parameters);
 } // namespace auxfem
 
 #endif
