@@ -29,21 +29,26 @@ namespace
   {
     std::string name;
     std::unique_ptr<DirectSolver> (*make)();
-    bool takes_unsymmetric, pivots, has_inertia;
+    bool takes_unsymmetric, pivots, has_inertia, counts_zeros, is_sparse;
   };
 
-  const std::array<Kind, 3> kinds = {
+  const std::array<Kind, 4> kinds = {
     {{"CHOLMOD",
       [] { return make_cholmod(EliminationOrder::minimum_degree); },
       false,
+      false,
+      true,
       false,
       true},
      {"KLU",
       [] { return make_klu(EliminationOrder::nested_dissection); },
       true,
       true,
-      false},
-     {"MUMPS", make_mumps, true, true, true}}};
+      false,
+      false,
+      true},
+     {"MUMPS", make_mumps, true, true, true, true, true},
+     {"dense", make_dense, false, true, true, false, false}}};
 
   /** Ascending. */
   std::vector<double> eigenvalues(const Entries &entries)
@@ -192,6 +197,8 @@ TEST(DirectSolver, SparseOnesSolveLatticesThatMetisOrders)
   DistributedMatrix of(entries);
   for (const Kind &kind : kinds)
     {
+      if (!kind.is_sparse)
+        continue;
       SCOPED_TRACE(kind.name);
       const auto solver = kind.make();
       ASSERT_EQ(solver->analyse(of.matrix), FactorizationOutcome::done);
@@ -260,7 +267,7 @@ TEST(DirectSolver, ZeroEigenvaluesAreCounted)
           ASSERT_EQ(solver->analyse(of.matrix), FactorizationOutcome::done);
           EXPECT_EQ(solver->factorize(of.matrix),
                     FactorizationOutcome::singular);
-          if (kind.has_inertia && kind.pivots)
+          if (kind.counts_zeros)
             expect_inertia(*solver, expected);
           else
             EXPECT_FALSE(solver->inertia());
@@ -294,6 +301,9 @@ TEST(DirectSolver, FreeLatticesAreSingular)
         const DistributedMatrix of(free_grid(n, slenderness));
         for (const Kind &kind : kinds)
           {
+            // Full factors of 60 x 60 joints take 1 GB.
+            if (!kind.is_sparse && n > 12)
+              continue;
             SCOPED_TRACE(kind.name + ", " + std::to_string(n) +
                          ", slenderness " + std::to_string(slenderness));
             EXPECT_EQ(outcome(kind, of), FactorizationOutcome::singular);
@@ -467,7 +477,7 @@ TEST(DirectSolver, LackOfMemoryIsReported)
           without_memory_on(rank, [&] { return solver->analyse(of.matrix); });
         EXPECT_EQ(analysis, FactorizationOutcome::out_of_memory);
         ASSERT_EQ(solver->analyse(of.matrix), FactorizationOutcome::done);
-        // The factors of CHOLMOD and KLU are the first rank's.
+        // The factors of all but MUMPS are the first rank's.
         const auto factorization =
           without_memory_on(kind.name == "MUMPS" ? rank : 0,
                             [&] { return solver->factorize(of.matrix); });

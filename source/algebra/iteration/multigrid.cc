@@ -43,9 +43,9 @@ namespace auxfem
         : layout(make_layout(matrix))
       {
         const SparseMatrix rows = take_rows(matrix, is_symmetric);
-        factors = is_symmetric ? make_cholmod(EliminationOrder::minimum_degree)
-                               : make_klu(EliminationOrder::minimum_degree);
-        bool is_done = factorize(rows);
+        factors                 = is_symmetric ? make_symmetric_solver(rows)
+                                               : make_klu(EliminationOrder::minimum_degree);
+        bool is_done            = factorize(rows);
         // CHOLMOD does not take every indefinite matrix.
         if (!is_done && is_symmetric)
           {
@@ -112,6 +112,18 @@ namespace auxfem
             rows.first[row + 1] = rows.columns.size();
           }
         return rows;
+      }
+
+      /** Where a quarter of the entries are there, in space, factors are full.
+       */
+      std::unique_ptr<DirectSolver>
+      make_symmetric_solver(const SparseMatrix &rows) const
+      {
+        const double n         = layout.n_global();
+        const double n_entries = layout.sum(1. * rows.entries.size());
+        return n_entries > n * n / 4
+          ? make_dense()
+          : make_cholmod(EliminationOrder::minimum_degree);
       }
 
       bool factorize(const SparseMatrix &rows)
