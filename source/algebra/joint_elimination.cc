@@ -134,17 +134,35 @@ namespace auxfem
     blocks.assign(order->n_entries(), 0.);
     largest_in_row.assign(unknowns.layout.n_owned(), 0.);
     for (unsigned int row = 0; row < unknowns.layout.n_owned(); ++row)
-      if (groups->group(row))
-        for (std::size_t i = matrix.first[row]; i < matrix.first[row + 1]; ++i)
-          {
-            const int column = matrix.columns[i];
-            if (!unknowns.layout.is_owned(column) || !groups->group(column))
-              continue;
-            const double entry = matrix.entries[i] * scale[row] * scale[column];
-            blocks[order->position(row, column)] = entry;
-            largest_in_row[row] =
-              std::max(largest_in_row[row], std::abs(entry));
-          }
+      if (const std::optional<unsigned int> own = groups->group(row))
+        {
+          // Columns of a group are side by side mostly: its block is sought
+          // once for them.
+          std::optional<unsigned int> last;
+          double                     *of_row  = nullptr;
+          double                      largest = 0;
+          for (std::size_t i = matrix.first[row]; i < matrix.first[row + 1];
+               ++i)
+            {
+              const int column = matrix.columns[i];
+              if (!unknowns.layout.is_owned(column))
+                continue;
+              const std::optional<unsigned int> other = groups->group(column);
+              if (!other)
+                continue;
+              if (other != last)
+                {
+                  last   = other;
+                  of_row = &blocks[order->block_at_first(*own, *other)] +
+                    groups->number_in_group(row) * size(*other);
+                }
+              const double entry =
+                matrix.entries[i] * scale[row] * scale[column];
+              of_row[groups->number_in_group(column)] = entry;
+              largest = std::max(largest, std::abs(entry));
+            }
+          largest_in_row[row] = largest;
+        }
   }
 
   bool JointElimination::factorize_pivot(const std::size_t number,
@@ -220,17 +238,21 @@ namespace auxfem
                    groups->rows(group).end());
     joint_rows = std::make_unique<JointRows>(unknowns, taken);
     left       = std::make_unique<SparseMatrix>(joint_rows->layout());
+    const std::size_t n_entries = count_entries_left(matrix);
+    left->columns.reserve(n_entries);
     sources.clear();
-    is_in_blocks.clear();
+    sources.reserve(n_entries);
+    std::vector<Source> row_of_sources;
     for (unsigned int row = 0; row < joint_rows->layout().n_owned(); ++row)
       {
         if (const auto unknown = joint_rows->unknown(row))
-          make_row(matrix, *unknown);
+          find_sources(matrix, *unknown, row_of_sources);
         else
+          row_of_sources.assign(1, {row, 0});
+        for (const Source &source : row_of_sources)
           {
-            left->columns.push_back(row);
-            sources.push_back(0);
-            is_in_blocks.push_back(false);
+            left->columns.push_back(source.column);
+            sources.push_back(source.position);
           }
         left->first[row + 1] = left->columns.size();
       }
@@ -239,37 +261,49 @@ namespace auxfem
     ++n_patterns;
   }
 
-  void JointElimination::make_row(const SparseMatrix &matrix,
-                                  const unsigned int  unknown)
+  std::size_t
+  JointElimination::count_entries_left(const SparseMatrix &matrix) const
   {
-    struct Source
-    {
-      unsigned int column;
-      std::size_t  position;
-      bool         is_in_blocks;
-    };
-    std::vector<Source> row;
+    // Rows that stand for nothing have one.
+    std::size_t sum = joint_rows->layout().n_owned();
+    for (const unsigned int group : order->left())
+      {
+        std::size_t n_columns = 0;
+        for (const JointOrder::Link &link : order->links(group))
+          n_columns += size(link.group);
+        sum += n_columns * size(group);
+        for (const int row : groups->rows(group))
+          sum += std::count_if(matrix.columns.begin() + matrix.first[row],
+                               matrix.columns.begin() + matrix.first[row + 1],
+                               [this](const int column) {
+                                 return !unknowns.layout.is_owned(column);
+                               });
+      }
+    return sum;
+  }
+
+  void JointElimination::find_sources(const SparseMatrix  &matrix,
+                                      const unsigned int   unknown,
+                                      std::vector<Source> &row) const
+  {
+    row.clear();
     for (const JointOrder::Link &link : order->links(*groups->group(unknown)))
       {
         std::size_t position =
           link.block + groups->number_in_group(unknown) * size(link.group);
         for (const int other : groups->rows(link.group))
-          row.push_back({*joint_rows->row(other), position++, true});
+          row.push_back({*joint_rows->row(other), position++});
       }
     for (std::size_t i = matrix.first[unknown]; i < matrix.first[unknown + 1];
          ++i)
       if (const int column = matrix.columns[i];
           !unknowns.layout.is_owned(column) && joint_rows->row(column))
-        row.push_back({*joint_rows->row(column), i, false});
-    std::sort(row.begin(), row.end(), [](const Source &a, const Source &b) {
+        row.push_back({*joint_rows->row(column), i});
+    const auto is_before = [](const Source &a, const Source &b) {
       return a.column < b.column;
-    });
-    for (const Source &source : row)
-      {
-        left->columns.push_back(source.column);
-        sources.push_back(source.position);
-        is_in_blocks.push_back(source.is_in_blocks);
-      }
+    };
+    if (!std::is_sorted(row.begin(), row.end(), is_before))
+      std::sort(row.begin(), row.end(), is_before);
   }
 
   void JointElimination::fill_matrix(const SparseMatrix &matrix)
@@ -281,7 +315,7 @@ namespace auxfem
         for (std::size_t i = left->first[row]; i < left->first[row + 1]; ++i)
           if (!unknown)
             left->entries[i] = stiffness;
-          else if (is_in_blocks[i])
+          else if (joint_rows->layout().is_owned(left->columns[i]))
             left->entries[i] = blocks[sources[i]];
           else
             left->entries[i] = matrix.entries[sources[i]] * scale[*unknown] *

@@ -85,13 +85,10 @@ namespace auxfem
         staying.push_back(group);
   }
 
-  std::size_t JointOrder::position(const unsigned int row,
-                                   const unsigned int column) const
+  std::size_t JointOrder::block_at_first(const unsigned int row,
+                                         const unsigned int column) const
   {
-    const unsigned int group = *groups.group(column);
-    return find_link(at_first[*groups.group(row)], group)->block +
-      groups.number_in_group(row) * groups.rows(group).size() +
-      groups.number_in_group(column);
+    return find_link(at_first[row], column)->block;
   }
 
   std::size_t JointOrder::memory() const

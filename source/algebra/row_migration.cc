@@ -33,34 +33,37 @@ namespace auxfem
   void RowMigration::find_targets(const SparseMatrix &matrix,
                                   const Unknowns     &unknowns)
   {
-    const unsigned int                             here = old_layout.rank();
-    std::unordered_map<unsigned int, unsigned int> at_boundary, of_joint;
-    const auto                                     lower =
-      [here](auto &ranks, const unsigned int joint, const unsigned int rank) {
-        unsigned int &lowest = ranks.emplace(joint, here).first->second;
-        lowest               = std::min(lowest, rank);
-      };
-    const auto for_all_entries = [&](const auto &action) {
+    std::vector<unsigned int> owner(old_layout.n_local(), old_layout.rank());
+    for (unsigned int i = target.size(); i < owner.size(); ++i)
+      owner[i] = old_layout.owner(old_layout.global(i));
+    const auto take_lowest = [&](const std::vector<unsigned int> &of_columns) {
       for (unsigned int row = 0; row < target.size(); ++row)
         for (std::size_t i = matrix.first[row]; i < matrix.first[row + 1]; ++i)
-          action(row, matrix.columns[i]);
+          target[row] = std::min(target[row], of_columns[matrix.columns[i]]);
+      keep_joints_together(unknowns);
     };
-    for_all_entries([&](const int row, const int column) {
-      if (!old_layout.is_owned(column))
-        lower(at_boundary,
-              unknowns.joint[row],
-              old_layout.owner(old_layout.global(column)));
-    });
-    of_joint = at_boundary;
-    for_all_entries([&](const int row, const int column) {
-      if (const auto boundary = at_boundary.find(unknowns.joint[column]);
-          boundary != at_boundary.end() && old_layout.is_owned(column))
-        lower(of_joint, unknowns.joint[row], boundary->second);
-    });
+    // Joints at the boundary, then their neighbours with them.
+    take_lowest(owner);
+    std::copy(target.begin(), target.end(), owner.begin());
+    std::fill(owner.begin() + target.size(), owner.end(), old_layout.rank());
+    take_lowest(owner);
+  }
+
+  void RowMigration::keep_joints_together(const Unknowns &unknowns)
+  {
+    std::unordered_map<unsigned int, unsigned int> lowest;
     for (unsigned int row = 0; row < target.size(); ++row)
-      if (const auto known = of_joint.find(unknowns.joint[row]);
-          known != of_joint.end())
-        target[row] = known->second;
+      if (target[row] < old_layout.rank())
+        {
+          unsigned int &of_joint =
+            lowest.emplace(unknowns.joint[row], target[row]).first->second;
+          of_joint = std::min(of_joint, target[row]);
+        }
+    if (!lowest.empty())
+      for (unsigned int row = 0; row < target.size(); ++row)
+        if (const auto known = lowest.find(unknowns.joint[row]);
+            known != lowest.end())
+          target[row] = known->second;
   }
 
   void RowMigration::number_rows()
@@ -107,6 +110,7 @@ namespace auxfem
   {
     // Every row as its length and the new numbers of its columns.
     ListsByRank<int> leaving;
+    leaving[old_layout.rank()].reserve(matrix.columns.size() + target.size());
     for (unsigned int row = 0; row < target.size(); ++row)
       {
         std::vector<int> &parcel = leaving[target[row]];
@@ -138,30 +142,46 @@ namespace auxfem
                                                  returns->n_owned(),
                                                  ghosts);
     new_matrix = std::make_unique<SparseMatrix>(*new_layout);
-    std::vector<std::size_t> positions;
-    unsigned int             row = 0;
+    const std::size_t n_all = own.size() - returns->n_owned();
+    order.reserve(n_all);
+    new_matrix->columns.reserve(n_all);
+    std::vector<int> columns;
+    unsigned int     row = 0;
     for (std::size_t i = 0; i < own.size(); i += 1 + own[i])
       {
-        const std::size_t first = new_matrix->columns.size();
-        std::vector<int>  columns(own[i]);
+        columns.resize(own[i]);
         for (int k = 0; k < own[i]; ++k)
           columns[k] = new_layout->local(own[i + 1 + k]);
-        positions.resize(columns.size());
-        std::iota(positions.begin(), positions.end(), 0);
-        std::sort(positions.begin(),
-                  positions.end(),
-                  [&](const std::size_t a, const std::size_t b) {
-                    return columns[a] < columns[b];
-                  });
-        order.resize(first + columns.size());
-        for (std::size_t k = 0; k < positions.size(); ++k)
-          {
-            order[first + positions[k]] = first + k;
-            new_matrix->columns.push_back(columns[positions[k]]);
-          }
+        append_row(columns);
         new_matrix->first[++row] = new_matrix->columns.size();
       }
-    new_matrix->entries.resize(new_matrix->columns.size());
+    new_matrix->entries.resize(n_all);
+  }
+
+  void RowMigration::append_row(const std::vector<int> &columns)
+  {
+    const std::size_t first = order.size();
+    order.resize(first + columns.size());
+    if (std::is_sorted(columns.begin(), columns.end()))
+      {
+        std::iota(order.begin() + first, order.end(), first);
+        new_matrix->columns.insert(new_matrix->columns.end(),
+                                   columns.begin(),
+                                   columns.end());
+        return;
+      }
+    std::vector<std::size_t> positions(columns.size());
+    std::iota(positions.begin(), positions.end(), 0);
+    std::sort(positions.begin(),
+              positions.end(),
+              [&](const std::size_t a, const std::size_t b) {
+                return columns[a] < columns[b];
+              });
+    for (std::size_t k = 0; k < positions.size(); ++k)
+      {
+        order[first + positions[k]] = first + k;
+        new_matrix->columns.push_back(columns[positions[k]]);
+      }
   }
 
   void RowMigration::fill(const SparseMatrix &matrix)

@@ -76,6 +76,14 @@ namespace auxfem
   private:
     using Pivot = JointOrder::Pivot;
 
+    /** Where an entry of S in this column is found: in the blocks if the column
+     * is owned, else in the matrix. */
+    struct Source
+    {
+      unsigned int column;
+      std::size_t  position;
+    };
+
     void measure(const SparseMatrix &matrix);
     bool eliminate_with_some_order(const SparseMatrix &matrix);
     void find_order(const SparseMatrix &matrix);
@@ -85,9 +93,13 @@ namespace auxfem
     bool         factorize_pivot(std::size_t number, bool is_symmetric);
     void         update_neighbours(std::size_t number);
     /** Makes one group of a pivot and its neighbour; false if it has none. */
-    bool merge_with_neighbour(const Pivot &pivot);
-    void make_pattern(const SparseMatrix &matrix);
-    void make_row(const SparseMatrix &matrix, unsigned int unknown);
+    bool        merge_with_neighbour(const Pivot &pivot);
+    void        make_pattern(const SparseMatrix &matrix);
+    std::size_t count_entries_left(const SparseMatrix &matrix) const;
+    /** Of the row of @p unknown, by columns. */
+    void find_sources(const SparseMatrix  &matrix,
+                      unsigned int         unknown,
+                      std::vector<Source> &row) const;
     void fill_matrix(const SparseMatrix &matrix);
 
     unsigned int size(unsigned int group) const;
@@ -110,9 +122,7 @@ namespace auxfem
     unsigned int                  n_patterns  = 0;
     std::unique_ptr<JointRows>    joint_rows;
     std::unique_ptr<SparseMatrix> left;
-    /** Where an entry of S is found, in the blocks or else in the matrix. */
-    std::vector<std::size_t> sources;
-    std::vector<bool>        is_in_blocks;
+    std::vector<std::size_t>      sources; ///< of all entries of S
 
     std::vector<double>      blocks;
     std::vector<double>      largest_in_row; ///< before elimination

@@ -55,8 +55,9 @@ namespace auxfem
       return n_used;
     }
 
-    /** Position of entry (@p row, @p column) of the matrix, both in groups. */
-    std::size_t position(unsigned int row, unsigned int column) const;
+    /** First entry of the block (@p row, @p column) of two groups that the
+     * matrix itself couples. */
+    std::size_t block_at_first(unsigned int row, unsigned int column) const;
 
     /** Groups that stay, and the blocks of their rows, in order of groups. */
     const std::vector<unsigned int> &left() const

@@ -42,9 +42,13 @@ namespace auxfem
 
   private:
     void find_targets(const SparseMatrix &matrix, const Unknowns &unknowns);
+    /** Rows of a joint go where the lowest rank among their targets is. */
+    void keep_joints_together(const Unknowns &unknowns);
     void number_rows();
     void move_pattern(const SparseMatrix &matrix);
-    void move_unknowns(const Unknowns &unknowns);
+    /** The next row, of local @p columns as they come. */
+    void                append_row(const std::vector<int> &columns);
+    void                move_unknowns(const Unknowns &unknowns);
     std::vector<double> there(const std::vector<double> &before) const;
 
     const UnknownLayout      &old_layout;

@@ -66,16 +66,9 @@ namespace auxfem
         preconditioner.reset();
         n_negative_in_it.reset();
         if (is_new_pattern)
-          {
-            row_map    = make_map(*entries.layout, entries.layout->n_owned());
-            column_map = make_map(*entries.layout, entries.layout->n_local());
-          }
-        matrix = rcp(new TpetraMatrix(row_map,
-                                      column_map,
-                                      copied<std::size_t>(entries.first),
-                                      copied<int>(entries.columns),
-                                      copied<double>(entries.entries)));
-        matrix->expertStaticFillComplete(row_map, row_map);
+          make_matrix(entries);
+        else
+          replace_entries(entries.entries);
         bool is_made = true;
         try
           {
@@ -132,6 +125,27 @@ namespace auxfem
       }
 
     private:
+      void make_matrix(const SparseMatrix &entries)
+      {
+        row_map    = make_map(*entries.layout, entries.layout->n_owned());
+        column_map = make_map(*entries.layout, entries.layout->n_local());
+        matrix     = rcp(new TpetraMatrix(row_map,
+                                      column_map,
+                                      copied<std::size_t>(entries.first),
+                                      copied<int>(entries.columns),
+                                      copied<double>(entries.entries)));
+        matrix->expertStaticFillComplete(row_map, row_map);
+      }
+
+      void replace_entries(const std::vector<double> &entries)
+      {
+        matrix->resumeFill();
+        std::copy(entries.begin(),
+                  entries.end(),
+                  matrix->getLocalMatrixHost().values.data());
+        matrix->fillComplete(row_map, row_map);
+      }
+
       static RCP<ParameterList> settings(const unsigned int most,
                                          const double       tolerance)
       {
