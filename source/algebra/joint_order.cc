@@ -117,13 +117,16 @@ namespace auxfem
             if (const int column = matrix.columns[i];
                 unknowns.kinds[column] != UnknownKind::prescribed)
               {
-                if (matrix.layout->is_owned(column))
-                  seen.push_back(*groups.group(column));
-                else
+                if (!matrix.layout->is_owned(column))
                   must_stay[group] = true;
+                // Columns of a group are side by side mostly.
+                else if (const unsigned int other = *groups.group(column);
+                         other != seen.back())
+                  seen.push_back(other);
               }
         std::sort(seen.begin(), seen.end());
         seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
+        adjacent[group].reserve(seen.size());
         for (const unsigned int other : seen)
           block(group, other);
       }
