@@ -134,35 +134,33 @@ namespace auxfem
     blocks.assign(order->n_entries(), 0.);
     largest_in_row.assign(unknowns.layout.n_owned(), 0.);
     for (unsigned int row = 0; row < unknowns.layout.n_owned(); ++row)
-      if (const std::optional<unsigned int> own = groups->group(row))
-        {
-          // Columns of a group are side by side mostly: its block is sought
-          // once for them.
-          std::optional<unsigned int> last;
-          double                     *of_row  = nullptr;
-          double                      largest = 0;
-          for (std::size_t i = matrix.first[row]; i < matrix.first[row + 1];
-               ++i)
-            {
-              const int column = matrix.columns[i];
-              if (!unknowns.layout.is_owned(column))
-                continue;
-              const std::optional<unsigned int> other = groups->group(column);
-              if (!other)
-                continue;
-              if (other != last)
-                {
-                  last   = other;
-                  of_row = &blocks[order->block_at_first(*own, *other)] +
-                    groups->number_in_group(row) * size(*other);
-                }
-              const double entry =
-                matrix.entries[i] * scale[row] * scale[column];
-              of_row[groups->number_in_group(column)] = entry;
-              largest = std::max(largest, std::abs(entry));
-            }
-          largest_in_row[row] = largest;
-        }
+      if (groups->group(row))
+        fill_row(matrix, row);
+  }
+
+  void JointElimination::fill_row(const SparseMatrix &matrix,
+                                  const unsigned int  row)
+  {
+    const unsigned int group = *groups->group(row);
+    // Columns of a group are side by side mostly: its block is sought once for
+    // them.
+    std::optional<unsigned int> last;
+    double                     *of_row = nullptr;
+    for (std::size_t i = matrix.first[row]; i < matrix.first[row + 1]; ++i)
+      {
+        const int column = matrix.columns[i];
+        if (!unknowns.layout.is_owned(column) || !groups->group(column))
+          continue;
+        if (const unsigned int other = *groups->group(column); other != last)
+          {
+            last   = other;
+            of_row = &blocks[order->block_at_first(group, other)] +
+              groups->number_in_group(row) * size(other);
+          }
+        const double entry = matrix.entries[i] * scale[row] * scale[column];
+        of_row[groups->number_in_group(column)] = entry;
+        largest_in_row[row] = std::max(largest_in_row[row], std::abs(entry));
+      }
   }
 
   bool JointElimination::factorize_pivot(const std::size_t number,

@@ -90,6 +90,7 @@ namespace auxfem
     /** With the order there is; returns the pivot that fails. */
     const Pivot *eliminate(const SparseMatrix &matrix);
     void         fill_blocks(const SparseMatrix &matrix);
+    void         fill_row(const SparseMatrix &matrix, unsigned int row);
     bool         factorize_pivot(std::size_t number, bool is_symmetric);
     void         update_neighbours(std::size_t number);
     /** Makes one group of a pivot and its neighbour; false if it has none. */
