@@ -35,7 +35,6 @@ namespace auxfem
       FactorizationOutcome   factorize(const SparseMatrix &matrix) override;
       void                   solve(double *x) override;
       std::optional<Inertia> inertia() const override;
-      std::optional<int>     determinant_sign() const override;
       std::size_t            memory() const override;
 
     private:
@@ -256,13 +255,6 @@ namespace auxfem
     std::optional<Inertia> Cholmod::inertia() const
     {
       return signs;
-    }
-
-    std::optional<int> Cholmod::determinant_sign() const
-    {
-      if (!signs)
-        return {};
-      return auxfem::determinant_sign(*signs);
     }
 
     std::size_t Cholmod::memory() const

@@ -46,7 +46,6 @@ namespace auxfem
       FactorizationOutcome   factorize(const SparseMatrix &matrix) override;
       void                   solve(double *x) override;
       std::optional<Inertia> inertia() const override;
-      std::optional<int>     determinant_sign() const override;
       std::size_t            memory() const override;
 
     private:
@@ -164,13 +163,6 @@ namespace auxfem
     std::optional<Inertia> BunchKaufman::inertia() const
     {
       return signs;
-    }
-
-    std::optional<int> BunchKaufman::determinant_sign() const
-    {
-      if (!signs)
-        return {};
-      return auxfem::determinant_sign(*signs);
     }
 
     std::size_t BunchKaufman::memory() const

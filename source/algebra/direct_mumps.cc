@@ -367,12 +367,8 @@ namespace auxfem
 
     std::optional<int> Mumps::determinant_sign() const
     {
-      if (id.n == 0)
-        return 1;
-      if (!is_factorized)
-        return {};
-      if (is_symmetric)
-        return auxfem::determinant_sign(*inertia());
+      if (id.n == 0 || !is_factorized || is_symmetric)
+        return DirectSolver::determinant_sign();
       // A mantissa, of which the exponent is INFOG(34).
       return id.rinfog[11] < 0 ? -1 : 1;
     }

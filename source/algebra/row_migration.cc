@@ -33,20 +33,20 @@ namespace auxfem
   void RowMigration::find_targets(const SparseMatrix &matrix,
                                   const Unknowns     &unknowns)
   {
-    std::vector<unsigned int> owner(old_layout.n_local(), old_layout.rank());
-    for (unsigned int i = target.size(); i < owner.size(); ++i)
-      owner[i] = old_layout.owner(old_layout.global(i));
-    const auto take_lowest = [&](const std::vector<unsigned int> &of_columns) {
+    const auto go_with_columns = [&](const std::vector<unsigned int> &ranks) {
       for (unsigned int row = 0; row < target.size(); ++row)
         for (std::size_t i = matrix.first[row]; i < matrix.first[row + 1]; ++i)
-          target[row] = std::min(target[row], of_columns[matrix.columns[i]]);
+          target[row] = std::min(target[row], ranks[matrix.columns[i]]);
       keep_joints_together(unknowns);
     };
-    // Joints at the boundary, then their neighbours with them.
-    take_lowest(owner);
-    std::copy(target.begin(), target.end(), owner.begin());
-    std::fill(owner.begin() + target.size(), owner.end(), old_layout.rank());
-    take_lowest(owner);
+    // Joints at the boundary, then their neighbours of this rank with them.
+    std::vector<unsigned int> ranks(old_layout.n_local(), old_layout.rank());
+    for (unsigned int ghost = target.size(); ghost < ranks.size(); ++ghost)
+      ranks[ghost] = old_layout.owner(old_layout.global(ghost));
+    go_with_columns(ranks);
+    ranks = target;
+    ranks.resize(old_layout.n_local(), old_layout.rank());
+    go_with_columns(ranks);
   }
 
   void RowMigration::keep_joints_together(const Unknowns &unknowns)

@@ -69,9 +69,15 @@ namespace auxfem
 
     /**
      * 1 or -1: of the determinant of the matrix factorized last, symmetric or
-     * not, the same on all ranks; none of a singular one.
+     * not, the same on all ranks; none of a singular one. That of the inertia,
+     * unless a solver knows it of more matrices.
      */
-    virtual std::optional<int> determinant_sign() const = 0;
+    virtual std::optional<int> determinant_sign() const
+    {
+      const std::optional<Inertia> signs = inertia();
+      return signs ? std::optional(auxfem::determinant_sign(*signs))
+                   : std::nullopt;
+    }
 
     /** Memory of the factors on this rank (bytes). */
     virtual std::size_t memory() const = 0;
