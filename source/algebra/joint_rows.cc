@@ -128,8 +128,10 @@ namespace auxfem
       std::vector<double>(unknown_of_row.size(), 0.));
     for (unsigned int row = 0; row < unknown_of_row.size(); ++row)
       {
-        if (!unknown_of_row[row] ||
-            unknowns.kinds[*unknown_of_row[row]] == UnknownKind::multiplier)
+        if (!unknown_of_row[row])
+          continue;
+        const UnknownKind kind = unknowns.kinds[*unknown_of_row[row]];
+        if (kind == UnknownKind::multiplier || kind == UnknownKind::prescribed)
           continue;
         const dealii::Tensor<1, 3> arm =
           (joints[joint_of_block[row / block_size()]] - middle) /

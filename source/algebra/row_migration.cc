@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 #include <unordered_map>
+#include <utility>
 
 namespace auxfem
 {
@@ -17,53 +18,65 @@ namespace auxfem
           n[rank] += of_rank[i];
       return n;
     }
+
+    /** Rows of a joint go where the lowest rank among their @p target is. */
+    void keep_joints_together(const Unknowns            &unknowns,
+                              const unsigned int         own_rank,
+                              std::vector<unsigned int> &target)
+    {
+      std::unordered_map<unsigned int, unsigned int> lowest;
+      for (unsigned int row = 0; row < target.size(); ++row)
+        if (target[row] < own_rank)
+          {
+            unsigned int &of_joint =
+              lowest.emplace(unknowns.joint[row], target[row]).first->second;
+            of_joint = std::min(of_joint, target[row]);
+          }
+      if (!lowest.empty())
+        for (unsigned int row = 0; row < target.size(); ++row)
+          if (const auto known = lowest.find(unknowns.joint[row]);
+              known != lowest.end())
+            target[row] = known->second;
+    }
   } // namespace
 
   RowMigration::RowMigration(const SparseMatrix &matrix,
                              const Unknowns     &unknowns)
+    : RowMigration(matrix, unknowns, find_targets(matrix, unknowns))
+  {}
+
+  RowMigration::RowMigration(const SparseMatrix       &matrix,
+                             const Unknowns           &unknowns,
+                             std::vector<unsigned int> target_of_row)
     : old_layout(*matrix.layout)
-    , target(old_layout.n_owned(), old_layout.rank())
+    , target(std::move(target_of_row))
   {
-    find_targets(matrix, unknowns);
     number_rows();
     move_pattern(matrix);
     move_unknowns(unknowns);
   }
 
-  void RowMigration::find_targets(const SparseMatrix &matrix,
-                                  const Unknowns     &unknowns)
+  std::vector<unsigned int>
+  RowMigration::find_targets(const SparseMatrix &matrix,
+                             const Unknowns     &unknowns)
   {
+    const UnknownLayout      &layout = *matrix.layout;
+    std::vector<unsigned int> target(layout.n_owned(), layout.rank());
     const auto go_with_columns = [&](const std::vector<unsigned int> &ranks) {
       for (unsigned int row = 0; row < target.size(); ++row)
         for (std::size_t i = matrix.first[row]; i < matrix.first[row + 1]; ++i)
           target[row] = std::min(target[row], ranks[matrix.columns[i]]);
-      keep_joints_together(unknowns);
+      keep_joints_together(unknowns, layout.rank(), target);
     };
     // Joints at the boundary, then their neighbours of this rank with them.
-    std::vector<unsigned int> ranks(old_layout.n_local(), old_layout.rank());
+    std::vector<unsigned int> ranks(layout.n_local(), layout.rank());
     for (unsigned int ghost = target.size(); ghost < ranks.size(); ++ghost)
-      ranks[ghost] = old_layout.owner(old_layout.global(ghost));
+      ranks[ghost] = layout.owner(layout.global(ghost));
     go_with_columns(ranks);
     ranks = target;
-    ranks.resize(old_layout.n_local(), old_layout.rank());
+    ranks.resize(layout.n_local(), layout.rank());
     go_with_columns(ranks);
-  }
-
-  void RowMigration::keep_joints_together(const Unknowns &unknowns)
-  {
-    std::unordered_map<unsigned int, unsigned int> lowest;
-    for (unsigned int row = 0; row < target.size(); ++row)
-      if (target[row] < old_layout.rank())
-        {
-          unsigned int &of_joint =
-            lowest.emplace(unknowns.joint[row], target[row]).first->second;
-          of_joint = std::min(of_joint, target[row]);
-        }
-    if (!lowest.empty())
-      for (unsigned int row = 0; row < target.size(); ++row)
-        if (const auto known = lowest.find(unknowns.joint[row]);
-            known != lowest.end())
-          target[row] = known->second;
+    return target;
   }
 
   void RowMigration::number_rows()

@@ -53,7 +53,7 @@ namespace auxfem
      * Motions of the lattice as a rigid body: the translations, then the
      * rotations about its middle (one in the plane, three in space), over the
      * owned rows, rotations measured in Unknowns::length times radian. Zero in
-     * rows that stand for nothing.
+     * rows that stand for nothing or for what is prescribed.
      */
     std::vector<std::vector<double>> rigid_body_modes() const;
 

@@ -9,17 +9,22 @@
 
 namespace auxfem
 {
-  /**
-   * Rows of a matrix on other ranks than before: joints that act on joints of a
-   * rank with a smaller number go there, and their neighbours with them, so
-   * that joints at the boundary between ranks come to lie inside. All functions
-   * are collective.
+  /** Rows of a matrix on other ranks than before. All functions are collective.
    */
   class RowMigration
   {
   public:
-    /** Rows and columns of @p matrix are the @p unknowns. */
+    /**
+     * Joints that act on joints of a rank with a smaller number go there, and
+     * their neighbours with them, so that joints at the boundary between ranks
+     * come to lie inside. Rows and columns of @p matrix are the @p unknowns.
+     */
     RowMigration(const SparseMatrix &matrix, const Unknowns &unknowns);
+
+    /** Owned rows go to the ranks @p target_of_row, all of a joint to one. */
+    RowMigration(const SparseMatrix       &matrix,
+                 const Unknowns           &unknowns,
+                 std::vector<unsigned int> target_of_row);
 
     /** The unknowns where they are now. */
     const Unknowns &unknowns() const
@@ -41,11 +46,10 @@ namespace auxfem
     void come_back(const double *now, double *before) const;
 
   private:
-    void find_targets(const SparseMatrix &matrix, const Unknowns &unknowns);
-    /** Rows of a joint go where the lowest rank among their targets is. */
-    void keep_joints_together(const Unknowns &unknowns);
-    void number_rows();
-    void move_pattern(const SparseMatrix &matrix);
+    static std::vector<unsigned int> find_targets(const SparseMatrix &matrix,
+                                                  const Unknowns     &unknowns);
+    void                             number_rows();
+    void                             move_pattern(const SparseMatrix &matrix);
     /** The next row, of local @p columns as they come. */
     void                append_row(const std::vector<int> &columns);
     void                move_unknowns(const Unknowns &unknowns);
