@@ -172,13 +172,13 @@ namespace auxfem
       left->migration.go(stages.back().b.data(), left->x.data());
   }
 
-  void EliminationStages::expand(double *x)
+  void EliminationStages::expand(double *all)
   {
     if (left)
       left->migration.come_back(left->x.data(), stages.back().b.data());
     for (unsigned int s = stages.size(); s-- > 0;)
       {
-        double *of_stage = s == 0 ? x : stages[s].x.data();
+        double *of_stage = s == 0 ? all : stages[s].x.data();
         stages[s].elimination->expand(stages[s].b.data(), of_stage);
         if (s > 0)
           stages[s].migration->come_back(of_stage, stages[s - 1].b.data());
