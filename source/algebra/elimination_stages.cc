@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 #include <unordered_map>
+#include <utility>
 
 namespace auxfem
 {
@@ -52,10 +53,11 @@ namespace auxfem
     }
   } // namespace
 
-  EliminationStages::Left::Left(const SparseMatrix &matrix, const Stage &last)
-    : migration(matrix,
+  EliminationStages::Left::Left(const JointElimination   &last,
+                                std::vector<unsigned int> first_ranks)
+    : migration(last.matrix(),
                 last.rows().as_unknowns(),
-                {last.first_rank.begin(), last.first_rank.end()})
+                std::move(first_ranks))
     , rows(migration.unknowns(), all_owned(migration.unknowns()))
     , x(rows.layout().n_owned())
   {}
@@ -101,8 +103,7 @@ namespace auxfem
             stage.rows().as_unknowns().n_of(UnknownKind::multiplier) > 0)
           stages.emplace_back();
       }
-    if (layout.n_ranks() > 1)
-      bring_back(is_new);
+    bring_back(is_new);
     if (is_new)
       ++n_patterns;
     return true;
@@ -114,10 +115,7 @@ namespace auxfem
       {
         left.reset();
         if (is_uneven())
-          {
-            find_first_ranks();
-            left = std::make_unique<Left>(last().matrix(), stages.back());
-          }
+          left = std::make_unique<Left>(last(), first_ranks());
       }
     if (left)
       left->migration.fill(last().matrix());
@@ -130,28 +128,29 @@ namespace auxfem
       uneven * layout.sum(n_entries);
   }
 
-  void EliminationStages::find_first_ranks()
+  std::vector<unsigned int> EliminationStages::first_ranks() const
   {
-    for (unsigned int s = 0; s < stages.size(); ++s)
+    std::vector<double> ranks;
+    for (const Stage &stage : stages)
       {
-        const Unknowns &rows = stages[s].rows().as_unknowns();
-        stages[s].first_rank.assign(rows.layout.n_owned(), layout.rank());
-        if (s == 0)
-          continue;
-        const RowMigration &migration = *stages[s].migration;
-        const unsigned int  n         = migration.unknowns().layout.n_owned();
-        std::vector<double> ranks(n);
-        migration.go(stages[s - 1].first_rank.data(), ranks.data());
-        std::unordered_map<unsigned int, unsigned int> of_joint;
-        for (unsigned int row = 0; row < n; ++row)
-          if (ranks[row] != layout.rank())
-            of_joint[migration.unknowns().joint[row]] =
-              static_cast<unsigned int>(ranks[row]);
-        for (unsigned int row = 0; row < stages[s].first_rank.size(); ++row)
-          if (const auto other = of_joint.find(rows.joint[row]);
-              other != of_joint.end())
-            stages[s].first_rank[row] = other->second;
+        const Unknowns &rows = stage.rows().as_unknowns();
+        std::unordered_map<unsigned int, double> of_others;
+        if (stage.migration)
+          {
+            const Unknowns     &moved = stage.migration->unknowns();
+            std::vector<double> there(moved.layout.n_owned());
+            stage.migration->go(ranks.data(), there.data());
+            for (unsigned int row = 0; row < there.size(); ++row)
+              if (there[row] != layout.rank())
+                of_others[moved.joint[row]] = there[row];
+          }
+        ranks.assign(rows.layout.n_owned(), layout.rank());
+        for (unsigned int row = 0; row < ranks.size(); ++row)
+          if (const auto other = of_others.find(rows.joint[row]);
+              other != of_others.end())
+            ranks[row] = other->second;
       }
+    return {ranks.begin(), ranks.end()};
   }
 
   void EliminationStages::reduce(const double *b)

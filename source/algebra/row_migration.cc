@@ -38,6 +38,31 @@ namespace auxfem
               known != lowest.end())
             target[row] = known->second;
     }
+
+    /** Joints that act on those of a lower rank go there, and their neighbours
+     * with them. */
+    std::vector<unsigned int> find_targets(const SparseMatrix &matrix,
+                                           const Unknowns     &unknowns)
+    {
+      const UnknownLayout      &layout = *matrix.layout;
+      std::vector<unsigned int> target(layout.n_owned(), layout.rank());
+      const auto go_with_columns = [&](const std::vector<unsigned int> &ranks) {
+        for (unsigned int row = 0; row < target.size(); ++row)
+          for (std::size_t i = matrix.first[row]; i < matrix.first[row + 1];
+               ++i)
+            target[row] = std::min(target[row], ranks[matrix.columns[i]]);
+        keep_joints_together(unknowns, layout.rank(), target);
+      };
+      // Joints at the boundary, then their neighbours of this rank with them.
+      std::vector<unsigned int> ranks(layout.n_local(), layout.rank());
+      for (unsigned int ghost = target.size(); ghost < ranks.size(); ++ghost)
+        ranks[ghost] = layout.owner(layout.global(ghost));
+      go_with_columns(ranks);
+      ranks = target;
+      ranks.resize(layout.n_local(), layout.rank());
+      go_with_columns(ranks);
+      return target;
+    }
   } // namespace
 
   RowMigration::RowMigration(const SparseMatrix &matrix,
@@ -54,29 +79,6 @@ namespace auxfem
     number_rows();
     move_pattern(matrix);
     move_unknowns(unknowns);
-  }
-
-  std::vector<unsigned int>
-  RowMigration::find_targets(const SparseMatrix &matrix,
-                             const Unknowns     &unknowns)
-  {
-    const UnknownLayout      &layout = *matrix.layout;
-    std::vector<unsigned int> target(layout.n_owned(), layout.rank());
-    const auto go_with_columns = [&](const std::vector<unsigned int> &ranks) {
-      for (unsigned int row = 0; row < target.size(); ++row)
-        for (std::size_t i = matrix.first[row]; i < matrix.first[row + 1]; ++i)
-          target[row] = std::min(target[row], ranks[matrix.columns[i]]);
-      keep_joints_together(unknowns, layout.rank(), target);
-    };
-    // Joints at the boundary, then their neighbours of this rank with them.
-    std::vector<unsigned int> ranks(layout.n_local(), layout.rank());
-    for (unsigned int ghost = target.size(); ghost < ranks.size(); ++ghost)
-      ranks[ghost] = layout.owner(layout.global(ghost));
-    go_with_columns(ranks);
-    ranks = target;
-    ranks.resize(layout.n_local(), layout.rank());
-    go_with_columns(ranks);
-    return target;
   }
 
   void RowMigration::number_rows()

@@ -26,7 +26,7 @@ TEST(EliminationStages, LeaveJointsToTheirRanks)
       for (unsigned int row = 0; row < left.n_owned(); ++row)
         n_of_others +=
           1 - of_rank.count(stages.rows().as_unknowns().joint[row]);
-      // Joints at boundaries go to lower ranks to be eliminated.
+      // What went to a lower rank and was not eliminated there is back.
       EXPECT_EQ(n_of_others, 0u) << dimension;
     }
 }

@@ -13,8 +13,8 @@ namespace auxfem
    * Exact elimination of joints with few neighbours on several ranks, see
    * JointElimination: each rank those inside its part, then, rows moving
    * between ranks, those at the boundaries. What is left is shared by the ranks
-   * evenly. All functions but memory() are collective, or give what this rank
-   * has.
+   * evenly. factorize(), reduce() and expand() are collective, the rest is of
+   * this rank.
    */
   class EliminationStages
   {
@@ -58,8 +58,6 @@ namespace auxfem
       std::unique_ptr<JointElimination> elimination;
       unsigned int                      version = 0;
       std::vector<double>               b, x;
-      /** Rank that what is left had in the first stage, by row of rows(). */
-      std::vector<double> first_rank;
 
       const JointRows &rows() const
       {
@@ -71,7 +69,7 @@ namespace auxfem
      * leave more to ranks with a small number. */
     struct Left
     {
-      Left(const SparseMatrix &matrix, const Stage &last);
+      Left(const JointElimination &last, std::vector<unsigned int> first_ranks);
 
       RowMigration        migration;
       JointRows           rows;
@@ -85,7 +83,8 @@ namespace auxfem
 
     void bring_back(bool is_new);
     bool is_uneven() const;
-    void find_first_ranks();
+    /** Ranks that what is left had in the first stage, by row of last(). */
+    std::vector<unsigned int> first_ranks() const;
 
     const UnknownLayout  &layout;
     std::vector<Stage>    stages;

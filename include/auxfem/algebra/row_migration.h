@@ -46,10 +46,8 @@ namespace auxfem
     void come_back(const double *now, double *before) const;
 
   private:
-    static std::vector<unsigned int> find_targets(const SparseMatrix &matrix,
-                                                  const Unknowns     &unknowns);
-    void                             number_rows();
-    void                             move_pattern(const SparseMatrix &matrix);
+    void number_rows();
+    void move_pattern(const SparseMatrix &matrix);
     /** The next row, of local @p columns as they come. */
     void                append_row(const std::vector<int> &columns);
     void                move_unknowns(const Unknowns &unknowns);
