@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace auxfem
 {
@@ -22,6 +23,17 @@ namespace auxfem
     : unknowns(unknowns)
     , most_neighbours(most_neighbours)
     , most_at_once(most_at_once)
+    , is_measured(false)
+  {}
+
+  JointElimination::JointElimination(const Unknowns    &unknowns,
+                                     const unsigned int most_neighbours,
+                                     std::vector<int>   kept)
+    : unknowns(unknowns)
+    , most_neighbours(most_neighbours)
+    , most_at_once(0)
+    , is_measured(true)
+    , kept(std::move(kept))
   {}
 
   unsigned int JointElimination::size(const unsigned int group) const
@@ -47,7 +59,7 @@ namespace auxfem
     const UnknownLayout &layout = unknowns.layout;
     scale.resize(layout.n_local());
     for (unsigned int i = 0; i < layout.n_local(); ++i)
-      scale[i] = unknowns.unit(i);
+      scale[i] = is_measured ? 1. : unknowns.unit(i);
 
     const auto is_free = [this](const int i) {
       return unknowns.kinds[i] != UnknownKind::prescribed &&
@@ -62,6 +74,8 @@ namespace auxfem
             std::max(stiffness,
                      std::abs(matrix.entries[i]) * scale[row] * scale[column]);
     stiffness = layout.largest(stiffness);
+    if (is_measured)
+      return;
     for (unsigned int row = 0; row < layout.n_owned(); ++row)
       if (unknowns.kinds[row] == UnknownKind::multiplier)
         {
@@ -104,6 +118,7 @@ namespace auxfem
       std::make_unique<JointOrder>(matrix,
                                    *groups,
                                    unknowns,
+                                   kept,
                                    most_neighbours,
                                    unknowns.layout.n_ranks() == 1 ? most_at_once
                                                                   : 0);

@@ -64,17 +64,20 @@ namespace auxfem
     };
   } // namespace
 
-  JointOrder::JointOrder(const SparseMatrix &matrix,
-                         const JointGroups  &groups,
-                         const Unknowns     &unknowns,
-                         const unsigned int  most_neighbours,
-                         const std::size_t   most_at_once)
+  JointOrder::JointOrder(const SparseMatrix     &matrix,
+                         const JointGroups      &groups,
+                         const Unknowns         &unknowns,
+                         const std::vector<int> &kept,
+                         const unsigned int      most_neighbours,
+                         const std::size_t       most_at_once)
     : groups(groups)
     , adjacent(groups.n_groups())
     , is_gone(groups.n_groups(), false)
     , must_stay(groups.n_groups(), false)
   {
     connect(matrix, unknowns);
+    for (const int row : kept)
+      must_stay[*groups.group(row)] = true;
     at_first = adjacent;
     eliminate_groups(true, std::numeric_limits<std::size_t>::max());
     eliminate_groups(false, most_neighbours);

@@ -68,18 +68,17 @@ namespace auxfem
     const UnknownLayout  owned(of_unknowns.communicator(),
                               unknown_of_row.size(),
                               {});
-    // Row numbers go the way values go; below 2^53 they come whole. Zero: none.
-    std::vector<double> numbers(of_unknowns.n_local(), 0.);
-    for (unsigned int i = 0; i < of_unknowns.n_owned(); ++i)
-      if (rows[i])
-        numbers[i] = 1. + owned.global(*rows[i]);
-    of_unknowns.update_ghosts(numbers.data());
+    std::vector<std::optional<unsigned int>> numbers = rows;
+    for (std::optional<unsigned int> &number : numbers)
+      if (number)
+        number = owned.global(*number);
+    of_unknowns.update_ghosts(numbers);
     std::vector<int> ghosts;
     for (unsigned int i = of_unknowns.n_owned(); i < of_unknowns.n_local(); ++i)
-      if (numbers[i] > 0)
+      if (numbers[i])
         {
           rows[i] = unknown_of_row.size() + ghosts.size();
-          ghosts.push_back(static_cast<int>(numbers[i]) - 1);
+          ghosts.push_back(*numbers[i]);
         }
     row_layout = std::make_unique<UnknownLayout>(of_unknowns.communicator(),
                                                  unknown_of_row.size(),

@@ -64,6 +64,21 @@ namespace auxfem
         dealii::ArrayView<double>(values + n_owned(), ghosts.size()));
   }
 
+  void UnknownLayout::update_ghosts(
+    std::vector<std::optional<unsigned int>> &numbers) const
+  {
+    // Numbers go the way values go; below 2^53 they come whole. Zero: none.
+    std::vector<double> values(n_local());
+    for (unsigned int i = 0; i < n_owned(); ++i)
+      values[i] = numbers[i] ? 1. + *numbers[i] : 0.;
+    update_ghosts(values.data());
+    for (unsigned int i = n_owned(); i < n_local(); ++i)
+      if (values[i] > 0)
+        numbers[i] = static_cast<unsigned int>(values[i] - 1);
+      else
+        numbers[i].reset();
+  }
+
   bool UnknownLayout::add_ghosts(const std::vector<int> &globals)
   {
     const unsigned int n_before = ghosts.size();

@@ -44,15 +44,8 @@ namespace auxfem
     exchange(component, as_number, [](const double value) {
       return static_cast<unsigned char>(std::lround(value));
     });
-    exchange(
-      strut,
-      [](const std::optional<unsigned int> &value) {
-        return value ? 1. + *value : 0.;
-      },
-      [](const double value) {
-        return value > 0 ? std::optional<unsigned int>(std::lround(value) - 1)
-                         : std::nullopt;
-      });
+    strut.resize(layout.n_local());
+    layout.update_ghosts(strut);
     return true;
   }
 

@@ -1,8 +1,7 @@
 #ifndef auxfem_algebra_elimination_stages_h
 #define auxfem_algebra_elimination_stages_h
 
-#include <auxfem/algebra/joint_elimination.h>
-#include <auxfem/algebra/row_migration.h>
+#include <auxfem/algebra/boundary_elimination.h>
 
 #include <memory>
 #include <vector>
@@ -10,11 +9,10 @@
 namespace auxfem
 {
   /**
-   * Exact elimination of joints with few neighbours on several ranks, see
-   * JointElimination: each rank those inside its part, then, rows moving
-   * between ranks, those at the boundaries. What is left is shared by the ranks
-   * evenly. factorize(), reduce() and expand() are collective, the rest is of
-   * this rank.
+   * Exact elimination of joints with few neighbours on several ranks: each rank
+   * those inside its part, see JointElimination, then those at the boundaries,
+   * see BoundaryElimination. What is left stays where it is. factorize(),
+   * reduce() and expand() are collective, the rest is of this rank.
    */
   class EliminationStages
   {
@@ -32,10 +30,21 @@ namespace auxfem
     void expand(double *all);
 
     /** What is left, and its rows. */
-    const SparseMatrix &matrix() const;
-    const JointRows    &rows() const;
+    const SparseMatrix &matrix() const
+    {
+      return matrix_of(boundary.size());
+    }
+
+    const JointRows &rows() const
+    {
+      return rows_of(boundary.size());
+    }
+
     /** Right-hand side of what is left, then its solution: owned rows(). */
-    std::vector<double> &x();
+    std::vector<double> &x()
+    {
+      return values.back();
+    }
 
     /** How often rows() and the pattern of matrix() have changed. */
     unsigned int version() const
@@ -51,45 +60,18 @@ namespace auxfem
     std::size_t memory() const;
 
   private:
-    /** Rows that come from elsewhere, and what elimination makes of them. */
-    struct Stage
-    {
-      std::unique_ptr<RowMigration>     migration; ///< none in the first
-      std::unique_ptr<JointElimination> elimination;
-      unsigned int                      version = 0;
-      std::vector<double>               b, x;
+    /** What is left before boundary stage @p s; that of boundary.size(): after
+     * the last. */
+    const SparseMatrix &matrix_of(std::size_t s) const;
+    const JointRows    &rows_of(std::size_t s) const;
 
-      const JointRows &rows() const
-      {
-        return elimination->rows();
-      }
-    };
-
-    /** What is left of all stages, where it was in the first of them: stages
-     * leave more to ranks with a small number. */
-    struct Left
-    {
-      Left(const JointElimination &last, std::vector<unsigned int> first_ranks);
-
-      RowMigration        migration;
-      JointRows           rows;
-      std::vector<double> x;
-    };
-
-    const JointElimination &last() const
-    {
-      return *stages.back().elimination;
-    }
-
-    void bring_back(bool is_new);
-    bool is_uneven() const;
-    /** Ranks that what is left had in the first stage, by row of last(). */
-    std::vector<unsigned int> first_ranks() const;
-
-    const UnknownLayout  &layout;
-    std::vector<Stage>    stages;
-    unsigned int          n_patterns = 0;
-    std::unique_ptr<Left> left; ///< where that is uneven
+    const UnknownLayout &layout;
+    JointElimination     inside;
+    /** One after the other; none before the first factorization. */
+    std::vector<std::unique_ptr<BoundaryElimination>> boundary;
+    /** Of the rows that each stage leaves. */
+    std::vector<std::vector<double>> values;
+    unsigned int                     n_patterns = 0;
   };
 } // namespace auxfem
 

@@ -33,6 +33,12 @@ namespace auxfem
                      unsigned int    most_neighbours,
                      std::size_t     most_at_once);
 
+    /** Of rows that an elimination has left, which are measured in N/m already;
+     * those in @p kept stay. */
+    JointElimination(const Unknowns  &unknowns,
+                     unsigned int     most_neighbours,
+                     std::vector<int> kept);
+
     /**
      * Makes S, with a new order if there is none yet or if the one there is
      * meets a singular block. Returns false if other orders do so too, on any
@@ -50,6 +56,13 @@ namespace auxfem
     const JointRows &rows() const
     {
       return *joint_rows;
+    }
+
+    /** What rows that stand for nothing have on the diagonal of S: the largest
+     * stiffness between joints, over all ranks (N/m). */
+    double largest_stiffness() const
+    {
+      return stiffness;
     }
 
     /** S. */
@@ -113,6 +126,8 @@ namespace auxfem
     const Unknowns                  &unknowns;
     const unsigned int               most_neighbours;
     const std::size_t                most_at_once;
+    const bool                       is_measured;
+    const std::vector<int>           kept;
     std::vector<double>              scale; ///< by local unknown
     double                           stiffness = 0;
     std::vector<std::pair<int, int>> merged;

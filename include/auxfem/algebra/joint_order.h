@@ -35,14 +35,15 @@ namespace auxfem
     /**
      * Groups with multipliers first, however many neighbours they have, then
      * others while they have at most @p most_neighbours. All that acts on rows
-     * of other ranks stays. Goes on to the end if that leaves less than
-     * @p most_at_once rows.
+     * of other ranks stays, and the rows @p kept. Goes on to the end if that
+     * leaves less than @p most_at_once rows.
      */
-    JointOrder(const SparseMatrix &matrix,
-               const JointGroups  &groups,
-               const Unknowns     &unknowns,
-               unsigned int        most_neighbours,
-               std::size_t         most_at_once);
+    JointOrder(const SparseMatrix     &matrix,
+               const JointGroups      &groups,
+               const Unknowns         &unknowns,
+               const std::vector<int> &kept,
+               unsigned int            most_neighbours,
+               std::size_t             most_at_once);
 
     const std::vector<Pivot> &pivots() const
     {

@@ -6,6 +6,7 @@
 #include <deal.II/base/mpi_noncontiguous_partitioner.h>
 
 #include <memory>
+#include <optional>
 #include <unordered_map>
 
 namespace auxfem
@@ -83,6 +84,10 @@ namespace auxfem
 
     /** Brings owned values to the ghosts of other ranks. Collective. */
     void update_ghosts(double *values) const;
+
+    /** The same for numbers that some unknowns have. Collective. */
+    void
+    update_ghosts(std::vector<std::optional<unsigned int>> &numbers) const;
 
     /**
      * Appends ghosts; those that are local already are left out. The numbers
