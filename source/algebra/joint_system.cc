@@ -22,16 +22,6 @@ namespace auxfem
       unknowns.layout.update_ghosts(is_kept.data());
       return std::vector<bool>(is_kept.begin(), is_kept.end());
     }
-
-    /** Numbers of values by rank, a multiple of those of @p messages. */
-    SizesByRank sizes(const ListsByRank<int> &messages,
-                      const std::size_t       factor)
-    {
-      SizesByRank n;
-      for (const auto &[rank, message] : messages)
-        n[rank] = message.size() * factor;
-      return n;
-    }
   } // namespace
 
   JointSystem::JointSystem(const TangentPattern             &pattern,
@@ -102,8 +92,8 @@ namespace auxfem
     to_send.resize(n_to_send);
     const auto of_others = exchange_lists(unknowns, layout.communicator());
     blocks               = NeighbourExchange(layout.communicator(),
-                               sizes(unknowns, n_ends),
-                               sizes(of_others, n_ends));
+                               lengths(unknowns, n_ends),
+                               lengths(of_others, n_ends));
 
     // Joints at the far ends may be new to this rank.
     const std::vector<int> globals = one_after_the_other(of_others);
@@ -121,8 +111,8 @@ namespace auxfem
         globals[rank].push_back(layout.global(ghost));
     const auto of_others = exchange_lists(globals, layout.communicator());
     ends_of_others       = NeighbourExchange(layout.communicator(),
-                                       sizes(globals, 1),
-                                       sizes(of_others, 1));
+                                       lengths(globals),
+                                       lengths(of_others));
     for (const int global : one_after_the_other(of_others))
       received_ends.push_back(layout.local(global));
   }

@@ -3,10 +3,130 @@
 #include <gtest/gtest.h>
 #include <support/beam_lattice.h>
 
+#include <cmath>
+#include <map>
 #include <set>
+#include <utility>
 
 using namespace auxfem;
 using namespace auxfem::testing_support;
+
+namespace
+{
+  /** Every @p each-th strut rigid. */
+  BeamSystem some_rigid(const unsigned int dimension,
+                        const BeamLattice &lattice,
+                        const unsigned int each)
+  {
+    BeamOptions options;
+    for (unsigned int strut = 0; strut < lattice.struts.size(); strut += each)
+      options.rigid_struts.push_back(strut);
+    return BeamSystem(dimension, lattice, options);
+  }
+
+  std::vector<double> product(const SparseMatrix        &matrix,
+                              const std::vector<double> &x)
+  {
+    std::vector<double> local(x), y(matrix.layout->n_owned());
+    local.resize(matrix.layout->n_local());
+    matrix.layout->update_ghosts(local.data());
+    matrix.multiply(local.data(), y.data());
+    return y;
+  }
+
+  double norm(const UnknownLayout &layout, const std::vector<double> &x)
+  {
+    double square = 0;
+    for (const double value : x)
+      square += value * value;
+    return std::sqrt(layout.sum(square));
+  }
+
+  double distance(const UnknownLayout       &layout,
+                  std::vector<double>        x,
+                  const std::vector<double> &y)
+  {
+    for (std::size_t i = 0; i < x.size(); ++i)
+      x[i] -= y[i];
+    return norm(layout, x);
+  }
+
+  /** What is left of @p x, rotations measured in length times radian. */
+  std::vector<double> part_left(const BeamSystem          &system,
+                                const JointRows           &rows,
+                                const std::vector<double> &x)
+  {
+    const Unknowns &all = *system.unknowns;
+    std::map<std::pair<unsigned int, unsigned int>, double> of_place;
+    for (unsigned int i = 0; i < x.size(); ++i)
+      if (all.kinds[i] != UnknownKind::multiplier)
+        of_place[{all.joint[i], all.component[i]}] = x[i] / all.unit(i);
+    std::vector<double> left(rows.layout().n_owned());
+    for (unsigned int row = 0; row < left.size(); ++row)
+      if (rows.unknown(row))
+        left[row] = of_place.at(
+          {rows.as_unknowns().joint[row], rows.as_unknowns().component[row]});
+    return left;
+  }
+
+  /** What is left has the solution of all, and all follows from it. */
+  void expect_exact(const BeamSystem &system, EliminationStages &stages)
+  {
+    ASSERT_TRUE(stages.factorize(*system.matrix));
+    const JointRows &rows = stages.rows();
+    ASSERT_EQ(rows.as_unknowns().n_of(UnknownKind::multiplier), 0u);
+    std::vector<double> x(system.layout->n_owned());
+    for (unsigned int i = 0; i < x.size(); ++i)
+      if (system.unknowns->kinds[i] != UnknownKind::prescribed)
+        x[i] =
+          std::sin(1. + system.layout->global(i)) * system.unknowns->unit(i);
+    const std::vector<double> left = part_left(system, rows, x);
+
+    stages.reduce(product(*system.matrix, x).data());
+    const double size = norm(rows.layout(), stages.x());
+    EXPECT_LE(distance(rows.layout(),
+                       product(stages.matrix(), left),
+                       stages.x()),
+              1e-10 * size);
+
+    stages.x() = left;
+    std::vector<double> all(x.size());
+    stages.expand(all.data());
+    EXPECT_LT(distance(*system.layout, all, x), 1e-9 * norm(*system.layout, x));
+  }
+} // namespace
+
+TEST(EliminationStages, WhatIsLeftHasTheSolutionOfAll)
+{
+  for (const unsigned int dimension : {2, 3})
+    for (const bool has_rigid_struts : {false, true})
+      {
+        SCOPED_TRACE(dimension);
+        const unsigned int n       = dimension == 2 ? 20 : 5;
+        const BeamLattice  lattice = star_lattice(dimension, {{n, n, n}});
+        BeamSystem         system =
+          some_rigid(dimension,
+                     lattice,
+                     has_rigid_struts ? 7 : lattice.struts.size());
+        EliminationStages stages(*system.unknowns);
+        expect_exact(system, stages);
+        EXPECT_EQ(system.layout->sum(stages.n_negative()),
+                  system.unknowns->n_of(UnknownKind::multiplier));
+
+        // Other entries of the same pattern.
+        const unsigned int version = stages.version();
+        for (unsigned int row = 0; row < system.layout->n_owned(); ++row)
+          if (system.unknowns->kinds[row] != UnknownKind::multiplier)
+            for (std::size_t i = system.matrix->first[row];
+                 i < system.matrix->first[row + 1];
+                 ++i)
+              if (system.layout->global(system.matrix->columns[i]) ==
+                  system.layout->global(row))
+                system.matrix->entries[i] *= 1.1;
+        expect_exact(system, stages);
+        EXPECT_EQ(stages.version(), version);
+      }
+}
 
 TEST(EliminationStages, LeaveJointsToTheirRanks)
 {

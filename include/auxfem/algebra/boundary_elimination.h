@@ -1,8 +1,7 @@
 #ifndef auxfem_algebra_boundary_elimination_h
 #define auxfem_algebra_boundary_elimination_h
 
-#include <auxfem/algebra/joint_elimination.h>
-#include <auxfem/algebra/neighbour_exchange.h>
+#include <auxfem/algebra/elimination_front.h>
 
 #include <memory>
 
@@ -10,12 +9,10 @@ namespace auxfem
 {
   /**
    * Exact elimination of joints with few neighbours at the boundaries between
-   * ranks, of what JointElimination has left, see boundary_pivots(). The rank
-   * that eliminates a joint gets its rows, and of rows that act on it their
-   * entries in its columns: its front. What elimination leaves of a front goes
-   * back and is added to the rows where they are. So only little moves, and no
-   * rank gains or loses rows but those that are eliminated. All functions but
-   * those without arguments are collective.
+   * ranks, of what JointElimination has left: each on one of the ranks that it
+   * acts on, see boundary_pivots() and EliminationFront. So only little moves,
+   * and no rank gains or loses rows but those that are eliminated. Functions
+   * with arguments are collective.
    */
   class BoundaryElimination
   {
@@ -53,7 +50,7 @@ namespace auxfem
      * symmetric. */
     unsigned long n_negative() const
     {
-      return elimination->n_negative();
+      return front.elimination().n_negative();
     }
 
     /** Makes @p g from the right-hand side @p b, owned rows. */
@@ -66,32 +63,6 @@ namespace auxfem
     std::size_t memory() const;
 
   private:
-    /** What a front has to know of a row. */
-    struct FrontRow
-    {
-      int           global;
-      bool          is_pivot;
-      UnknownKind   kind;
-      unsigned int  joint;
-      unsigned char component;
-    };
-
-    /** Global numbers of an entry's row and column. */
-    struct Place
-    {
-      int row, column;
-    };
-
-    /** Entries that stay what they are. */
-    struct Run
-    {
-      std::size_t from, to, n;
-    };
-
-    /** Entries that come back to a row: column, local in `known`, and number
-     * among all that come. */
-    using Returned = std::vector<std::pair<int, std::size_t>>;
-
     /** What is part of an entry in this column of what is left. */
     struct Source
     {
@@ -100,57 +71,35 @@ namespace auxfem
       std::size_t  number;     ///< among those
     };
 
-    void make_front(const SparseMatrix &matrix);
-    void receive_front(const std::vector<FrontRow> &rows,
-                       const std::vector<Place>    &places);
-    void fill_front(const SparseMatrix &matrix);
+    /** Entries of the matrix that stay what they are. */
+    struct Run
+    {
+      std::size_t from, to, n;
+    };
+
     void make_pattern(const SparseMatrix &matrix);
-    /** What the front leaves, by the rank whose rows it belongs to. */
-    ListsByRank<Place> find_returns();
-    void               choose_rows(const std::vector<Place> &returns);
-    /** Of the row of an owned @p unknown, by columns. */
-    void find_sources(const SparseMatrix  &matrix,
-                      unsigned int         unknown,
-                      const Returned      &returned,
-                      std::vector<Source> &row) const;
+    void choose_rows(const std::vector<EliminationFront::Place> &returns);
+    /** Appends to what comes back to the row of the owned @p unknown what it
+     * keeps, and sorts by columns. */
+    void complete_sources(const SparseMatrix  &matrix,
+                          unsigned int         unknown,
+                          std::vector<Source> &row) const;
     void append_row(const std::vector<Source> &row);
     void append_run(std::size_t from, std::size_t to);
-    void fill_matrix(const SparseMatrix &matrix, double stiffness);
 
-    const Unknowns    &before;
-    const unsigned int most_neighbours;
+    const Unknowns &before;
     /** By local row, the rank that may eliminate it. */
     const std::vector<std::optional<unsigned int>> pivots;
+    EliminationFront                               front;
 
-    /** @name What goes to the fronts, one front after the other. */
-    ///@{
-    std::vector<int>         rows_there; ///< owned
-    std::vector<std::size_t> entries_there;
-    NeighbourExchange        send_values, return_values, send_entries;
-    ///@}
-
-    /** @name The front of this rank; rows of no pivot have no diagonal. */
-    ///@{
-    std::vector<int>                  globals; ///< of its rows, ascending
-    std::unique_ptr<Unknowns>         unknowns;
-    std::unique_ptr<SparseMatrix>     front;
-    std::vector<std::size_t>          places_in_front; ///< of what comes
-    std::unique_ptr<JointElimination> elimination;
-    ///@}
-
-    /** @name What comes back from the fronts, and what is left. */
-    ///@{
     unsigned int                  n_orders = 0; ///< of the front till now
-    std::vector<std::size_t>      entries_back; ///< of what the front leaves
-    NeighbourExchange             return_entries;
     std::unique_ptr<Unknowns>     known; ///< those before, and more ghosts
     std::unique_ptr<JointRows>    joint_rows;
     std::unique_ptr<SparseMatrix> left;
     std::vector<Run>              runs;
-    std::vector<std::size_t>      places_left; ///< of what comes back
-    std::vector<std::size_t>      nothing;     ///< diagonals of such rows
+    std::vector<std::size_t>      places_of_returns;
+    std::vector<std::size_t>      nothing; ///< diagonals of such rows
     unsigned int                  n_patterns = 0;
-    ///@}
   };
 } // namespace auxfem
 

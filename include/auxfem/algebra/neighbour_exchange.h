@@ -74,6 +74,16 @@ namespace auxfem
     return all;
   }
 
+  /** Of each list, how many values it has, times @p factor. */
+  template <typename T>
+  SizesByRank lengths(const ListsByRank<T> &lists, const std::size_t factor = 1)
+  {
+    SizesByRank n;
+    for (const auto &[rank, list] : lists)
+      n[rank] = list.size() * factor;
+    return n;
+  }
+
   /** The lists that others have for this rank, of those that each has @p for_others.
    * Collective. deal.II's some_to_some() would compress them, which takes
    * longer than sending them. */
@@ -81,9 +91,7 @@ namespace auxfem
   ListsByRank<T> exchange_lists(const ListsByRank<T> &for_others,
                                 const MPI_Comm        communicator)
   {
-    SizesByRank sent;
-    for (const auto &[rank, list] : for_others)
-      sent[rank] = list.size();
+    const SizesByRank    sent     = lengths(for_others);
     const SizesByRank    received = sizes_from_others(sent, communicator);
     const std::vector<T> comes = NeighbourExchange(communicator, sent, received)
                                    .exchange(one_after_the_other(for_others));
