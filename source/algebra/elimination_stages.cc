@@ -10,10 +10,10 @@ namespace auxfem
      * Joints with more neighbours stay. In the plane 10 cost no more than 4, as
      * they leave half of the rows with as many entries (100 x 100 cells of
      * prm/star-10x10.prm in statics), and what is left depends less on where
-     * elimination begins: 26 and 27 iterations on one and two ranks, 24 and 30
-     * with 4 (1000 rows at most on the coarsest level); begun in a random
-     * order, 60 x 60 cells take 30, with 4 they take 83. In space more than 4
-     * cost iterations (16 cells a side on four ranks: 64 with 6, 49 with 4).
+     * elimination begins: 19 and 21 iterations on one and two ranks, 21 and 25
+     * with 4; begun in a random order, 60 x 60 cells take 30, with 4 they take
+     * 83. In space more than 4 cost iterations (16 cells a side on four ranks:
+     * 55 with 6, 42 with 4).
      */
     unsigned int most_neighbours(const Unknowns &unknowns)
     {
@@ -25,7 +25,7 @@ namespace auxfem
 
     /**
      * Eliminations one after the other on several ranks: the second has the
-     * joints at the boundary, the third those where more than two ranks meet.
+     * joints at the boundaries, the third those where more than two ranks meet.
      * Further ones follow only while multipliers are left, with which no matrix
      * is definite.
      */

@@ -12,7 +12,8 @@ namespace auxfem
    * The rows of a matrix that this rank may eliminate, and of rows that act on
    * them the entries in their columns, wherever they are (multifrontal method;
    * Duff and Reid 1983). What elimination leaves of them goes back, to be added
-   * to the rows where they are. All functions are collective.
+   * to the rows where they are. All is collective but elimination(),
+   * rows_in_fronts() and memory().
    */
   class EliminationFront
   {
