@@ -64,8 +64,8 @@ namespace auxfem
 
   void JointRows::share()
   {
-    const UnknownLayout &of_unknowns = unknowns.layout;
-    const UnknownLayout  owned(of_unknowns.communicator(),
+    const UnknownLayout                     &of_unknowns = unknowns.layout;
+    const UnknownLayout                      owned(of_unknowns.communicator(),
                               unknown_of_row.size(),
                               {});
     std::vector<std::optional<unsigned int>> numbers = rows;

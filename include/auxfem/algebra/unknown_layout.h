@@ -86,8 +86,7 @@ namespace auxfem
     void update_ghosts(double *values) const;
 
     /** The same for numbers that some unknowns have. Collective. */
-    void
-    update_ghosts(std::vector<std::optional<unsigned int>> &numbers) const;
+    void update_ghosts(std::vector<std::optional<unsigned int>> &numbers) const;
 
     /**
      * Appends ghosts; those that are local already are left out. The numbers
