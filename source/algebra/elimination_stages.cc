@@ -44,34 +44,39 @@ namespace auxfem
     const unsigned int n_before = inside.version();
     if (!inside.factorize(matrix))
       return false;
-    bool is_new = inside.version() != n_before;
+    if (inside.version() != n_before)
+      forget_from(0);
     for (std::size_t s = 0; s < boundary.size(); ++s)
       {
         const SparseMatrix &rest = matrix_of(s);
         const Unknowns     &rows = rows_of(s).as_unknowns();
-        if (is_new || !boundary[s])
-          {
-            boundary[s] =
-              std::make_unique<BoundaryElimination>(rest,
-                                                    rows,
-                                                    most_neighbours(rows));
-            is_new = true;
-          }
+        if (!boundary[s])
+          boundary[s] =
+            std::make_unique<BoundaryElimination>(rest,
+                                                  rows,
+                                                  most_neighbours(rows));
         BoundaryElimination &stage      = *boundary[s];
         const unsigned int   n_of_stage = stage.version();
         if (!stage.factorize(rest, inside.largest_stiffness()))
           return false;
-        is_new = is_new || stage.version() != n_of_stage;
-        if (is_new && s + 1 == boundary.size() && s + 2 < layout.n_ranks() &&
+        if (stage.version() == n_of_stage)
+          continue;
+        forget_from(s + 1);
+        if (s + 1 == boundary.size() && s + 2 < layout.n_ranks() &&
             stage.rows().as_unknowns().n_of(UnknownKind::multiplier) > 0)
           {
             boundary.emplace_back();
             values.emplace_back();
           }
       }
-    if (is_new)
-      ++n_patterns;
     return true;
+  }
+
+  void EliminationStages::forget_from(const std::size_t first)
+  {
+    for (std::size_t s = first; s < boundary.size(); ++s)
+      boundary[s].reset();
+    ++n_patterns;
   }
 
   const SparseMatrix &EliminationStages::matrix_of(const std::size_t s) const

@@ -65,9 +65,12 @@ namespace auxfem
     const SparseMatrix &matrix_of(std::size_t s) const;
     const JointRows    &rows_of(std::size_t s) const;
 
+    /** What stages from boundary stage @p first on were made of has changed. */
+    void forget_from(std::size_t first);
+
     const UnknownLayout &layout;
     JointElimination     inside;
-    /** One after the other; none before the first factorization. */
+    /** One after the other; none until factorization comes to it. */
     std::vector<std::unique_ptr<BoundaryElimination>> boundary;
     /** Of the rows that each stage leaves. */
     std::vector<std::vector<double>> values;
