@@ -2,6 +2,7 @@
 #include <auxfem/algebra/boundary_pivots.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace auxfem
 {
@@ -18,9 +19,9 @@ namespace auxfem
   {
     if (!front.factorize(matrix))
       return false;
-    if (n_orders != front.elimination().version())
+    if (n_patterns != front.elimination().version())
       make_pattern(matrix);
-    n_orders = front.elimination().version();
+    n_patterns = front.elimination().version();
 
     std::fill(left->entries.begin(), left->entries.end(), 0.);
     for (const Run &run : runs)
@@ -71,7 +72,6 @@ namespace auxfem
         left->first[row + 1] = left->columns.size();
       }
     left->entries.resize(left->columns.size());
-    ++n_patterns;
   }
 
   void BoundaryElimination::choose_rows(
@@ -103,11 +103,7 @@ namespace auxfem
            ++i)
         if (const int column = matrix.columns[i]; !pivots[column])
           row.push_back({*joint_rows->row(column), false, i});
-    const auto is_before = [](const Source &a, const Source &b) {
-      return a.column < b.column;
-    };
-    if (!std::is_sorted(row.begin(), row.end(), is_before))
-      std::sort(row.begin(), row.end(), is_before);
+    sort_by_column(row);
   }
 
   void BoundaryElimination::append_row(const std::vector<Source> &row)
@@ -140,11 +136,8 @@ namespace auxfem
   {
     std::vector<double> all(b, b + before.layout.n_owned()), values;
     for (const int row : front.rows_in_fronts())
-      values.push_back(pivots[row] ? b[row] : 0.);
+      values.push_back(pivots[row] ? std::exchange(all[row], 0.) : 0.);
     front.reduce(values);
-    for (const int row : front.rows_in_fronts())
-      if (pivots[row])
-        all[row] = 0;
     auto value = values.begin();
     for (const int row : front.rows_in_fronts())
       all[row] += *value++;

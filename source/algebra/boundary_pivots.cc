@@ -104,15 +104,10 @@ namespace auxfem
 
       void spread_in_joints(Numbers &numbers) const
       {
-        std::unordered_map<unsigned int, unsigned int> lowest;
+        std::unordered_map<unsigned int, std::optional<unsigned int>> lowest;
         for (unsigned int row = 0; row < layout.n_owned(); ++row)
           if (numbers[row] && !is_multiplier(row))
-            {
-              unsigned int &of_joint =
-                lowest.emplace(unknowns.joint[row], *numbers[row])
-                  .first->second;
-              of_joint = std::min(of_joint, *numbers[row]);
-            }
+            keep_lowest(lowest[unknowns.joint[row]], *numbers[row]);
         if (lowest.empty())
           return;
         for (unsigned int row = 0; row < layout.n_owned(); ++row)

@@ -312,11 +312,7 @@ namespace auxfem
       if (const int column = matrix.columns[i];
           !unknowns.layout.is_owned(column) && joint_rows->row(column))
         row.push_back({*joint_rows->row(column), i});
-    const auto is_before = [](const Source &a, const Source &b) {
-      return a.column < b.column;
-    };
-    if (!std::is_sorted(row.begin(), row.end(), is_before))
-      std::sort(row.begin(), row.end(), is_before);
+    sort_by_column(row);
   }
 
   void JointElimination::fill_matrix(const SparseMatrix &matrix)

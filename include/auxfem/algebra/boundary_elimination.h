@@ -92,14 +92,13 @@ namespace auxfem
     const std::vector<std::optional<unsigned int>> pivots;
     EliminationFront                               front;
 
-    unsigned int                  n_orders = 0; ///< of the front till now
     std::unique_ptr<Unknowns>     known; ///< those before, and more ghosts
     std::unique_ptr<JointRows>    joint_rows;
     std::unique_ptr<SparseMatrix> left;
     std::vector<Run>              runs;
     std::vector<std::size_t>      places_of_returns;
-    std::vector<std::size_t>      nothing; ///< diagonals of such rows
-    unsigned int                  n_patterns = 0;
+    std::vector<std::size_t>      nothing;        ///< diagonals of such rows
+    unsigned int                  n_patterns = 0; ///< the front has left
   };
 } // namespace auxfem
 

@@ -3,6 +3,9 @@
 
 #include <auxfem/algebra/unknown_layout.h>
 
+#include <algorithm>
+#include <vector>
+
 namespace auxfem
 {
   /**
@@ -28,6 +31,18 @@ namespace auxfem
      */
     void multiply(const double *x, double *y) const;
   };
+
+  /** Sorts what belongs to a row by its member `column`; mostly it is in order.
+   */
+  template <typename T>
+  void sort_by_column(std::vector<T> &row)
+  {
+    const auto is_before = [](const T &a, const T &b) {
+      return a.column < b.column;
+    };
+    if (!std::is_sorted(row.begin(), row.end(), is_before))
+      std::sort(row.begin(), row.end(), is_before);
+  }
 } // namespace auxfem
 
 #endif
