@@ -386,8 +386,11 @@ namespace auxfem
     }
   } // namespace
 
-  std::unique_ptr<DirectSolver> make_mumps()
+  std::unique_ptr<DirectSolver> make_mumps(const MumpsRanks ranks)
   {
-    return std::make_unique<Mumps>();
+    auto mumps = std::make_unique<Mumps>();
+    if (ranks == MumpsRanks::first)
+      return make_first_rank_solver(std::move(mumps));
+    return mumps;
   }
 } // namespace auxfem

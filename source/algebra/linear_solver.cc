@@ -100,10 +100,7 @@ namespace auxfem
   std::unique_ptr<LinearSolverMethod>
   LinearSolver::make_method(const LinearSolverType type) const
   {
-    return make_linear_solver_method(type,
-                                     choose_elimination_order(
-                                       equations_at_joints()),
-                                     parameters);
+    return make_linear_solver_method(type, equations_at_joints(), parameters);
   }
 
   FactorizationOutcome

@@ -33,6 +33,18 @@ namespace auxfem
     ///@}
 
     /**
+     * @name Unknowns up to which MUMPS is as quick on one rank as on two. A
+     * factorization and a solution on one against two: 6.1 and 0.68 ms against
+     * 7.0 and 1.1 ms at 3060 unknowns in the plane, 75 and 7.4 against 84 and
+     * 10 at 27,180, 353 and 33 against 270 and 27 at 108,360; in space 9.7 and
+     * 0.64 against 7.6 and 0.78 at 2916, 28 and 2.4 against 16 and 1.8 at 6816.
+     */
+    ///@{
+    constexpr unsigned long one_rank_limit_in_space = 5000;
+    constexpr unsigned long one_rank_limit_in_plane = 50000;
+    ///@}
+
+    /**
      * Below it the iterations are the same with the symmetric part: those of
      * prm/star-10x10.prm, dashpots on turning lines, with 2e-8. At 1e-2, large
      * rotations in space of prm/lattice-3d.prm, they are 1.2 times as many.
@@ -124,6 +136,15 @@ namespace auxfem
     return is_in_space(equations) && equations.n_unknowns > dissection_limit
       ? EliminationOrder::nested_dissection
       : EliminationOrder::minimum_degree;
+  }
+
+  MumpsRanks choose_mumps_ranks(const EquationsAtJoints &equations)
+  {
+    return equations.n_unknowns <= (is_in_space(equations)
+                                      ? one_rank_limit_in_space
+                                      : one_rank_limit_in_plane)
+      ? MumpsRanks::first
+      : MumpsRanks::all;
   }
 
   bool symmetric_part_pays(const SolverParameters &parameters,

@@ -66,10 +66,11 @@ namespace auxfem
   } // namespace
 
   std::unique_ptr<LinearSolverMethod>
-  make_linear_solver_method(const LinearSolverType  type,
-                            const EliminationOrder  order,
-                            const SolverParameters &parameters)
+  make_linear_solver_method(const LinearSolverType   type,
+                            const EquationsAtJoints &equations,
+                            const SolverParameters  &parameters)
   {
+    const EliminationOrder order = choose_elimination_order(equations);
     switch (type)
       {
         case LinearSolverType::cholmod:
@@ -77,7 +78,8 @@ namespace auxfem
         case LinearSolverType::klu:
           return std::make_unique<DirectMethod>(make_klu(order));
         case LinearSolverType::mumps:
-          return std::make_unique<DirectMethod>(make_mumps());
+          return std::make_unique<DirectMethod>(
+            make_mumps(choose_mumps_ranks(equations)));
         case LinearSolverType::iterative:
           return make_iterative_solver(parameters);
       }

@@ -32,7 +32,7 @@ namespace
     bool takes_unsymmetric, pivots, has_inertia, counts_zeros, is_sparse;
   };
 
-  const std::array<Kind, 4> kinds = {
+  const std::array<Kind, 5> kinds = {
     {{"CHOLMOD",
       [] { return make_cholmod(EliminationOrder::minimum_degree); },
       false,
@@ -47,7 +47,20 @@ namespace
       false,
       false,
       true},
-     {"MUMPS", make_mumps, true, true, true, true, true},
+     {"MUMPS on the first rank",
+      [] { return make_mumps(MumpsRanks::first); },
+      true,
+      true,
+      true,
+      true,
+      true},
+     {"MUMPS",
+      [] { return make_mumps(MumpsRanks::all); },
+      true,
+      true,
+      true,
+      true,
+      true},
      {"dense", make_dense, false, true, true, false, false}}};
 
   /** Ascending. */

@@ -54,7 +54,7 @@ namespace
   /** Negative eigenvalues beyond one a multiplier. */
   unsigned long n_negative_by_mumps(const BeamSystem &system)
   {
-    const std::unique_ptr<DirectSolver> mumps = make_mumps();
+    const std::unique_ptr<DirectSolver> mumps = make_mumps(MumpsRanks::all);
     EXPECT_EQ(mumps->analyse(*system.matrix), FactorizationOutcome::done);
     EXPECT_EQ(mumps->factorize(*system.matrix), FactorizationOutcome::done);
     return mumps->inertia()->negative -

@@ -336,6 +336,20 @@ TEST(LinearSolverChoice, DependsOnTheEquations)
             LinearSolverType::mumps);
 }
 
+TEST(LinearSolverChoice, MumpsHasAllRanksWhereThatIsQuicker)
+{
+  const auto ranks = [](const unsigned long n_unknowns,
+                        const unsigned int  n_components) {
+    EquationsAtJoints some = equations(Symmetry::given, n_unknowns, 0, 2);
+    some.n_components      = n_components;
+    return choose_mumps_ranks(some);
+  };
+  EXPECT_EQ(ranks(30000, 3), MumpsRanks::first);
+  EXPECT_EQ(ranks(100000, 3), MumpsRanks::all);
+  EXPECT_EQ(ranks(3000, 6), MumpsRanks::first);
+  EXPECT_EQ(ranks(7000, 6), MumpsRanks::all);
+}
+
 TEST(LinearSolverChoice, FollowsTheUser)
 {
   const EquationsAtJoints some = equations(Symmetry::given, 1000, 0, 1);

@@ -365,8 +365,8 @@ TEST(StaticPathOnRanks, FindsDivergence)
                                                    "Path/Points=12"};
         const FollowedPath             alone(scene.str(), settings),
           together(scene.str(), settings, MPI_COMM_WORLD);
-        // MUMPS on several ranks need not repeat its own round-off, and the
-        // steps beyond the bifurcation are as long as iterations allow.
+        // Sums of ranks differ by round-off, and the steps beyond the
+        // bifurcation are as long as iterations allow.
         EXPECT_NEAR(alone.points.size(), together.points.size(), 2);
         EXPECT_NEAR(n_beyond_divergence(alone),
                     n_beyond_divergence(together),

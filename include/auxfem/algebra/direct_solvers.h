@@ -5,6 +5,15 @@
 
 namespace auxfem
 {
+  /** Where MUMPS factorizes. */
+  enum class MumpsRanks
+  {
+    first,
+    /** Contributions add up as they come in: round-off differs from run to
+     * run. */
+    all
+  };
+
   /** How rows are ordered so that factors stay sparse. */
   enum class EliminationOrder
   {
@@ -13,8 +22,8 @@ namespace auxfem
   };
 
   /**
-   * @name Direct solvers, each on any number of ranks. All but MUMPS bring the
-   * matrix to the first rank and factorize it there.
+   * @name Direct solvers, each on any number of ranks. All bring the matrix to
+   * the first rank and factorize it there, unless MUMPS is to use all.
    */
   ///@{
   /**
@@ -32,7 +41,7 @@ namespace auxfem
    * MUMPS (Amestoy, Duff, Koster, L'Excellent 2001), for any matrix: LDL' with
    * pivots of one and two rows for symmetric ones, else LU.
    */
-  std::unique_ptr<DirectSolver> make_mumps();
+  std::unique_ptr<DirectSolver> make_mumps(MumpsRanks ranks);
 
   /**
    * LAPACK's LDL' with pivots of one and two rows (Bunch, Kaufman 1977), for

@@ -50,6 +50,10 @@ namespace auxfem
   /** The order that keeps factors of @p equations smallest. */
   EliminationOrder choose_elimination_order(const EquationsAtJoints &equations);
 
+  /** The ranks on which MUMPS is quickest; all on one where that is no matter,
+   * as it then repeats its digits. */
+  MumpsRanks choose_mumps_ranks(const EquationsAtJoints &equations);
+
   /**
    * Whether Newton's method is quicker with the symmetric part of an
    * unsymmetric matrix of @p n_unknowns, those inside struts included: if it is
@@ -138,11 +142,11 @@ namespace auxfem
   std::unique_ptr<LinearSolverMethod>
   make_iterative_solver(const SolverParameters &parameters);
 
-  /** Solution by the given type. */
+  /** Solution of @p equations by the given type. */
   std::unique_ptr<LinearSolverMethod>
-  make_linear_solver_method(LinearSolverType        type,
-                            EliminationOrder        order,
-                            const SolverParameters &parameters);
+  make_linear_solver_method(LinearSolverType         type,
+                            const EquationsAtJoints &equations,
+                            const SolverParameters  &parameters);
 } // namespace auxfem
 
 #endif

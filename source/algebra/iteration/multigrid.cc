@@ -49,7 +49,7 @@ namespace auxfem
         // CHOLMOD does not take every indefinite matrix.
         if (!is_done && is_symmetric)
           {
-            factors = make_mumps();
+            factors = make_mumps(MumpsRanks::first);
             is_done = factorize(rows);
           }
         if (!is_done)
