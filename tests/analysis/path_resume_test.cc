@@ -5,9 +5,6 @@
 #include <support/followed_path.h>
 #include <support/scene_text.h>
 
-#include <algorithm>
-#include <cmath>
-
 using namespace auxfem;
 using namespace auxfem::testing_support;
 
