@@ -37,6 +37,25 @@ namespace
 
 
 
+  TEST_F(CompareHistories, ServesAllAnalyses)
+  {
+    const std::string prm = AUXFEM_PRM_DIRECTORY "/";
+    ProgramRun        run = compare({prm + "path.prm",
+                                     prm + "modes.prm",
+                                     prm + "buckling.prm",
+                                     prm + "frequency-response.prm"});
+    EXPECT_EQ(run.exit_code, 0) << run.errors;
+    expect_contains(run.output, {"4 scenes: 4 the same within 1e-10"});
+
+    run = compare({"--new-set",
+                   "Sections/aluminium/Width=0.401 mm",
+                   prm + "frequency-response.prm"});
+    EXPECT_EQ(run.exit_code, 1);
+    expect_contains(run.output, {"from frequency = 10 Hz on (top.ux.real)"});
+  }
+
+
+
   TEST_F(CompareHistories, AnotherStepIsADifference)
   {
     // Twice the step: the errors become four times as large.
