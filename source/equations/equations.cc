@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 namespace auxfem
 {
@@ -337,15 +338,18 @@ namespace auxfem
   Vector Equations::round_off(const Evaluation        &evaluation,
                               const EvaluationResults &results) const
   {
-    const auto [displacement, rotation] =
+    LargestMotion largest;
+    std::tie(largest.displacement, largest.rotation) =
       largest_motion(structure, evaluation.to.displacement);
+    if (evaluation.to.velocity)
+      std::tie(largest.velocity, largest.spin) =
+        largest_motion(structure, *evaluation.to.velocity);
     const UnknownLayout &layout = structure.numbering.layout();
     Vector               sizes(unknowns().layout.n_local(), 0.);
     for (unsigned int i = 0; i < effects.size(); ++i)
       effects[i]->raise_uncertain_forces(evaluation,
                                          results.of_effects[i].get(),
-                                         displacement,
-                                         rotation,
+                                         largest,
                                          sizes.data());
     // A row sums a few roundings of a few products each.
     const double safety = 4;

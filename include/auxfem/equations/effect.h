@@ -18,6 +18,16 @@ namespace auxfem
       sizes[unknown] = std::max(sizes[unknown], size);
   }
 
+  /** Bounds of what moves, over all ranks: motions, and their rates (0 where
+   * the state has none). */
+  struct LargestMotion
+  {
+    double displacement = 0; ///< m
+    double rotation     = 0; ///< rad
+    double velocity     = 0; ///< m/s
+    double spin         = 0; ///< rad/s
+  };
+
   /** Forces that act at a state: `factor` times those by which `to` differs
    * from `from`. */
   struct ForceChange
@@ -213,13 +223,12 @@ namespace auxfem
     /**
      * Raises @p forces, as raise_forces() does, to those whose last digit is
      * uncertain in the residual: machine precision times these is the
-     * residual's round-off. With displacements (m) and rotations (rad) that are
-     * at most this large.
+     * residual's round-off. With motions that are at most as large as @p
+     * largest.
      */
     virtual void raise_uncertain_forces(const Evaluation    &evaluation,
                                         const EffectResults *results,
-                                        const double /*largest_displacement*/,
-                                        const double /*largest_rotation*/,
+                                        const LargestMotion & /*largest*/,
                                         double *forces) const
     {
       raise_forces(evaluation, results, forces);

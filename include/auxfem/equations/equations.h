@@ -290,7 +290,7 @@ namespace auxfem
 
   /**
    * Largest |displacement| (m) and |rotation| (rad) over all ranks in
-   * @p motion, displacements or an increment of them.
+   * @p motion: displacements, an increment of them, or velocities (m/s, rad/s).
    */
   std::pair<double, double> largest_motion(const LatticeModel &model,
                                            const Vector       &motion);

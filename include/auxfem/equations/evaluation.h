@@ -123,6 +123,13 @@ namespace auxfem
       return {before, to, Kind::rates};
     }
 
+    /** Whether rates of strains and extensions are differences over the step.
+     */
+    bool rates_are_differences() const
+    {
+      return kind == Kind::between || kind == Kind::static_step;
+    }
+
     /** Whether the rows of constraints hold second derivatives. */
     bool wants_constraint_accelerations() const
     {

@@ -279,18 +279,21 @@ namespace auxfem
             raise(forces, unknown, std::abs(of_group.response[i].force));
       }
 
-      void raise_uncertain_forces(const Evaluation & /*evaluation*/,
+      void raise_uncertain_forces(const Evaluation    &evaluation,
                                   const EffectResults *results,
-                                  const double         largest_displacement,
-                                  const double /*largest_rotation*/,
-                                  double *forces) const override
+                                  const LargestMotion &largest,
+                                  double              *forces) const override
       {
-        const auto &of_group = static_cast<const ConnectorResults &>(*results);
+        const auto  &of_group = static_cast<const ConnectorResults &>(*results);
+        const double rate     = evaluation.rates_are_differences()
+              ? largest.displacement / evaluation.dt
+              : largest.velocity;
         for (unsigned int i = 0; i < connectors.size(); ++i)
           for (const int unknown : connectors[i].unknowns)
             raise(forces,
                   unknown,
-                  of_group.response[i].stiffness * largest_displacement);
+                  of_group.response[i].stiffness * largest.displacement +
+                    of_group.response[i].damping * rate);
       }
 
       std::string why_not_finite(const Evaluation    &evaluation,

@@ -135,15 +135,14 @@ namespace auxfem
 
       void raise_uncertain_forces(const Evaluation    &evaluation,
                                   const EffectResults *results,
-                                  const double         largest_displacement,
-                                  const double /*largest_rotation*/,
-                                  double *forces) const override
+                                  const LargestMotion &largest,
+                                  double              *forces) const override
       {
         for (const PlateTouch &touch : points_of(results))
           {
             // Depths are differences of positions, and where they are round-off
             // themselves the stiffness is none that can be told.
-            const double length = largest_displacement +
+            const double length = largest.displacement +
               position(touch, evaluation.to.displacement).norm();
             const double slope = law_at(touch).slope(
               touch.depth + std::numeric_limits<double>::epsilon() * length);

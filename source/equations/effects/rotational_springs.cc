@@ -94,13 +94,12 @@ namespace auxfem
 
       void raise_uncertain_forces(const Evaluation & /*evaluation*/,
                                   const EffectResults * /*results*/,
-                                  const double /*largest_displacement*/,
-                                  const double largest_rotation,
-                                  double      *forces) const override
+                                  const LargestMotion &largest,
+                                  double              *forces) const override
       {
         for (const RotationalSpring &spring : springs)
           for (const int unknown : spring.unknowns)
-            raise(forces, unknown, spring.stiffness * largest_rotation);
+            raise(forces, unknown, spring.stiffness * largest.rotation);
       }
 
     private:
@@ -271,13 +270,12 @@ namespace auxfem
 
       void raise_uncertain_forces(const Evaluation & /*evaluation*/,
                                   const EffectResults * /*results*/,
-                                  const double /*largest_displacement*/,
-                                  const double largest_rotation,
-                                  double      *forces) const override
+                                  const LargestMotion &largest,
+                                  double              *forces) const override
       {
         for (const Spring &spring : springs)
           for (const int unknown : spring.unknowns)
-            raise(forces, unknown, spring.stiffness * largest_rotation);
+            raise(forces, unknown, spring.stiffness * largest.rotation);
       }
 
     private:

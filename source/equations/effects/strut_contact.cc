@@ -148,15 +148,14 @@ namespace auxfem
 
       void raise_uncertain_forces(const Evaluation & /*evaluation*/,
                                   const EffectResults *results,
-                                  const double         largest_displacement,
-                                  const double /*largest_rotation*/,
-                                  double *forces) const override
+                                  const LargestMotion &largest,
+                                  double              *forces) const override
       {
         for (const StrutTouch &touch : points_of(results))
           for (const int unknown : coupled[touch.pair].unknowns)
             raise(forces,
                   unknown,
-                  touch.force + touch.slope * largest_displacement);
+                  touch.force + touch.slope * largest.displacement);
       }
 
       bool may_touch() const override

@@ -211,9 +211,8 @@ namespace auxfem
 
     void raise_uncertain_forces(const Evaluation &evaluation,
                                 const EffectResults * /*results*/,
-                                const double largest_displacement,
-                                const double largest_rotation,
-                                double      *forces) const override
+                                const LargestMotion &largest,
+                                double              *forces) const override
     {
       // Mean forces take displacements relative to a node, which are those of
       // an element that turns at most: twice its length.
@@ -224,11 +223,17 @@ namespace auxfem
       for (unsigned int e = 0; e < beams.size(); ++e)
         {
           const typename Beam::AtRest at_rest = beams.at_rest(e);
+          const double                strain =
+            std::min(most, largest.displacement / at_rest.jacobian) +
+            std::min(1., largest.rotation);
+          double with_rate = strain;
+          if constexpr (Beam::is_damped)
+            with_rate += at_rest.stiffness.damping_time *
+              (evaluation.rates_are_differences()
+                 ? strain / evaluation.dt
+                 : largest.velocity / at_rest.jacobian + largest.spin);
           raise_nodes(e,
-                      Beam::largest_stiffness(at_rest.stiffness) *
-                        (std::min(most,
-                                  largest_displacement / at_rest.jacobian) +
-                         std::min(1., largest_rotation)),
+                      Beam::largest_stiffness(at_rest.stiffness) * with_rate,
                       forces);
         }
     }
