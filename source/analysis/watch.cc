@@ -70,6 +70,10 @@ namespace auxfem
       }
     if (!scene.plates.empty() && equations.reporting().plates == nullptr)
       watches.push_back(make_plate_crossing_watch(scene, equations));
+    if (simulated.shear_flexibility)
+      for (const StrutGroup &group : equations.reporting().struts)
+        if (group.forces->elements().order == 1)
+          watches.push_back(make_bending_watch(group, scene, equations));
     if (has_struts && has_inertia)
       watches.push_back(make_wave_watch(scene, equations));
     if (has_struts && has_yield_strain(scene))

@@ -27,6 +27,93 @@ namespace
                    mass_and_velocity(1, 1));
 } // namespace
 
+namespace
+{
+  /** A cantilever of EI = 2 N m2, EA = 1e4 N and 1 m of 2^n elements of order
+   * 1; shear adds 1e-3 of its compliance. */
+  std::vector<Finding>
+  findings_of_cantilever(const std::string              &load,
+                         const unsigned int              n,
+                         const std::vector<std::string> &overrides = {})
+  {
+    const SceneText scene = SceneText()
+                              .frame("0 0; 1 0", "0 1")
+                              .given("s", {0.01, 0.01, 2e-6}, {1e6, 100, 0})
+                              .support("foot", "0", "clamp")
+                              .add("Loads/load", "Joints = 1 | " + load)
+                              .set("Effects/Shear flexibility", "on")
+                              .mesh(1, n)
+                              .time("1 s", "1 s", "static");
+    return findings_of(scene, overrides);
+  }
+} // namespace
+
+TEST(BendingWatch, KnowsWhatLinearElementsMiss)
+{
+  // Reduced integration misses 1 / (4 n^2) of a cantilever's deflection (T. J.
+  // R. Hughes, R. L. Taylor, W. Kanoknukulchai, Int. J. Numer. Meth. Eng. 11
+  // (1977) 1529-1543).
+  const std::string across = "Force y = 1e-3";
+  const auto        one    = findings_of_cantilever(across, 0),
+             two           = findings_of_cantilever(across, 1);
+  ASSERT_EQ(one.size(), 1u) << verdict_text(one);
+  expect_contains(one[0].text, {"miss about 25 % of the compliance"});
+  ASSERT_EQ(two.size(), 1u) << verdict_text(two);
+  expect_contains(two[0].text, {"miss about 6.2 % of the compliance"});
+  EXPECT_EQ(two[0].verdict, Verdict::doubtful);
+  EXPECT_TRUE(findings_of_cantilever(across, 2).empty());
+}
+
+TEST(BendingWatch, TakesEachBendingWithItsShear)
+{
+  for (const auto &[along_y, along_z] : {std::pair("t", "0"), {"0", "t"}})
+    {
+      const auto found =
+        findings_of(static_space_frame("0 0; 1 0", "0 1")
+                      .space_section({1e4, 5000, 5000, 1, 2, 0.5})
+                      .support("foot", "0", "clamp")
+                      .load("load",
+                            "1",
+                            {"0",
+                             std::string("1e-4 * ") + along_y,
+                             std::string("1e-4 * ") + along_z},
+                            {"0", "0", "0"})
+                      .set("Effects/Shear flexibility", "on")
+                      .mesh(1)
+                      .time(1, 1));
+      ASSERT_EQ(found.size(), 1u) << along_y << verdict_text(found);
+      expect_contains(found[0].text, {"miss about 25 % of the compliance"});
+    }
+}
+
+TEST(BendingWatch, IsSilentWhereNothingIsMissed)
+{
+  // Nothing bends, or elements bend as they should.
+  EXPECT_TRUE(findings_of_cantilever("Force x = 1e-3", 0).empty());
+  EXPECT_TRUE(findings_of_cantilever("Moment z = 1e-3", 0).empty());
+  const std::string across = "Force y = 1e-3";
+  EXPECT_TRUE(
+    findings_of_cantilever(across, 0, {"Effects/Shear flexibility=off"})
+      .empty());
+  EXPECT_TRUE(
+    findings_of_cantilever(across, 0, {"Discretization/Order=2"}).empty());
+}
+
+TEST(BendingWatch, GoesOnWhereARunIsResumed)
+{
+  const RecordedRun run =
+    expect_same_when_resumed(static_scene()
+                               .cells("star", 2, 2)
+                               .rectangle("all", 4e-4, 4e-4, {70e9, 2700})
+                               .support("foot", "bottom", "clamp")
+                               .load("weight", "top", {"0", "-0.1 * t", "0"})
+                               .set("Effects/Shear flexibility", "on")
+                               .mesh(1)
+                               .time(1, 0.02, "newmark"));
+  EXPECT_NE(verdict_text(run.result.findings).find("Elements of order 1"),
+            std::string::npos);
+}
+
 TEST(StepWatch, KnowsTheErrorOfAVibration)
 {
   // omega = 2/s: (omega dt)^2 / 12.
@@ -37,6 +124,36 @@ TEST(StepWatch, KnowsTheErrorOfAVibration)
   const auto ruinous = findings_of(swinging_mass, {"Time/Time step=2"});
   EXPECT_EQ(verdict_of(ruinous), Verdict::not_to_be_used)
     << verdict_text(ruinous);
+}
+
+TEST(StepWatch, TellsThatTooFewStepsAreNotJudged)
+{
+  for (const char *n_steps : {"1", "2"})
+    {
+      const std::string end = std::string("Time/End time=") + n_steps;
+      const auto found = findings_of(swinging_mass, {end, "Time/Time step=1"});
+      ASSERT_EQ(found.size(), 1u) << verdict_text(found);
+      EXPECT_EQ(found[0].verdict, Verdict::doubtful);
+      expect_contains(found[0].text, {"three in a row"});
+      // Steps that follow a tolerance are judged each by itself.
+      const auto by_tolerance = findings_of(swinging_mass,
+                                            {end,
+                                             "Time/Time step=1",
+                                             "Time/Relative tolerance=0.01",
+                                             "Time/Scheme=esdirk"});
+      expect_without(verdict_text(by_tolerance), {"three in a row"});
+    }
+  // What rests, rests in any step.
+  EXPECT_TRUE(findings_of(one_mass_scene("Law = spring | Spring stiffness = 4",
+                                         "End time = 2 | Time step = 1",
+                                         mass_and_velocity(1, 0)),
+                          {})
+                .empty());
+  // Of three it is known that they are too long.
+  const auto known =
+    findings_of(swinging_mass, {"Time/End time=3", "Time/Time step=1"});
+  ASSERT_EQ(known.size(), 1u) << verdict_text(known);
+  expect_contains(known[0].text, {"each misses about"});
 }
 
 TEST(StepWatch, AllowsRungeKuttaStepsWhatTheyResolve)

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <support/scene_text.h>
 
+#include <algorithm>
 #include <regex>
 
 using namespace auxfem;
@@ -32,6 +33,20 @@ namespace
 
   const std::string vibration = "1e-5 * sin(2 * pi * t / 150e-6)",
                     blow      = "1e-5 * exp(-((t - 200e-6) / 50e-6)^2)";
+
+  /** Without that of bending, which does not look at parts. */
+  std::vector<Finding> of_parts(std::vector<Finding> findings)
+  {
+    findings.erase(std::remove_if(findings.begin(),
+                                  findings.end(),
+                                  [](const Finding &finding) {
+                                    return finding.text.find(
+                                             "Elements of order 1") !=
+                                      std::string::npos;
+                                  }),
+                   findings.end());
+    return findings;
+  }
 
   /** In the order of the findings, per cent. */
   std::vector<double> parts_told(const std::vector<Finding> &findings)
@@ -102,8 +117,9 @@ TEST(WatchedPart, TellsOfAllUnknowns)
   for (const std::string &force : {vibration, blow})
     {
       SCOPED_TRACE(force);
-      const auto in_parts = findings_of(shaken_stars("top", force)),
-                 in_all   = findings_of(shaken_stars("top", force, "on"));
+      const auto in_parts = of_parts(findings_of(shaken_stars("top", force))),
+                 in_all =
+                   of_parts(findings_of(shaken_stars("top", force, "on")));
       const std::vector<double> found    = parts_told(in_parts),
                                 expected = parts_told(in_all);
       EXPECT_EQ(expected.size(), force == vibration ? 3u : 1u)
@@ -120,7 +136,7 @@ TEST(WatchedPart, TellsOfAllUnknowns)
 TEST(WatchedPart, SeesWhatHappensToOneJoint)
 {
   const auto of_joint = [](const std::string &large_rotation) {
-    return findings_of(shaken_stars("2000", blow, large_rotation));
+    return of_parts(findings_of(shaken_stars("2000", blow, large_rotation)));
   };
   const auto found = of_joint("off"), expected = of_joint("on");
   ASSERT_EQ(found.size(), 1u);
@@ -132,8 +148,9 @@ TEST(WatchedPart, SeesWhatHappensToOneJoint)
 
 TEST(WatchedPart, TurnsGoOnInRunsThatAreResumed)
 {
-  EXPECT_EQ(expect_same_when_resumed(shaken_stars("top", vibration))
-              .result.findings.size(),
+  EXPECT_EQ(of_parts(expect_same_when_resumed(shaken_stars("top", vibration))
+                       .result.findings)
+              .size(),
             3u);
 }
 

@@ -116,6 +116,12 @@ namespace auxfem
   std::unique_ptr<Watch> make_local_buckling_watch(const Scene     &scene,
                                                    const Equations &equations);
 
+  /** Of bending that elements of order 1 miss; the scene simulates shear
+   * flexibility, without which these bend as they should. */
+  std::unique_ptr<Watch> make_bending_watch(const StrutGroup &linear_elements,
+                                            const Scene      &scene,
+                                            const Equations  &equations);
+
   /** Of bending waves shorter than elements resolve; the scene has elastic
    * struts, and inertia. */
   std::unique_ptr<Watch> make_wave_watch(const Scene     &scene,

@@ -41,6 +41,7 @@ namespace auxfem
     public:
       StepWatch(const Scene &scene, const Equations &equations)
         : scene_step(scene.time.step)
+        , errors_are_estimated(scene.time.relative_tolerance.has_value())
         , scheme(scene.time.implicit_scheme())
         , equations(equations)
         , part(scene, equations, n_steps_of_part)
@@ -67,7 +68,7 @@ namespace auxfem
       std::vector<Finding> findings() const override
       {
         const UnknownLayout      &layout = equations.unknowns().layout;
-        const std::vector<double> sums   = layout.sum({error, way});
+        const std::vector<double> sums = layout.sum({error, way, unjudged_way});
         const LargestInTime  increment = largest_increment.of_all_ranks(layout);
         std::vector<Finding> found;
         if (sums[1] > 0)
@@ -76,6 +77,8 @@ namespace auxfem
             if (!(missed <= doubtful_error))
               found.push_back(error_finding(missed));
           }
+        else if (sums[2] > 0 && !errors_are_estimated)
+          found.push_back(too_few_steps());
         if (increment.value > doubtful_increment)
           {
             std::ostringstream text;
@@ -90,11 +93,12 @@ namespace auxfem
       void save(Records &records) const override
       {
         const UnknownLayout      &layout = equations.unknowns().layout;
-        const std::vector<double> sums   = layout.sum({error, way});
-        const LargestInTime increment = largest_increment.of_all_ranks(layout);
+        const std::vector<double> sums = layout.sum({error, way, unjudged_way});
+        const LargestInTime increment  = largest_increment.of_all_ranks(layout);
         records.keep(step_record,
                      {sums[0],
                       sums[1],
+                      sums[2],
                       time,
                       increment.value,
                       increment.time,
@@ -107,21 +111,22 @@ namespace auxfem
 
       void resume(const Records &records) override
       {
-        const std::vector<double> values = records.values(step_record, 7);
+        const std::vector<double> values = records.values(step_record, 8);
         // Sums go on on one rank.
         const bool is_first = equations.unknowns().layout.rank() == 0;
         error               = is_first ? values[0] : 0;
         way                 = is_first ? values[1] : 0;
-        time                = values[2];
-        largest_increment   = {values[3], values[4]};
+        unjudged_way        = is_first ? values[2] : 0;
+        time                = values[3];
+        largest_increment   = {values[4], values[5]};
         sort_unknowns(equations.unknowns().layout.n_owned());
         if (!part.resume(step_record, records))
           {
             forget_steps();
             return;
           }
-        n_before      = values[5];
-        dt_before     = values[6];
+        n_before      = values[6];
+        dt_before     = values[7];
         rates         = saved_translations(rate_record, records);
         accelerations = saved_translations(acceleration_record, records);
       }
@@ -195,6 +200,8 @@ namespace auxfem
             way += way_now;
             error += change * step.dt * step.dt * step.dt / dt_before / 12;
           }
+        else
+          unjudged_way += way_now;
         n_before  = std::min(n_before + 1, 2u);
         dt_before = step.dt;
       }
@@ -223,12 +230,27 @@ namespace auxfem
                 ""};
       }
 
+      Finding too_few_steps() const
+      {
+        std::ostringstream text;
+        text << "Whether the steps are short enough for the motion is not "
+                "known: three in a row tell, without a jump of loads between "
+                "them. Compare with a shorter Time/Time step than "
+             << scene_step << " s.";
+        return {Verdict::doubtful, text.str(), time, ""};
+      }
+
       const double          scene_step; ///< s
+      const bool            errors_are_estimated;
       const ImplicitScheme &scheme;
       const Equations      &equations;
-      double                error = 0, way = 0; ///< m, summed up on this rank
-      double                time = 0;           ///< s
-      LargestInTime         largest_increment;  ///< rad
+      /** @name Summed up on this rank (m); way of steps that have too few
+       * before them apart. */
+      ///@{
+      double error = 0, way = 0, unjudged_way = 0;
+      ///@}
+      double        time = 0;          ///< s
+      LargestInTime largest_increment; ///< rad
 
       WatchedPart part;
       /** Owned and free ones of n_unknowns owned in all: by part, and all large
