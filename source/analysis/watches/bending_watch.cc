@@ -1,7 +1,5 @@
 #include <auxfem/analysis/watch.h>
 
-#include <algorithm>
-#include <cmath>
 #include <sstream>
 
 namespace auxfem
