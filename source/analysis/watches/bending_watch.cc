@@ -1,3 +1,4 @@
+#include <auxfem/analysis/spaced_looks.h>
 #include <auxfem/analysis/watch.h>
 
 #include <sstream>
@@ -34,9 +35,7 @@ namespace auxfem
                    const Equations  &equations)
         : group(group)
         , model(equations.model())
-        , end_time(scene.time.end_time)
-        , steps_between_looks(
-            model.simulated.inertia ? steps_between_bending_looks : 1)
+        , looks(scene, model.simulated, steps_between_bending_looks)
       {}
 
       void step(const Evaluation        &step,
@@ -44,9 +43,8 @@ namespace auxfem
                 TangentSolver & /*solver*/) override
       {
         time = step.to.time;
-        if (++n_steps < steps_between_looks && step.to.time < end_time)
+        if (!looks.are_due(step.to.time))
           return;
-        n_steps = 0;
         for (unsigned int e = group.forces->elements().begin;
              e < group.forces->elements().end;
              ++e)
@@ -78,7 +76,7 @@ namespace auxfem
       void save(Records &records) const override
       {
         const std::vector<double> sums = sums_of_all();
-        records.keep(bending_record, {sums[0], sums[1], time, double(n_steps)});
+        records.keep(bending_record, {sums[0], sums[1], time, looks.save()});
       }
 
       void resume(const Records &records) override
@@ -89,7 +87,7 @@ namespace auxfem
         missing             = is_first ? values[0] : 0;
         there               = is_first ? values[1] : 0;
         time                = values[2];
-        n_steps             = values[3];
+        looks.resume(values[3]);
       }
 
     private:
@@ -118,10 +116,8 @@ namespace auxfem
 
       const StrutGroup    group;
       const LatticeModel &model;
-      const double        end_time; ///< s
-      const unsigned int  steps_between_looks;
-      unsigned int        n_steps = 0;
-      double              time    = 0; ///< s
+      SpacedLooks         looks;
+      double              time = 0; ///< s
       /** Energy that is missed and that is there (J), summed up over looks on
        * this rank. */
       double missing = 0, there = 0;

@@ -1,5 +1,6 @@
 #include <auxfem/algebra/shared_work.h>
 #include <auxfem/analysis/relative_motion.h>
+#include <auxfem/analysis/spaced_looks.h>
 #include <auxfem/analysis/watch.h>
 #include <auxfem/mesh/segment.h>
 #include <auxfem/time/moment_text.h>
@@ -21,6 +22,9 @@ namespace auxfem
     const std::string touching_record = "watch: touching struts",
                       crossing_record = "watch: crossing struts",
                       look_record     = "watch: last look for crossing struts";
+
+    /** With inertia. */
+    constexpr unsigned int steps_between_crossing_looks = 20;
 
     using Points = std::vector<dealii::Point<3>>;
     using Pair   = std::pair<unsigned int, unsigned int>;
@@ -221,7 +225,7 @@ namespace auxfem
         , end_time(equations.layout().path
                      ? std::numeric_limits<double>::infinity()
                      : scene.time.end_time)
-        , steps_between_looks(model.simulated.inertia ? 20 : 1)
+        , looks(scene, model.simulated, steps_between_crossing_looks)
         , motion(model)
       {}
 
@@ -234,10 +238,9 @@ namespace auxfem
                 const EvaluationResults & /*results*/,
                 TangentSolver & /*solver*/) override
       {
-        const bool is_last = step.to.time >= end_time;
-        if (++n_steps < steps_between_looks && !is_last)
+        if (!looks.are_due(step.to.time))
           return;
-        n_steps = 0;
+        const bool is_last = step.to.time >= end_time;
         if (motion.largest(step.to.displacement) > motion_between_looks ||
             is_last)
           look(step.to);
@@ -281,7 +284,7 @@ namespace auxfem
       {
         records.keep(touching_record, touched.values());
         records.keep(crossing_record, crossed.values());
-        records.keep(look_record, {double(n_steps)});
+        records.keep(look_record, {looks.save()});
         motion.save(look_record, records);
       }
 
@@ -289,7 +292,7 @@ namespace auxfem
       {
         touched.set(records.values(touching_record, 4));
         crossed.set(records.values(crossing_record, 4));
-        n_steps = records.values(look_record, 1)[0];
+        looks.resume(records.values(look_record, 1)[0]);
         motion.resume(look_record, records);
       }
 
@@ -435,8 +438,7 @@ namespace auxfem
       const CrossingRule  rule;
       const double        motion_between_looks; ///< m
       const double        end_time;             ///< s
-      const unsigned int  steps_between_looks;
-      unsigned int        n_steps = 0;
+      SpacedLooks         looks;
       RelativeMotion      motion; ///< since the last look
       /** Looked for when there is something to compare with it. */
       std::optional<NearPairs> at_rest;

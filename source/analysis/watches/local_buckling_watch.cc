@@ -1,4 +1,5 @@
 #include <auxfem/analysis/occurrences.h>
+#include <auxfem/analysis/spaced_looks.h>
 #include <auxfem/analysis/watch.h>
 #include <auxfem/time/moment_text.h>
 
@@ -43,9 +44,7 @@ namespace auxfem
         : equations(equations)
         , model(equations.model())
         , communicator(equations.unknowns().layout.communicator())
-        , end_time(scene.time.end_time)
-        , steps_between_looks(
-            model.simulated.inertia ? steps_between_buckling_looks : 1)
+        , looks(scene, model.simulated, steps_between_buckling_looks)
       {
         for (const StrutGroup &group : equations.reporting().struts)
           if (const auto load = doubtful_load(group.forces->elements().order))
@@ -56,9 +55,8 @@ namespace auxfem
                 const EvaluationResults &results,
                 TangentSolver & /*solver*/) override
       {
-        if (++n_steps < steps_between_looks && step.to.time < end_time)
+        if (!looks.are_due(step.to.time))
           return;
-        n_steps           = 0;
         const auto &known = compressions.largest_here();
         for (const WatchedStrut &strut : struts)
           {
@@ -109,13 +107,13 @@ namespace auxfem
       void save(Records &records) const override
       {
         compressions.save(records, buckling_record, communicator);
-        records.keep(buckling_record + ": steps", {double(n_steps)});
+        records.keep(buckling_record + ": steps", {looks.save()});
       }
 
       void resume(const Records &records) override
       {
         compressions.resume(records, buckling_record);
-        n_steps = records.values(buckling_record + ": steps", 1)[0];
+        looks.resume(records.values(buckling_record + ": steps", 1)[0]);
       }
 
     private:
@@ -158,9 +156,7 @@ namespace auxfem
       const Equations          &equations;
       const LatticeModel       &model;
       const MPI_Comm            communicator;
-      const double              end_time; ///< s
-      const unsigned int        steps_between_looks;
-      unsigned int              n_steps = 0;
+      SpacedLooks               looks;
       std::vector<WatchedStrut> struts;
       Occurrences               compressions; ///< over WatchedStrut::load
     };

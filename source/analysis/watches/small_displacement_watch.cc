@@ -1,4 +1,5 @@
 #include <auxfem/analysis/small_displacement_error.h>
+#include <auxfem/analysis/spaced_looks.h>
 #include <auxfem/analysis/watch.h>
 
 #include <sstream>
@@ -18,19 +19,17 @@ namespace auxfem
     public:
       SmallDisplacementWatch(const Scene &scene, const Equations &equations)
         : estimate(scene, equations)
-        , end_time(scene.time.end_time)
-        , steps_between_looks(equations.model().simulated.inertia
-                                ? SmallDisplacementEstimate::distance_in_motion
-                                : 1)
+        , looks(scene,
+                equations.model().simulated,
+                SmallDisplacementEstimate::distance_in_motion)
       {}
 
       void step(const Evaluation &step,
                 const EvaluationResults & /*results*/,
                 TangentSolver & /*solver*/) override
       {
-        if (++n_steps < steps_between_looks && step.to.time < end_time)
+        if (!looks.are_due(step.to.time))
           return;
-        n_steps                            = 0;
         const SmallDisplacementError found = estimate.at(step.to);
         if (found.total() <= worst.total())
           return;
@@ -67,7 +66,7 @@ namespace auxfem
                       worst.second_order,
                       worst.strain,
                       time,
-                      double(n_steps)});
+                      looks.save()});
         records.keep_text(small_displacement_record + ": location",
                           worst.location);
       }
@@ -81,14 +80,12 @@ namespace auxfem
         worst.strain       = values[2];
         worst.location = records.text(small_displacement_record + ": location");
         time           = values[3];
-        n_steps        = values[4];
+        looks.resume(values[4]);
       }
 
     private:
       const SmallDisplacementEstimate estimate;
-      const double                    end_time; ///< s
-      const unsigned int              steps_between_looks;
-      unsigned int                    n_steps = 0;
+      SpacedLooks                     looks;
       SmallDisplacementError          worst;
       double                          time = 0; ///< s, of it
     };

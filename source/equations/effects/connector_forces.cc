@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <sstream>
 
 namespace auxfem
 {
@@ -299,22 +298,10 @@ namespace auxfem
       std::string why_not_finite(const Evaluation    &evaluation,
                                  const EffectResults *results) const override
       {
-        const auto &of_group = static_cast<const ConnectorResults &>(*results);
-        for (unsigned int i = 0; i < connectors.size(); ++i)
-          if (lines.meet(connectors[i], of_group.current_length[i]))
-            {
-              const ConnectorEnds &ends = connectors[i];
-              std::ostringstream   words;
-              words << "the ends of the connector \"" << group_name
-                    << "\" between joint " << ends.first_joint << " and "
-                    << (ends.second_joint == invalid_index
-                          ? "the ground"
-                          : "joint " + std::to_string(ends.second_joint))
-                    << " meet at t = " << evaluation.to.time
-                    << " s, so no line leads along it";
-              return words.str();
-            }
-        return "";
+        return lines.why_not_finite(group_name,
+                                    evaluation.to.time,
+                                    static_cast<const ConnectorResults &>(
+                                      *results));
       }
 
       const std::string &name() const override

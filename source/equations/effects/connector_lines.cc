@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <sstream>
 
 namespace auxfem
 {
@@ -92,6 +93,26 @@ namespace auxfem
     // Of a shorter line the direction is round-off.
     constexpr double digits = 1e-12;
     return follow_ends && length <= digits * ends.rest_length;
+  }
+
+  std::string
+  ConnectorLines::why_not_finite(const std::string      &group,
+                                 const double            time,
+                                 const ConnectorResults &results) const
+  {
+    for (unsigned int i = 0; i < ends.size(); ++i)
+      if (meet(ends[i], results.current_length[i]))
+        {
+          const unsigned int second = ends[i].second_joint;
+          std::ostringstream words;
+          words << "the ends of the connector \"" << group
+                << "\" between joint " << ends[i].first_joint << " and "
+                << (second == invalid_index ? "the ground"
+                                            : "joint " + std::to_string(second))
+                << " meet at t = " << time << " s, so no line leads along it";
+          return words.str();
+        }
+    return "";
   }
 
   void ConnectorLines::find_motion(const Evaluation &evaluation,

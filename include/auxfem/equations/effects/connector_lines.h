@@ -6,6 +6,8 @@
 #include <auxfem/model/numbering.h>
 #include <auxfem/scene/scene.h>
 
+#include <string>
+
 namespace auxfem
 {
   /** Motion and forces of a group of connectors in one evaluation. */
@@ -75,14 +77,20 @@ namespace auxfem
     /** Rate of a connector at the instant @p state (m/s). */
     double rate_at(const ConnectorEnds &ends, const State &state) const;
 
-    /** Whether the ends meet, so that there is no direction at a length (m). */
-    bool meet(const ConnectorEnds &ends, double length) const;
+    /** What is wrong with @p results at @p time (s), if the ends of a connector
+     * of the @p group meet; empty otherwise. */
+    std::string why_not_finite(const std::string      &group,
+                               double                  time,
+                               const ConnectorResults &results) const;
 
     /** Whether the force is along the line between the ends as it is now. */
     const bool                 follow_ends;
     std::vector<ConnectorEnds> ends;
 
   private:
+    /** Whether the ends meet, so that there is no direction at a length (m). */
+    bool meet(const ConnectorEnds &ends, double length) const;
+
     /** Under @p displacement, by local unknown (m). */
     double extension(const ConnectorEnds &ends,
                      const Vector        &displacement) const;
