@@ -80,8 +80,9 @@ namespace auxfem
         times.push_back({scene.time.end_time * i / n_times, TimeSide::before});
       const std::vector<StepEnd> ends = step_ends(scene);
       for (std::size_t i = 0; i < ends.size() && i < n_events; ++i)
-        for (const TimeSide side : {TimeSide::before, TimeSide::after})
-          times.push_back({ends[i].time, side});
+        if (ends[i].time < scene.time.end_time)
+          for (const TimeSide side : {TimeSide::before, TimeSide::after})
+            times.push_back({ends[i].time, side});
       return times;
     }
   } // namespace

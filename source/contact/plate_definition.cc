@@ -99,9 +99,8 @@ namespace auxfem
       for (unsigned int c = 0; c < values.context.dimension; ++c)
         if (!is_free(values, c))
           {
-            support.fixed[c] = true;
-            support.motion[c] =
-              read_time_function(values, plate_motion[c], TableKind::smooth);
+            support.fixed[c]  = true;
+            support.motion[c] = read_time_function(values, plate_motion[c]);
           }
       if (std::find(support.fixed.begin(), support.fixed.end(), true) !=
           support.fixed.end())

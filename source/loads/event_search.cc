@@ -16,8 +16,8 @@ namespace auxfem
      */
     constexpr std::size_t max_spans = 1 << 17;
 
-    /** Steps of one operation within a span that are enumerated at once. */
-    constexpr double max_steps = 1e6;
+    /** Jumps of one function in a run, each of which ends a step. */
+    constexpr double max_jumps = 1e4;
 
     /**
      * Part of the size of values or slopes below which a difference is
@@ -36,6 +36,12 @@ namespace auxfem
       double time;
       bool   touched; ///< its margin touches zero without a change of sign
     };
+
+    void refuse_more_than_most(const double n)
+    {
+      if (n > max_jumps)
+        throw TooManyJumps{n};
+    }
 
     bool is_zero(const Interval &number)
     {
@@ -160,11 +166,22 @@ namespace auxfem
       {
         if (!operation.at_integers)
           return find_roots(operation, margin, 0, span, found);
-        const double first = std::ceil(margin.value.lower());
-        const double last  = std::floor(margin.value.upper());
-        if (!excludes(margin.first, 0) ? last > first
-                                       : last - first > max_steps)
-          return false;
+        double first = std::ceil(margin.value.lower());
+        double last  = std::floor(margin.value.upper());
+        if (!excludes(margin.first, 0))
+          {
+            if (last > first)
+              return false;
+          }
+        else
+          {
+            const auto [low, high] =
+              std::minmax({margin_at(operation, span.begin).value,
+                           margin_at(operation, span.end).value});
+            first = std::max(first, std::ceil(low));
+            last  = std::min(last, std::floor(high));
+            refuse_more_than_most(candidates.size() + (last - first));
+          }
         for (double level = first; level <= last; ++level)
           if (!find_roots(operation, margin, level, span, found))
             return false;
@@ -261,6 +278,7 @@ namespace auxfem
           {
             first = std::ceil(std::min(begin, end));
             last  = std::floor(std::max(begin, end));
+            refuse_more_than_most(candidates.size() + (last - first));
           }
         for (double level = first; level <= last; ++level)
           find_crossing(operation, level, span, found);
@@ -432,13 +450,15 @@ namespace auxfem
                                      const double          end,
                                      const unsigned int    derivatives)
   {
-    const SwitchSearch search(expression, begin, end);
-    return Classification(expression,
-                          search.candidates,
-                          begin,
-                          end,
-                          derivatives)
-      .events;
+    const SwitchSearch           search(expression, begin, end);
+    const std::vector<TimeEvent> events =
+      Classification(expression, search.candidates, begin, end, derivatives)
+        .events;
+    refuse_more_than_most(
+      std::count_if(events.begin(), events.end(), [](const TimeEvent &event) {
+        return event.kind == TimeEvent::Kind::jump;
+      }));
+    return events;
   }
 
   Jet<double>

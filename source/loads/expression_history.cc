@@ -5,6 +5,7 @@
 #include <auxfem/parameters/expression.h>
 
 #include <cmath>
+#include <sstream>
 
 namespace auxfem
 {
@@ -24,7 +25,9 @@ namespace auxfem
           throw InputError(
             path + ": cannot understand '" + text + "': " + error.what() +
             "\nAllowed is an expression of the time t (s), e.g. 2e7*t^3 or "
-            "100*min(t/0.01, 1), or a table, e.g. table: force.csv.\n" +
+            "100*min(t/0.01, 1), or a table, e.g. table: force.csv (straight "
+            "lines between its rows), smooth table: force.csv (a spline) or -2 "
+            "kg * table: force.csv.\n" +
             error.allowed +
             "\nWrite a decimal point, not a comma, and * between factors.");
         }
@@ -72,7 +75,23 @@ namespace auxfem
              const double       end,
              const unsigned int derivatives) const override
       {
-        return find_events(tree(), begin, end, derivatives);
+        try
+          {
+            return find_events(tree(), begin, end, derivatives);
+          }
+        catch (const TooManyJumps &jumps)
+          {
+            std::ostringstream message;
+            message.precision(3);
+            message
+              << origin << " jumps about " << jumps.n
+              << " times or more between t = " << begin << " s and " << end
+              << " s, once every " << (end - begin) / jumps.n
+              << " s, and a step must end at each jump.\nWrite a function "
+                 "without jumps, or one that jumps ten thousand times at "
+                 "most.";
+            throw InputError(message.str());
+          }
       }
 
       bool is_zero() const

@@ -5,8 +5,7 @@
 namespace auxfem
 {
   TimeFunction read_time_function(ParameterValues      &values,
-                                  const TimeExpression &parameter,
-                                  const TableKind       tables)
+                                  const TimeExpression &parameter)
   {
     const std::string text = values[parameter];
     if (const auto table = table_text(text))
@@ -16,8 +15,8 @@ namespace auxfem
         values.files.push_back(file);
         values.files.push_back(
           dealii::Utilities::trim(file.substr(0, file.rfind(','))));
-        values.set(parameter.name, table->word + " " + file);
+        values.set(parameter.name, table->prefix + " " + file);
       }
-    return TimeFunction(text, parameter.name, values.context, tables);
+    return TimeFunction(text, parameter.name, values.context);
   }
 } // namespace auxfem

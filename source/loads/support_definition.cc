@@ -60,9 +60,8 @@ namespace auxfem
             require_space(values, motion[c]);
           if (!values.is_word(motion[c]))
             {
-              support.fixed[c] = true;
-              support.motion[c] =
-                read_time_function(values, motion[c], TableKind::smooth);
+              support.fixed[c]  = true;
+              support.motion[c] = read_time_function(values, motion[c]);
             }
         }
       if (support.fixed == std::array<bool, n_motion_components>())
@@ -92,10 +91,9 @@ namespace auxfem
               {}},
              {"prescribed",
               "Each component free or with a given time history; in space "
-              "rotations that are not zero only all three together. Through "
-              "the rows of a table goes a smooth curve (a cubic spline); "
-              "`linear table: FILE` has lines between them, and every row "
-              "strikes.",
+              "rotations that are not zero only all three together. With "
+              "inertia the support strikes at each corner of its motion, as "
+              "at the rows of a table.",
               {motion.begin(), motion.end()}}}};
   }
 

@@ -2,6 +2,7 @@
 #include <auxfem/loads/event_search.h>
 #include <auxfem/loads/time_history.h>
 #include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/expression.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -17,6 +18,10 @@ namespace auxfem
   namespace
   {
     using dealii::Utilities::trim;
+
+    /** Part of a table's range of values by which a spline may pass its rows
+     * without a note: a sine with 20 rows a period passes its peaks by less. */
+    constexpr double negligible_overshoot = 0.01;
 
     /** Reads a cell; false if it is not a finite number as a whole. */
     bool read_number(const std::string &cell, double &number)
@@ -62,13 +67,13 @@ namespace auxfem
     class TableHistory : public TimeHistory
     {
     public:
-      TableHistory(const std::string  &reference,
+      TableHistory(const TableText    &table,
                    const std::string  &path,
-                   const SceneContext &context,
-                   const TableKind     kind)
+                   const SceneContext &context)
         : path(path)
+        , scale(read_scale(table.scale, context))
       {
-        read_reference(reference, context);
+        read_reference(table.file, context);
         std::ifstream in(file);
         if (!in || std::filesystem::is_directory(file))
           throw InputError(path + ": cannot read the table " + file +
@@ -87,7 +92,7 @@ namespace auxfem
           throw InputError(path + ": the table " + file +
                            " has no row of numbers.\nNeeded are rows of a time "
                            "(s) and a value, e.g. 0.01, 250.");
-        if (kind == TableKind::smooth)
+        if (table.kind == TableKind::smooth)
           make_spline();
       }
 
@@ -148,11 +153,53 @@ namespace auxfem
         return times.back();
       }
 
+      std::optional<Overshoot> overshoot() const override
+      {
+        if (!spline)
+          return {};
+        Overshoot most = {0, 0, 0};
+        for (std::size_t i = 0; i + 1 < times.size(); ++i)
+          {
+            const auto [least, greatest] =
+              std::minmax(values[i], values[i + 1]);
+            constexpr int n_samples = 16;
+            for (int k = 1; k < n_samples; ++k)
+              {
+                const double value =
+                  (*spline)(times[i] +
+                            (times[i + 1] - times[i]) * k / n_samples)
+                    .value;
+                const double amount = std::max(value - greatest, least - value);
+                if (amount > most.amount)
+                  most = {times[i], times[i + 1], amount};
+              }
+          }
+        const auto [least, greatest] =
+          std::minmax_element(values.begin(), values.end());
+        return most.amount > negligible_overshoot * (*greatest - *least)
+          ? std::optional(most)
+          : std::nullopt;
+      }
+
     private:
+      double read_scale(const std::string  &text,
+                        const SceneContext &context) const
+      {
+        try
+          {
+            return text.empty() ? 1 : constant_value(text, context.constants);
+          }
+        catch (const InputError &error)
+          {
+            throw InputError(path + ": the scale of the table, " +
+                             error.what() + ".");
+          }
+      }
+
       void read_reference(const std::string  &reference,
                           const SceneContext &context)
       {
-        std::string       name  = trim(reference);
+        std::string       name  = reference;
         const std::size_t comma = name.rfind(',');
         if (comma != std::string::npos)
           {
@@ -194,7 +241,7 @@ namespace auxfem
         const double t = number(cells[0], 1);
         check_time(t, cells[0]);
         times.push_back(t);
-        values.push_back(number(cells[column - 1], column));
+        values.push_back(scale * number(cells[column - 1], column));
       }
 
       void check_time(const double t, const std::string &cell) const
@@ -238,9 +285,9 @@ namespace auxfem
             message
               << path << ": the table " << file
               << " has two rows at t = " << *jump
-              << " s, a jump, but a smooth curve is laid through the rows of "
-                 "a motion.\nLeave one of them out, or write linear table: "
-                 "FILE for lines between the rows.";
+              << " s, a jump, but a spline is laid through the rows of a "
+                 "smooth table.\nLeave one of them out, or write table: FILE "
+                 "for straight lines between the rows.";
             throw InputError(message.str());
           }
         spline.emplace(times, values);
@@ -261,7 +308,8 @@ namespace auxfem
                 (values[next] - values[next - 1]) / width};
       }
 
-      std::string         path; ///< of the parameter, for messages
+      std::string         path;  ///< of the parameter, for messages
+      double              scale; ///< of the values
       std::string         file;
       unsigned int        column      = 2;
       unsigned int        line        = 0;
@@ -274,11 +322,10 @@ namespace auxfem
 
 
 
-  std::shared_ptr<TimeHistory> make_table_history(const std::string  &reference,
+  std::shared_ptr<TimeHistory> make_table_history(const TableText    &table,
                                                   const std::string  &path,
-                                                  const SceneContext &context,
-                                                  const TableKind     kind)
+                                                  const SceneContext &context)
   {
-    return std::make_shared<TableHistory>(reference, path, context, kind);
+    return std::make_shared<TableHistory>(table, path, context);
   }
 } // namespace auxfem

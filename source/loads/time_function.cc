@@ -6,6 +6,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <cmath>
+#include <regex>
 #include <sstream>
 
 namespace auxfem
@@ -13,9 +14,6 @@ namespace auxfem
   namespace
   {
     using dealii::Utilities::trim;
-
-    const std::string table_word        = "table:",
-                      linear_table_word = "linear table:";
 
     class Line : public TimeHistory
     {
@@ -54,17 +52,20 @@ namespace auxfem
 
   std::optional<TableText> table_text(const std::string &text)
   {
-    const std::string trimmed = trim(text);
-    for (const std::string &word : {table_word, linear_table_word})
-      if (trimmed.compare(0, word.size(), word) == 0)
-        return TableText{word, trim(trimmed.substr(word.size()))};
-    return {};
+    static const std::regex form(
+      R"(\s*((?:(.*?)\s*\*\s*)?(smooth\s+)?table:)\s*(.*?)\s*)");
+    std::smatch parts;
+    if (!std::regex_match(text, parts, form))
+      return {};
+    return TableText{parts[1],
+                     parts[2],
+                     parts[3].matched ? TableKind::smooth : TableKind::linear,
+                     parts[4]};
   }
 
   TimeFunction::TimeFunction(const std::string  &text,
                              const std::string  &parameter,
-                             const SceneContext &context,
-                             const TableKind     tables)
+                             const SceneContext &context)
   {
     const std::string trimmed = trim(text);
     if (trimmed.empty())
@@ -74,11 +75,7 @@ namespace auxfem
       (context.path.empty() ? "" : context.path + "/") + parameter;
     const auto table    = table_text(trimmed);
     const auto function = table
-      ? make_table_history(table->file,
-                           path,
-                           context,
-                           table->word == linear_table_word ? TableKind::linear
-                                                            : tables)
+      ? make_table_history(*table, path, context)
       : make_expression_history(trimmed, path, context);
     if (!function)
       return;
@@ -128,6 +125,11 @@ namespace auxfem
   std::optional<double> TimeFunction::last_time() const
   {
     return history ? history->last_time() : std::nullopt;
+  }
+
+  std::optional<Overshoot> TimeFunction::overshoot() const
+  {
+    return history ? history->overshoot() : std::nullopt;
   }
 
   const std::string &TimeFunction::origin() const

@@ -136,10 +136,15 @@ namespace auxfem
           "column. A relative name starts from the folder of the parameter "
           "file. Columns are separated by commas, semicolons or blanks; there "
           "may be one line of headings, and comments after `#`. Times do not "
-          "decrease; two rows at one time are a jump. Between rows the value "
-          "is linear, for motions of supports a smooth curve unless written "
-          "`linear table: FILE`; before the first and after the last row it is "
-          "constant."}},
+          "decrease; two rows at one time are a jump.",
+          "One rule serves loads and motions: straight lines join the rows, and "
+          "before the first and after the last row the value is constant. With "
+          "inertia a moved support strikes at each row where its velocity jumps. "
+          "`smooth table: FILE` lays a cubic spline through the rows instead, for "
+          "motions measured at many times: velocities and accelerations are "
+          "continuous, but the spline overshoots next to corners. A scale may "
+          "stand in front: `0.001 * table: FILE`, `-2 kg * table: FILE`; it is a "
+          "number with or without unit word, or an expression of constants."}},
         {"Expressions",
          {"Functions of time and conditions of sets know the constants of the "
           "scene, and:",

@@ -1,4 +1,6 @@
+#include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/expression.h>
+#include <auxfem/parameters/quantity.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -151,5 +153,34 @@ namespace auxfem
     // behind, so it comes second and the text is set once more.
     constant = parser.GetUsedVar().empty();
     parser.SetExpr(text);
+  }
+
+  double constant_value(const std::string                       &text,
+                        const std::vector<Expression::Constant> &constants)
+  {
+    std::string problem = "\"" + text + "\" is not a number";
+    try
+      {
+        const double value = Expression(text, {}, {}, constants).value();
+        if (std::isfinite(value))
+          return value;
+      }
+    catch (const ExpressionError &)
+      {
+        // A unit word is none of an expression's names.
+      }
+    try
+      {
+        const std::string unit = split_quantity(text).unit;
+        if (!unit.empty())
+          return parse_quantity(text, unit);
+      }
+    catch (const InputError &error)
+      {
+        problem = error.what();
+      }
+    throw InputError(problem +
+                     "; allowed: a number, with or without a unit word, or an "
+                     "expression of constants that are given before it");
   }
 } // namespace auxfem

@@ -156,7 +156,7 @@ namespace auxfem
                                 cell.angle(motion.position[0]),
                                 extension,
                                 motion.position[1],
-                                scene.reduced_cell->load.value(time),
+                                scene.reduced_cell->load.value_before(time),
                                 -connector.force,
                                 energies};
         refuse_not_finite(sample);

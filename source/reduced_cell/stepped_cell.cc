@@ -31,12 +31,13 @@ namespace auxfem
 
   void SteppedCell::begin_step(const unsigned long step)
   {
+    const double begin                  = time;
     const double end                    = scene.time.time_at(step);
     connector_motion.previous_extension = connector_motion.extension;
-    connector_motion.dt                 = end - time;
+    connector_motion.dt                 = end - begin;
     time                                = end;
-    load_before                         = load_now;
-    load_now                            = scene.reduced_cell->load.value(end);
+    load_before = scene.reduced_cell->load.value_after(begin);
+    load_now    = scene.reduced_cell->load.value_before(end);
   }
 
   const ConnectorResponse &SteppedCell::connector(const CellMotion &motion)

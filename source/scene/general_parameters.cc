@@ -1,5 +1,5 @@
 #include <auxfem/parameters/errors.h>
-#include <auxfem/parameters/quantity.h>
+#include <auxfem/parameters/expression.h>
 #include <auxfem/scene/general_parameters.h>
 
 #include <deal.II/base/utilities.h>
@@ -58,8 +58,9 @@ namespace auxfem
     const Text constants = {
       "Constants",
       "",
-      "Constants for expressions, \"name = number, name = number\"; a number "
-      "may have a unit word and then counts in SI."};
+      "Constants for expressions, \"name = value, name = value\"; a value is a "
+      "number, which may have a unit word and then counts in SI, or an "
+      "expression of the constants before it, e.g. \"L = 20 mm, h = L/4\"."};
 
     /** What @p word stands for in @p table; nothing if it is none of it. */
     template <class Value>
@@ -91,13 +92,27 @@ namespace auxfem
         });
     }
 
-    double constant_value(const std::string &text)
+    using Constants = std::vector<std::pair<std::string, double>>;
+
+    /** @p text cut at the commas that are outside of parentheses. */
+    std::vector<std::string> split_definitions(const std::string &text)
     {
-      const std::string unit = split_quantity(text).unit;
-      return parse_quantity(text, unit.empty() ? "1" : unit);
+      std::vector<std::string> items;
+      int                      depth = 0;
+      for (const char c : text)
+        {
+          depth += (c == '(') - (c == ')');
+          if (items.empty() || (c == ',' && depth == 0))
+            items.emplace_back();
+          if (c != ',' || depth != 0)
+            items.back() += c;
+        }
+      return items;
     }
 
-    std::pair<std::string, double> read_constant(const std::string &item)
+    /** @param known the constants that @p item may refer to */
+    std::pair<std::string, double> read_constant(const std::string &item,
+                                                 const Constants   &known)
     {
       // names that expressions have a meaning for already
       static const std::set<std::string> taken = {"t",
@@ -121,19 +136,18 @@ namespace auxfem
         throw InputError(message +
                          "not understood; write name = number, the name of "
                          "letters, digits and _, e.g. Constants = F0 = 1.0, t0 "
-                         "= 10 ms");
+                         "= 10 ms, t1 = 2*t0");
       if (taken.count(name) != 0)
         throw InputError(message + "the name \"" + name +
                          "\" has a meaning in expressions already; choose "
                          "another one");
       try
         {
-          return {name, constant_value(item.substr(equals + 1))};
+          return {name, constant_value(trim(item.substr(equals + 1)), known)};
         }
       catch (const InputError &error)
         {
-          throw InputError(message + error.what() +
-                           "; allowed: a number, with or without a unit word");
+          throw InputError(message + error.what());
         }
     }
   } // namespace
@@ -180,11 +194,10 @@ namespace auxfem
   std::vector<std::pair<std::string, double>>
   read_constants(const ParameterValues &values)
   {
-    std::vector<std::pair<std::string, double>> result;
-    for (const std::string &item :
-         dealii::Utilities::split_string_list(values[constants], ','))
+    Constants result;
+    for (const std::string &item : split_definitions(values[constants]))
       {
-        const auto constant = read_constant(item);
+        const auto constant = read_constant(trim(item), result);
         for (const auto &other : result)
           if (other.first == constant.first)
             throw InputError("Constants: \"" + constant.first +

@@ -9,9 +9,6 @@ namespace auxfem
     using Kind = TimeEvent::Kind;
     using Jump = StepEnd::Jump;
 
-    /** Kinks that follow each other as those of a pulse or two may do. */
-    constexpr std::size_t most_kinks_of_pulses = 8;
-
     std::vector<TimeFunction> loads_of(const Scene &scene)
     {
       std::vector<TimeFunction> functions;
@@ -33,6 +30,17 @@ namespace auxfem
                          support.motion.begin(),
                          support.motion.end());
       return functions;
+    }
+
+    /** Events up to the end of a run, where the last step takes the value
+     * before a jump and a resumed run the value after it. */
+    std::vector<TimeEvent> events_of(const TimeFunction   &function,
+                                     const TimeParameters &time,
+                                     const unsigned int    derivatives = 1)
+    {
+      return function.events(0,
+                             time.end_time + 2 * time_resolution(time.end_time),
+                             derivatives);
     }
 
     /** @p events without kinks that come in long rows, each nearer than @p step
@@ -66,7 +74,7 @@ namespace auxfem
     {
       for (const TimeFunction &function : functions)
         for (const TimeEvent &event :
-             without_dense_kinks(function.events(0, time.end_time), time.step))
+             without_dense_kinks(events_of(function, time), time.step))
           ends.push_back(
             {event.time, event.kind == Kind::jump ? jump : Jump::none});
     }
@@ -95,8 +103,7 @@ namespace auxfem
     {
       constexpr unsigned int accelerations = 2;
       for (const TimeFunction &function : functions)
-        for (const TimeEvent &event :
-             function.events(0, time.end_time, accelerations))
+        for (const TimeEvent &event : events_of(function, time, accelerations))
           ends.push_back({event.time,
                           event.kind == Kind::bend ? Jump::accelerations
                                                    : Jump::velocities});

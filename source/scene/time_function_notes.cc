@@ -131,6 +131,40 @@ namespace auxfem
       return note.str();
     }
 
+    std::optional<std::string> note_on_overshoot(const TimeFunction &function)
+    {
+      const std::optional<Overshoot> overshoot = function.overshoot();
+      if (!overshoot)
+        return {};
+      std::ostringstream note;
+      note.precision(3);
+      note << function.origin()
+           << " overshoots: between its rows at t = " << overshoot->begin
+           << " s and " << overshoot->end << " s the spline is up to "
+           << overshoot->amount
+           << " outside of their values. Write table: FILE for straight lines "
+              "between the rows, or add rows.";
+      return note.str();
+    }
+
+    /** Tables of motions that strike, with inertia, at more rows than those of
+     * a pulse or two. */
+    std::optional<std::string> note_on_strikes(const TimeFunction &motion,
+                                               const double        end_time)
+    {
+      if (!motion.last_time())
+        return {};
+      const std::size_t n = motion.events(0, end_time).size();
+      if (n <= most_kinks_of_pulses)
+        return {};
+      std::ostringstream note;
+      note << motion.origin() << " has a corner at " << n
+           << " rows, and the velocity of the support jumps at each of them. "
+              "If it is a smooth motion that was sampled, write smooth table: "
+              "FILE, which lays a spline through the rows.";
+      return note.str();
+    }
+
     std::optional<std::string> note_on_steps(const TimeFunction   &function,
                                              const TimeParameters &time,
                                              const std::vector<double> &stops)
@@ -165,9 +199,14 @@ namespace auxfem
       if (!function.is_zero())
         {
           add(note_on_end(function, scene.time.end_time));
+          add(note_on_overshoot(function));
           if (is_sampled)
             add(note_on_steps(function, scene.time, stops));
         }
+    if (scene.time.scheme->is_dynamic())
+      for (const SupportDefinition &support : scene.supports)
+        for (const TimeFunction &motion : support.motion)
+          add(note_on_strikes(motion, scene.time.end_time));
     return notes;
   }
 

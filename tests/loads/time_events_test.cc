@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <support/messages.h>
 #include <support/pi.h>
 
 using namespace auxfem;
@@ -132,6 +133,23 @@ TEST(TimeEvents, Thousands)
   expect_events("floor(1e4*t + 0.5)", periodic(0.5e-4, 1e-4, jump));
   EXPECT_EQ(function_of("abs(sin(1e4*t))").events(0, 1).size(), 3183u);
   EXPECT_EQ(function_of("sin(1000*t) > 0.999999").events(0, 1).size(), 318u);
+}
+
+TEST(TimeEvents, MoreJumpsThanStepsCanEndAtAreRefused)
+{
+  EXPECT_EQ(function_of("rint(1e4 * t)").events(0, 0.5).size(), 5000u);
+  for (const std::string text : {"rint(1e8 * t)",
+                                 "floor(1e7 * t^2)",
+                                 "rint(1e6 * sin(1e3 * t))",
+                                 "if(sin(1e6 * t) > 0, 1, -1)"})
+    {
+      SCOPED_TRACE(text);
+      const std::string message =
+        input_error_of([&] { function_of(text).events(0, 0.5); });
+      EXPECT_NE(message.find("'" + text + "' jumps about"), std::string::npos)
+        << message;
+      EXPECT_NE(message.find("a step must end at each"), std::string::npos);
+    }
 }
 
 TEST(TimeEvents, Nested)

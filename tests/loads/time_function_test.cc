@@ -320,18 +320,16 @@ TEST_F(TableFolder, RatesAreThoseOfTheSegments)
   EXPECT_EQ(function.jet(1.5)[2], 0);
 }
 
-TEST_F(TableFolder, ASmoothTableIsACubicSplineUnlessItIsLinearByName)
+TEST_F(TableFolder, ASmoothTableIsACubicSpline)
 {
   write("0,0\n1,1\n2,8\n3,27\n5,125\n");
-  const TimeFunction smooth("table: force.csv",
-                            "Force y",
-                            scene,
-                            TableKind::smooth);
+  const TimeFunction smooth("smooth table: force.csv", "Force y", scene);
   EXPECT_NEAR(smooth.value(2.5), 15.625, 1e-13);
   EXPECT_NEAR(smooth.jet(2)[1], 12, 1e-13);
   EXPECT_NEAR(smooth.jet(2)[2], 12, 1e-12);
   EXPECT_EQ(smooth.value(7), 125);
   EXPECT_EQ(smooth.value(-1), 0);
+  EXPECT_FALSE(smooth.overshoot());
 
   // It stands still outside: the slope is 0 and 75 at its ends.
   const std::vector<TimeEvent> events = smooth.events(-1, 6, 2);
@@ -339,21 +337,52 @@ TEST_F(TableFolder, ASmoothTableIsACubicSplineUnlessItIsLinearByName)
   EXPECT_EQ(events[0].time, 5);
   EXPECT_EQ(events[0].kind, TimeEvent::Kind::kink);
 
-  const TimeFunction linear("linear table: force.csv",
-                            "Force y",
-                            scene,
-                            TableKind::smooth);
-  EXPECT_DOUBLE_EQ(linear.value(2.5), 17.5);
+  EXPECT_DOUBLE_EQ(
+    TimeFunction("table: force.csv", "Force y", scene).value(2.5),
+    17.5);
+}
+
+TEST_F(TableFolder, ASmoothTableSaysWhereItOvershoots)
+{
+  write("0,0\n1,1\n2,11\n");
+  const auto overshoot =
+    TimeFunction("smooth table: force.csv", "Force y", scene).overshoot();
+  ASSERT_TRUE(overshoot);
+  EXPECT_EQ(overshoot->begin, 0);
+  EXPECT_EQ(overshoot->end, 1);
+  // 4.5 t^2 - 3.5 t is least at 7/18.
+  EXPECT_NEAR(overshoot->amount, 49. / 72, 1e-2);
+  EXPECT_FALSE(TimeFunction("table: force.csv", "Force y", scene).overshoot());
 }
 
 TEST_F(TableFolder, ASmoothTableDoesNotJump)
 {
   write("0,0\n1,1\n1,8\n3,27\n");
-  const std::string message = input_error_of([&] {
-    TimeFunction("table: force.csv", "Force y", scene, TableKind::smooth);
-  });
-  expect_mentions(message,
-                  {"Loads/top/Force y", "t = 1 s", "linear table: FILE"});
+  const std::string message = input_error_of(
+    [&] { TimeFunction("smooth table: force.csv", "Force y", scene); });
+  expect_mentions(message, {"Loads/top/Force y", "t = 1 s", "table: FILE"});
+}
+
+TEST_F(TableFolder, AScaleMultipliesTheValues)
+{
+  write("0,0\n1,3\n2,3\n");
+  SceneContext with_constants = scene;
+  with_constants.constants    = {{"m", 4.}};
+  const auto value            = [&](const std::string &scale) {
+    return TimeFunction(scale + " table: force.csv", "Force y", with_constants)
+      .value(1);
+  };
+  EXPECT_DOUBLE_EQ(value("-2 kg *"), -6);
+  EXPECT_DOUBLE_EQ(value("2 kN*"), 6000);
+  EXPECT_DOUBLE_EQ(value("0.001 *"), 0.003);
+  EXPECT_DOUBLE_EQ(value("-m/2 * "), -6);
+  EXPECT_DOUBLE_EQ(value("2 * m * smooth"), 24);
+  for (const std::string scale : {"2 elephants *", "2", "t *", "linear"})
+    {
+      const std::string message = input_error_of([&] { value(scale); });
+      EXPECT_NE(message.find("Loads/top/Force y"), std::string::npos)
+        << message;
+    }
 }
 
 TEST_F(TableFolder, TwoRowsAtOneTimeAreAJump)

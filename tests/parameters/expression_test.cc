@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include <support/messages.h>
+
 using namespace auxfem;
 
 namespace
@@ -66,4 +68,24 @@ TEST(Expression, SaysWhatIsWrong)
                 "here; rename it.");
   EXPECT_NE(problem_of("1", {{"2F", 3}}).find("begin with a digit"),
             std::string::npos);
+}
+
+TEST(ConstantValue, IsANumberAQuantityOrAnExpressionOfConstants)
+{
+  const std::vector<Expression::Constant> constants = {{"L", 0.02}, {"s", 4}};
+  const auto                              value = [&](const std::string &text) {
+    return constant_value(text, constants);
+  };
+  EXPECT_DOUBLE_EQ(value("2.5"), 2.5);
+  EXPECT_DOUBLE_EQ(value("5/6"), 5. / 6);
+  EXPECT_DOUBLE_EQ(value("20 mm"), 0.02);
+  EXPECT_DOUBLE_EQ(value("-2 kg"), -2);
+  EXPECT_DOUBLE_EQ(value("3 1/ms"), 3000);
+  EXPECT_DOUBLE_EQ(value("L / 4"), 0.005);
+  EXPECT_DOUBLE_EQ(value("min(L, 1) * pi"), 0.02 * std::acos(-1.));
+  // A constant of the user comes before a unit word.
+  EXPECT_DOUBLE_EQ(value("2/s"), 0.5);
+  expect_parts(input_error_of([&] { value("q"); }), {"\"q\"", "constants"});
+  expect_parts(input_error_of([&] { value("1/(s - 4)"); }), {"no unit"});
+  expect_parts(input_error_of([&] { value("3 furlongs"); }), {"furlongs"});
 }

@@ -76,7 +76,7 @@ namespace
   {
     ASSERT_EQ(run_into("out").exit_code, 0);
     const std::string history = read_text(path("out/history.csv"));
-    for (const std::string table : {"table:", "linear table:"})
+    for (const std::string table : {"table:", "smooth table:", "2 kg * table:"})
       for (const Words &further : {Words(), Words{"--force"}})
         {
           Words with_table = {"--set",

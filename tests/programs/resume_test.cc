@@ -97,6 +97,23 @@ namespace
                 read_text(path("whole/history.csv")));
   }
 
+  TEST_F(ResumedRun, GoesOnWithTheJumpAtWhichItEnded)
+  {
+    write("load.txt", "0 -0.1\n" + early + " -0.1\n" + early + " 0\n1 0\n");
+    const std::string by_table = "Loads/hit/Force y=table: load.txt";
+    ASSERT_EQ(run_auxfem({"scene.prm", "--output", "whole", "--set", by_table})
+                .exit_code,
+              0);
+    Words half = begin();
+    half.insert(half.end(),
+                {"--set", by_table, "--set", "Time/End time=" + early});
+    ASSERT_EQ(run_auxfem(half).exit_code, 0);
+    ASSERT_EQ(run_auxfem(go_on({"--set", "Time/End time=" + end})).exit_code,
+              0);
+    EXPECT_TRUE(read_text(path("out/history.csv")) ==
+                read_text(path("whole/history.csv")));
+  }
+
   TEST_F(ResumedRun, FallsBackToTheOlderCheckpoint)
   {
     ASSERT_EQ(run_auxfem({"scene.prm", "--output", "whole"}).exit_code, 0);

@@ -25,7 +25,7 @@ namespace
   /** A scene with something in every subsection. */
   const std::string full = R"(
 set Title = Impact on a star array
-set Constants = F0 = 2.5, t0 = 10 ms
+set Constants = F1 = 5, F0 = min(F1, 7)/2, t0 = 10 ms
 subsection Lattice
   set Cell = star
   set Cells x = 5
@@ -166,9 +166,9 @@ end
     EXPECT_EQ(scene.title, "Impact on a star array");
     EXPECT_EQ(scene.file, "folder/full.prm");
     EXPECT_EQ(scene.context.directory, "folder");
-    ASSERT_EQ(scene.context.constants.size(), 2u);
-    EXPECT_EQ(scene.context.constants[1].first, "t0");
-    expect_close(scene.context.constants[1].second, 0.01);
+    ASSERT_EQ(scene.context.constants.size(), 3u);
+    EXPECT_EQ(scene.context.constants[2].first, "t0");
+    expect_close(scene.context.constants[2].second, 0.01);
     EXPECT_EQ(scene.lattice.n_cells, (std::array<unsigned int, 3>{{5, 4, 1}}));
     EXPECT_NE(scene.lattice.cell, nullptr);
     ASSERT_EQ(scene.sets.size(), 1u);

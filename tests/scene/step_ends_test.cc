@@ -5,6 +5,7 @@
 #include <verification/one_mass_scene.h>
 
 #include <cmath>
+#include <fstream>
 
 using namespace auxfem;
 using namespace auxfem::testing_support;
@@ -154,4 +155,62 @@ TEST(StepEnds, APulseShorterThanAStepHasItsImpulse)
                            "End time = 0.52 | Time step = 0.01"));
   run.run();
   EXPECT_NEAR(run.velocity(0, 0), 0.5, 1e-4);
+}
+
+namespace
+{
+  /** Velocity of the mass at t = 0.5 s in a run that ends at @p end_time. */
+  double velocity_at_half(const std::string &force,
+                          const std::string &scheme,
+                          const std::string &end_time)
+  {
+    SceneRun run(pushed_mass(force,
+                             "Scheme = " + scheme + " | Time step = 0.1 | " +
+                               "End time = " + end_time));
+    for (unsigned int i = 0; i < 5; ++i)
+      run.advance();
+    return run.velocity(0, 0);
+  }
+} // namespace
+
+TEST(StepEnds, TheLastStepTakesALoadBeforeItsJumpAtTheEnd)
+{
+  const std::string table = testing::TempDir() + "jump_at_end.txt";
+  std::ofstream(table) << "0 3\n0.5 3\n0.5 0\n2 0\n";
+  for (const std::string force : {"if(t < 0.5, 3, 0)", "table: "})
+    for (const char *scheme :
+         {"newmark", "generalized-alpha", "energy-momentum", "esdirk"})
+      {
+        SCOPED_TRACE(force + scheme);
+        const std::string text = force == "table: " ? force + table : force;
+        const double      last = velocity_at_half(text, scheme, "0.5");
+        EXPECT_EQ(last, velocity_at_half(text, scheme, "1"));
+        // 3 N on a mass of 1 kg and a spring of 4 N/m.
+        EXPECT_NEAR(last, 1.5 * std::sin(2 * 0.5), 0.02);
+      }
+}
+
+TEST(StepEnds, TheLastStaticStepTakesValuesBeforeTheirJumpAtTheEnd)
+{
+  for (const std::string &load :
+       {std::string("Loads/pull"), std::string("Supports/tip")})
+    {
+      const bool is_load = load == "Loads/pull";
+      SceneRun   run(
+        SceneText()
+          .frame("0 0; 1 0", "0 1")
+          .circle("s", 0.01, {1e9, 1000})
+          .add("Supports/foot", "Joints = 0")
+          .add(load,
+               is_load ? "Joints = 1 | Force x = if(t < 1, 4, 0)"
+                         : "Joints = 1 | Type = prescribed | "
+                           "Displacement x = if(t < 1, 1e-4, 0)")
+          .add("Effects", "Large rotation = off")
+          .add("Time", "Scheme = static | End time = 1 | Time step = 0.5"));
+      run.run();
+      constexpr double pi = 3.14159265358979;
+      EXPECT_NEAR(run.motion(1, 0),
+                  is_load ? 4 / (1e9 * pi * 1e-4) : 1e-4,
+                  1e-12);
+    }
 }

@@ -68,3 +68,49 @@ TEST(TimeFunctionNotes, TablesThatEndBeforeTheRunAreNamed)
   std::ofstream(name) << "0, 0\n0.25, 3\n1, 2\n";
   EXPECT_TRUE(notes_of("table: " + name).empty());
 }
+
+namespace
+{
+  /** The notes on a bar whose one end moves by a table with the text @p rows. */
+  std::vector<std::string> notes_of_motion(const std::string &rows,
+                                           const std::string &word)
+  {
+    const std::string name = testing::TempDir() + "motion.csv";
+    std::ofstream(name) << rows;
+    return time_function_notes(read_scene_from_text(
+      SceneText()
+        .frame("0 0; 1 0", "0 1")
+        .circle("s", 0.01, {1e9, 1000})
+        .add("Supports/foot",
+             "Joints = 0 | Type = prescribed | Displacement x = 0 | "
+             "Rotation z = 0 | Displacement y = " +
+               word + name)
+        .time(1, 0.01),
+      "scene.prm"));
+  }
+} // namespace
+
+TEST(TimeFunctionNotes, SmoothTablesThatOvershootAreNamed)
+{
+  const std::string rows = "0 0\n0.5 0.01\n0.6 0.01\n1 0.01\n";
+  EXPECT_TRUE(notes_of_motion(rows, "table: ").empty());
+  const std::vector<std::string> notes =
+    notes_of_motion(rows, "smooth table: ");
+  ASSERT_EQ(notes.size(), 1u);
+  expect_parts(notes[0],
+               {"Supports/foot/Displacement y", "overshoots", "table: FILE"});
+}
+
+TEST(TimeFunctionNotes, MotionsThatStrikeAtManyRowsAreNamed)
+{
+  std::string rows;
+  for (unsigned int i = 0; i <= 10; ++i)
+    rows += std::to_string(i / 10.) + " " + std::to_string(i * i * 1e-4) + "\n";
+  EXPECT_TRUE(notes_of_motion(rows, "smooth table: ").empty());
+  const std::vector<std::string> notes = notes_of_motion(rows, "table: ");
+  ASSERT_EQ(notes.size(), 1u);
+  expect_parts(notes[0],
+               {"Supports/foot/Displacement y",
+                "corner at 9 rows",
+                "smooth table: FILE"});
+}

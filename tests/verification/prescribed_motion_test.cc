@@ -240,7 +240,7 @@ namespace
 TEST(PrescribedMotion, ATableMovesAsTheFunctionItSamples)
 {
   const SampledMotion table(shake, 1e-3, 1);
-  const std::string   motion = "table: " + table.name();
+  const std::string   motion = "smooth table: " + table.name();
   const double        coarse = error_of_shaken_bar(motion, 10e-3),
                fine          = error_of_shaken_bar(motion, 5e-3);
   EXPECT_LT(coarse, 5e-4);
@@ -254,8 +254,8 @@ TEST(PrescribedMotion, ATableHasTheReactionsOfTheFunctionItSamples)
     {
       SCOPED_TRACE(text(spacing));
       const SampledMotion table(shake, spacing, 1);
-      const auto          found = reactions("table: " + table.name(), 1e-3),
-                 expected       = reactions(shake_text, 1e-3);
+      const auto found    = reactions("smooth table: " + table.name(), 1e-3),
+                 expected = reactions(shake_text, 1e-3);
       double error = 0, peak = 0;
       for (unsigned int i = 0; i < found.size(); ++i)
         {
@@ -291,8 +291,8 @@ TEST(PrescribedMotion, EveryRowOfALinearTableStrikes)
       // Steps of the scene that are shorter and longer than the table's.
       for (const double step : {0.3e-3, 0.1})
         {
-          SceneRun run(moved_bar("linear table: " + table.name(),
-                                 scheme.steps(step, 0.5)));
+          SceneRun run(
+            moved_bar("table: " + table.name(), scheme.steps(step, 0.5)));
           run.run();
           // Second order of the even turns between strikes, in the positions
           // that these find; the longer step is divided into 0.05 s.

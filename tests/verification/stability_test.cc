@@ -94,7 +94,7 @@ TEST(Stability, MotionsWithKinksAndTables)
   const SampledMotion ground(shaken_ground, 0.1e-3, 20e-3);
   go_through(star_case("Ground that shakes by a table",
                        0,
-                       moved_foot("table: " + ground.name())));
+                       moved_foot("smooth table: " + ground.name())));
 }
 
 TEST(Stability, ConnectorsOfAnyStiffness)

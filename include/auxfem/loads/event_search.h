@@ -19,6 +19,12 @@ namespace auxfem
     double curvature = 0; ///< greatest absolute second derivative
   };
 
+  /** A function jumps so often that steps cannot end at each jump. */
+  struct TooManyJumps
+  {
+    double n; ///< jumps found before the search ended
+  };
+
   /**
    * The jumps of @p expression and of its first @p derivatives derivatives, 1
    * or 2, at begin < t < end (s), sorted. Times closer than time_resolution()
@@ -29,6 +35,7 @@ namespace auxfem
    * has at most one root, or one extremum, in them by bounds of its
    * derivatives. Roots are found by bisection to neighbouring numbers, and kept
    * if value or derivatives differ between their sides by more than round-off.
+   * Throws TooManyJumps for more than ten thousand jumps.
    */
   std::vector<TimeEvent> find_events(const ExpressionTree &expression,
                                      double                begin,

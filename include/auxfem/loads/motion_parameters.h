@@ -68,8 +68,7 @@ namespace auxfem
    * absolute one in @p values.
    */
   TimeFunction read_time_function(ParameterValues      &values,
-                                  const TimeExpression &parameter,
-                                  TableKind tables = TableKind::linear);
+                                  const TimeExpression &parameter);
 } // namespace auxfem
 
 #endif

@@ -21,23 +21,33 @@ namespace auxfem
     smooth
   };
 
-  /** What a user writes for a table, apart from it being one. */
+  /** How far a smooth table leaves the range of two neighbouring rows. */
+  struct Overshoot
+  {
+    double begin, end; ///< times of the rows (s)
+    double amount;     ///< in the unit of the values
+  };
+
+  /** The parts of `SCALE * smooth table: FILE, COLUMN`. */
   struct TableText
   {
-    std::string word; ///< `table:` or `linear table:`
+    std::string prefix; ///< all before the file name, as the user wrote it
+    std::string scale;  ///< factor of the values; empty for one
+    TableKind   kind;
     std::string file; ///< file name, maybe a column
   };
 
-  /** Nothing if @p text is no table. */
+  /** Nothing if @p text has not this form. */
   std::optional<TableText> table_text(const std::string &text);
 
   /**
    * A number that depends on time: an expression in `t` (muParser syntax, with
    * the scene's constants and `pi`), or `table: file.csv` (`table: file.csv, 3`
    * takes the third column; the first column is time in s; constant outside of
-   * the rows). Between rows a table is linear, or smooth (CubicSpline) if its
-   * kind is; `linear table: file.csv` is linear whatever its kind. Cheap to
-   * copy: copies share the parsed function.
+   * the rows). Straight lines join the rows of a table, a CubicSpline those of
+   * `smooth table: file.csv`. `2 kN * table: file.csv` scales the values; the
+   * scale is a number with or without unit, or an expression of constants.
+   * Cheap to copy: copies share the parsed function.
    *
    * Besides muParser's own functions there are `if(condition, then, else)`,
    * `pow`, `floor` and `ceil`; `log` is the natural logarithm.
@@ -57,12 +67,10 @@ namespace auxfem
     /**
      * @param text as the user wrote it. Throws InputError, naming
      * @p context.path and @p parameter, if it cannot be parsed or read.
-     * @param tables what a table is between its rows
      */
     TimeFunction(const std::string  &text,
                  const std::string  &parameter,
-                 const SceneContext &context,
-                 TableKind           tables = TableKind::linear);
+                 const SceneContext &context);
 
     /** The straight line through @p at_zero at 0 and @p at_one at 1.
      * @param origin as origin() */
@@ -106,6 +114,13 @@ namespace auxfem
      * expressions.
      */
     std::optional<double> last_time() const;
+
+    /**
+     * The interval between two rows of a smooth table in which the spline
+     * leaves the range of both rows most, if it does so by more than a
+     * hundredth of the range of the table.
+     */
+    std::optional<Overshoot> overshoot() const;
 
     /** Path and text of the parameter; empty for the constant zero. */
     const std::string &origin() const;

@@ -44,6 +44,12 @@ namespace auxfem
       return {};
     }
 
+    /** See TimeFunction::overshoot(). */
+    virtual std::optional<Overshoot> overshoot() const
+    {
+      return {};
+    }
+
     /** Path and text of the parameter, for messages. */
     std::string origin;
   };
@@ -51,14 +57,12 @@ namespace auxfem
   /**
    * Two columns of a file, linear between rows or a cubic spline through them,
    * constant outside. Two rows at one time are a jump of a linear table.
-   * @p reference is what follows `table:`: a file name, maybe a column; @p path
-   * that of the parameter. Throws InputError if there is no such table, and for
-   * a jump of a smooth one.
+   * @p path is that of the parameter. Throws InputError if there is no such
+   * table, and for a jump of a smooth one.
    */
-  std::shared_ptr<TimeHistory> make_table_history(const std::string  &reference,
+  std::shared_ptr<TimeHistory> make_table_history(const TableText    &table,
                                                   const std::string  &path,
-                                                  const SceneContext &context,
-                                                  TableKind           kind);
+                                                  const SceneContext &context);
 
   /**
    * The expression in t that the user wrote for the parameter @p path; nullptr

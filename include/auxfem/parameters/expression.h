@@ -78,6 +78,13 @@ namespace auxfem
     mu::Parser parser;
     bool       constant = false;
   };
+
+  /**
+   * SI value of a number with or without unit word (`20 mm`), or of an
+   * expression of @p constants. Throws InputError for any other text.
+   */
+  double constant_value(const std::string                       &text,
+                        const std::vector<Expression::Constant> &constants);
 } // namespace auxfem
 
 #endif

@@ -8,6 +8,9 @@
 
 namespace auxfem
 {
+  /** Kinks that follow each other as those of a pulse or two may do. */
+  constexpr std::size_t most_kinks_of_pulses = 8;
+
   /** A time at which a step has to end. */
   struct StepEnd
   {
@@ -26,11 +29,11 @@ namespace auxfem
   };
 
   /**
-   * The times within a run, rising, at which loads and motions of supports have
-   * kinks or jump, so that a step has to end there: the time schemes take
-   * forces and motions for smooth over a step. With inertia also those at which
-   * accelerations of supports jump, without it t = 0 if anything begins
-   * suddenly.
+   * The times of a run up to its end, rising, at which loads and motions of
+   * supports have kinks or jump, so that a step has to end there: the time
+   * schemes take forces and motions for smooth over a step. With inertia also
+   * those at which accelerations of supports jump, without it t = 0 if anything
+   * begins suddenly.
    *
    * More than eight kinks of a load, without inertia of a motion too, that
    * follow each other within a time step are left out: such a function, a

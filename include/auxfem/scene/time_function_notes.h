@@ -10,7 +10,8 @@ namespace auxfem
 {
   /**
    * What the user should know of loads and motions of supports: tables that end
-   * before the run, with the time from which on their last value is held, and
+   * before the run, with the time from which on their last value is held,
+   * splines that overshoot, tables of motions that strike at many rows, and
    * functions that the steps do not resolve, with the step in which most is
    * missed. Of the latter, such as change by more than a quarter of their
    * largest value between what the ends of a step show; looked for at up to 64
