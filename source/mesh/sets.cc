@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
-#include <sstream>
 
 namespace auxfem
 {
@@ -101,10 +100,16 @@ namespace auxfem
           return nearest(text);
         if (is_condition(text))
           return where(text);
-        if (text.find(',') != std::string::npos || is_digit(text.front()) ||
-            text.front() == '-')
-          return numbers(text);
-        return united_sets(text);
+        Indices result;
+        for (const std::string &piece : split_string_list(text, ','))
+          {
+            const Indices more =
+              piece.empty() || is_digit(piece.front()) || piece.front() == '-'
+              ? numbers(piece, text)
+              : united_sets(piece);
+            result.insert(result.end(), more.begin(), more.end());
+          }
+        return result;
       }
 
       static bool is_digit(const char letter)
@@ -112,10 +117,10 @@ namespace auxfem
         return letter >= '0' && letter <= '9';
       }
 
-      Indices numbers(const std::string &text) const
+      Indices numbers(const std::string &list, const std::string &text) const
       {
         Indices result;
-        for (const auto &word : split_string_list(text, ','))
+        for (const std::string &word : split_words(list))
           result.push_back(number(word, text));
         return result;
       }
@@ -239,7 +244,8 @@ namespace auxfem
       std::string allowed() const
       {
         return "Allowed: the name of a set of " + noun +
-          "s, several joined by +, numbers like \"3, 5\", \"nearest: " +
+          "s, several joined by + or commas, numbers like \"3, 5\" or \"3 5\", "
+          "\"nearest: " +
           (context.dimension == 3
              ? "x, y, z\", or a condition like \"y > ymax - 1e-6 && z < "
                "0.02\"."
@@ -264,10 +270,7 @@ namespace auxfem
       std::vector<JointPair> pairs;
       for (const auto &item : split_string_list(text, ';'))
         {
-          std::istringstream       stream(item);
-          std::vector<std::string> words;
-          for (std::string word; stream >> word;)
-            words.push_back(word);
+          const std::vector<std::string> words = split_words(item);
           if (words.size() != 2 || !read_index(words[0]) ||
               !read_index(words[1]))
             throw InputError(path + ": " + quoted(item) + " in " +
@@ -375,7 +378,7 @@ namespace auxfem
     if (colon != std::string::npos && trim(text.substr(0, colon)) == "ground")
       return pairs_to_ground(lattice, text.substr(colon + 1), context, path);
     if (!text.empty() &&
-        text.find_first_not_of("0123456789-; \t") == std::string::npos)
+        text.find_first_not_of("0123456789-,; \t") == std::string::npos)
       return pairs_by_number(lattice, text, context, path);
 
     const auto known = names_of(lattice.pair_sets);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <sstream>
 
 namespace auxfem
 {
@@ -33,21 +34,47 @@ namespace auxfem
 
     const std::vector<Symbol> &symbols()
     {
+      constexpr double pound_force = 4.4482216152605, inch = 0.0254,
+                       psi                   = pound_force / (inch * inch);
       static const std::vector<Symbol> table = {
-        {"m", {length, 1}},       {"mm", {length, 1e-3}},
-        {"cm", {length, 1e-2}},   {"um", {length, 1e-6}},
-        {"km", {length, 1e3}},    {"in", {length, 0.0254}},
-        {"ft", {length, 0.3048}}, {"kg", {mass, 1}},
-        {"g", {mass, 1e-3}},      {"t", {mass, 1e3}},
-        {"s", {time, 1}},         {"ms", {time, 1e-3}},
-        {"us", {time, 1e-6}},     {"min", {time, 60}},
-        {"h", {time, 3600}},      {"N", {force, 1}},
-        {"kN", {force, 1e3}},     {"MN", {force, 1e6}},
-        {"mN", {force, 1e-3}},    {"lbf", {force, 4.4482216152605}},
-        {"Pa", {pressure, 1}},    {"kPa", {pressure, 1e3}},
-        {"MPa", {pressure, 1e6}}, {"GPa", {pressure, 1e9}},
-        {"J", {energy, 1}},       {"Hz", {rate, 1}},
-        {"rad", {angle, 1}},      {"deg", {angle, dealii::numbers::PI / 180}},
+        {"m", {length, 1}},
+        {"mm", {length, 1e-3}},
+        {"cm", {length, 1e-2}},
+        {"um", {length, 1e-6}},
+        {"km", {length, 1e3}},
+        {"in", {length, inch}},
+        {"ft", {length, 12 * inch}},
+        {"kg", {mass, 1}},
+        {"g", {mass, 1e-3}},
+        {"t", {mass, 1e3}},
+        {"lb", {mass, 0.45359237}},
+        {"slug", {mass, pound_force / (12 * inch)}},
+        {"s", {time, 1}},
+        {"ms", {time, 1e-3}},
+        {"us", {time, 1e-6}},
+        {"min", {time, 60}},
+        {"h", {time, 3600}},
+        {"N", {force, 1}},
+        {"kN", {force, 1e3}},
+        {"MN", {force, 1e6}},
+        {"mN", {force, 1e-3}},
+        {"lbf", {force, pound_force}},
+        {"kip", {force, 1e3 * pound_force}},
+        {"kgf", {force, 9.80665}},
+        {"Pa", {pressure, 1}},
+        {"kPa", {pressure, 1e3}},
+        {"MPa", {pressure, 1e6}},
+        {"GPa", {pressure, 1e9}},
+        {"psi", {pressure, psi}},
+        {"ksi", {pressure, 1e3 * psi}},
+        {"Msi", {pressure, 1e6 * psi}},
+        {"psf", {pressure, psi / 144}},
+        {"bar", {pressure, 1e5}},
+        {"J", {energy, 1}},
+        {"Hz", {rate, 1}},
+        {"kHz", {rate, 1e3}},
+        {"rad", {angle, 1}},
+        {"deg", {angle, dealii::numbers::PI / 180}},
         {"%", {none, 1e-2}}};
       return table;
     }
@@ -237,21 +264,46 @@ namespace auxfem
 
 
 
+  std::vector<std::string> split_words(const std::string &text)
+  {
+    std::vector<std::string> words;
+    for (const std::string &piece :
+         dealii::Utilities::split_string_list(text, ','))
+      {
+        std::istringstream stream(piece);
+        std::string        word;
+        if (!(stream >> word))
+          words.emplace_back();
+        else
+          do
+            words.push_back(word);
+          while (stream >> word);
+      }
+    return words;
+  }
+
+
+
   std::vector<std::string> split_quantity_list(const std::string &text)
   {
     std::vector<std::string> items;
     if (trim(text).empty())
       return items;
-    if (text.find(',') != std::string::npos)
-      return dealii::Utilities::split_string_list(text, ',');
-    for (const std::string &token :
-         dealii::Utilities::split_string_list(text, ' '))
-      if (token.empty())
-        continue;
-      else if (items.empty() || begins_number(token))
-        items.push_back(token);
-      else
-        items.back() += " " + token;
+    for (const std::string &piece :
+         dealii::Utilities::split_string_list(text, ','))
+      {
+        if (piece.empty())
+          items.emplace_back();
+        bool is_first = true;
+        for (const std::string &word : split_words(piece))
+          {
+            if (is_first || begins_number(word))
+              items.push_back(word);
+            else
+              items.back() += " " + word;
+            is_first = false;
+          }
+      }
     return items;
   }
 

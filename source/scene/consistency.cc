@@ -381,14 +381,19 @@ namespace auxfem
                              "interval, a number of steps"));
     }
 
-    /**
-     * Probes, supports and connectors give history.csv columns
-     * `NAME.quantity`.
-     */
-    void check_column_names(const Scene &scene, Mistakes &mistakes)
+    /** Refuses definitions of one name that give history.csv columns of one
+     * quantity, `NAME.quantity`. */
+    class ColumnNames
     {
-      std::map<std::string, std::string> paths;
-      const auto                         enter = [&](const auto &definitions) {
+    public:
+      ColumnNames(const Scene &scene, Mistakes &mistakes)
+        : scene(scene)
+        , mistakes(mistakes)
+      {}
+
+      template <class Definitions>
+      void enter(const Definitions &definitions)
+      {
         for (const auto &definition : definitions)
           {
             const auto [other, is_new] =
@@ -398,19 +403,27 @@ namespace auxfem
                                    definition.path,
                                    " and ",
                                    other->second,
-                                   " have the same name, but both give columns "
-                                                           "of history.csv. Rename one of them"));
+                                   " have the same name, and both give columns "
+                                   "of history.csv for the same quantities. "
+                                   "Rename one of them"));
           }
-      };
-      enter(scene.supports);
-      enter(scene.connectors);
-      enter(scene.output.probes);
-      // Those that are held are among the supports.
-      std::vector<PlateDefinition> free_plates;
-      for (const PlateDefinition &plate : scene.plates)
-        if (!plate.support)
-          free_plates.push_back(plate);
-      enter(free_plates);
+      }
+
+    private:
+      const Scene                       &scene;
+      Mistakes                          &mistakes;
+      std::map<std::string, std::string> paths;
+    };
+
+    /** Supports have reactions (`.rx`), probes and plates displacements (`.ux`)
+     * and forces (`.fx`), connectors `.force` and `.extension`. */
+    void check_column_names(const Scene &scene, Mistakes &mistakes)
+    {
+      // Plates that are held are among the supports.
+      ColumnNames(scene, mistakes).enter(scene.supports);
+      ColumnNames motions(scene, mistakes);
+      motions.enter(scene.output.probes);
+      motions.enter(scene.plates);
     }
   } // namespace
 

@@ -87,12 +87,19 @@ TEST(FrameCell, RefusesWhatItCannotRead)
 {
   EXPECT_TRUE(contains(frame_refusal("0 0; 1 zero", "0 1"), "\"zero\""));
   EXPECT_TRUE(contains(frame_refusal("0 0; 1", "0 1"), "has 1 numbers"));
-  EXPECT_TRUE(
-    contains(frame_refusal("0 0; 1 2mm", "0 1"), "without unit word"));
+  EXPECT_TRUE(contains(frame_refusal("0 0; 1 2 kg", "0 1"), "does not fit"));
   EXPECT_TRUE(contains(frame_refusal("0 0; 1 0", "0 1.5"), "\"1.5\""));
   EXPECT_TRUE(contains(frame_refusal("0 0; 1 0", "0 -1"), "\"-1\""));
   EXPECT_TRUE(contains(frame_refusal("0 0; 1 0", "0"), "has 1 numbers"));
   EXPECT_TRUE(contains(frame_refusal("0 0", "0 0"), "at least two joints"));
+}
+
+TEST(FrameCell, TakesUnitsAndCommas)
+{
+  const auto lattice = frame("0, 0; 20 mm 0; 1 in, 0.01", "0, 1; 1 2 1 mm");
+  EXPECT_EQ(lattice.joints[1], dealii::Point<3>(0.02, 0, 0));
+  EXPECT_EQ(lattice.joints[2], dealii::Point<3>(0.0254, 0.01, 0));
+  EXPECT_EQ(lattice.struts[1].sagitta, 1e-3);
 }
 
 TEST(FrameCell, InSpace)

@@ -81,6 +81,9 @@ TEST_F(Sets, JointsByNumber)
 {
   EXPECT_EQ(joints("5, 3, 5"), (Indices{3, 5}));
   EXPECT_EQ(joints("4"), (Indices{4}));
+  EXPECT_EQ(joints("5 3 5"), (Indices{3, 5}));
+  EXPECT_EQ(joints("5 3, 0"), (Indices{0, 3, 5}));
+  EXPECT_EQ(joints("5, bottom"), (Indices{0, 1, 2, 5}));
 }
 
 TEST_F(Sets, NearestJoint)
@@ -159,10 +162,13 @@ TEST_F(Sets, NearestNeedsAPlace)
 
 TEST_F(Sets, PairsByNumberAndToGround)
 {
-  const auto numbered = pairs("0 4; 1 5");
-  ASSERT_EQ(numbered.size(), 2u);
-  EXPECT_EQ(numbered[1].first, 1u);
-  EXPECT_EQ(numbered[1].second, 5u);
+  for (const char *text : {"0 4; 1 5", "0, 4; 1,5"})
+    {
+      const auto numbered = pairs(text);
+      ASSERT_EQ(numbered.size(), 2u);
+      EXPECT_EQ(numbered[1].first, 1u);
+      EXPECT_EQ(numbered[1].second, 5u);
+    }
 
   const auto ground = pairs("ground: top");
   ASSERT_EQ(ground.size(), 3u);

@@ -47,7 +47,16 @@ namespace
                                {"N*s/m", {{0, 1, -1, 0}}, 1},
                                {"N / m * s", {{0, 1, -1, 0}}, 1},
                                {"N m/rad", {{2, 1, -2, -1}}, 1},
-                               {"lbf", {{1, 1, -2, 0}}, 4.4482216152605}})
+                               {"lbf", {{1, 1, -2, 0}}, 4.4482216152605},
+                               {"kip", {{1, 1, -2, 0}}, 4448.2216152605},
+                               {"psi", {{-1, 1, -2, 0}}, 6894.757293168361},
+                               {"ksi", {{-1, 1, -2, 0}}, 6894757.293168361},
+                               {"Msi", {{-1, 1, -2, 0}}, 6894757293.168361},
+                               {"lbf/in2", {{-1, 1, -2, 0}}, 6894.757293168361},
+                               {"psf", {{-1, 1, -2, 0}}, 47.88025898033584},
+                               {"slug/ft3", {{-3, 1, 0, 0}}, 515.3788183931961},
+                               {"lb/ft3", {{-3, 1, 0, 0}}, 16.01846337396014},
+                               {"kip/ft", {{0, 1, -2, 0}}, 14593.90293720636}})
       {
         const Unit result = parse_unit(unit.text);
         EXPECT_EQ(result.dimension, unit.dimension) << unit.text;
@@ -127,7 +136,11 @@ namespace
     EXPECT_EQ(split_quantity_list("1 N s/m 2"), (Words{"1 N s/m", "2"}));
     EXPECT_EQ(split_quantity_list("1 1/s 2 1/s"), (Words{"1 1/s", "2 1/s"}));
     EXPECT_EQ(split_quantity_list("2 1/3"), (Words{"2", "1/3"}));
+    EXPECT_EQ(split_quantity_list("1 2 mm, 3"), (Words{"1", "2 mm", "3"}));
+    EXPECT_EQ(split_quantity_list("1,, 2"), (Words{"1", "", "2"}));
     EXPECT_EQ(split_quantity_list("  "), Words{});
+    EXPECT_EQ(split_words("3, 5 7 ,9"), (Words{"3", "5", "7", "9"}));
+    EXPECT_EQ(split_words("3,,5"), (Words{"3", "", "5"}));
   }
 
 

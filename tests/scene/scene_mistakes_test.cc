@@ -362,10 +362,22 @@ namespace
 
   TEST(SceneMistakes, NamesOfColumns)
   {
-    expect_message(subsection("Supports",
-                              subsection("top", "set Joints = top")) +
-                     subsection("Probes", "set top = top"),
-                   {"Probes/top", "Supports/top", "same name"});
+    const std::string ball =
+      subsection("Plates",
+                 subsection("top",
+                            "set Shape = sphere\nset Radius = 1\n"
+                            "set Position = 0, 9"));
+    expect_message(ball + subsection("Probes", "set top = top"),
+                   {"Probes/top", "Plates/top", "same name"});
+    expect_message(ball +
+                     subsection("Supports",
+                                subsection("top", "set Joints = top")),
+                   {"Plates/top", "Supports/top", "same name"});
+    // Displacements and reactions have different columns.
+    EXPECT_EQ(message_for(
+                subsection("Supports", subsection("top", "set Joints = top")) +
+                subsection("Probes", "set top = top")),
+              "");
   }
 
 

@@ -47,8 +47,12 @@ namespace auxfem
    */
   double parse_quantity(const std::string &text, const std::string &unit);
 
+  /** Splits at commas and blanks alike; nothing between two commas is an empty
+   * word. */
+  std::vector<std::string> split_words(const std::string &text);
+
   /**
-   * Splits `1, 2 mm, 3` at the commas, or `1 2 mm 3` before each number.
+   * Splits `1, 2 mm, 3` or `1 2 mm 3` at the commas and before each number.
    * Empty text gives an empty list.
    */
   std::vector<std::string> split_quantity_list(const std::string &text);

@@ -17,21 +17,23 @@ namespace auxfem
     const Text joints_entry{
       "Joints",
       "",
-      "Positions `x y` of the joints in m, in space `x y z` or, for z = 0, "
-      "`x y`, separated by semicolons; they are numbered from 0 in this order.",
+      "Positions `x y` of the joints in m or with units (`0 0; 20 mm 0`), in "
+      "space `x y z` or, for z = 0, `x y`, separated by semicolons; they are "
+      "numbered from 0 in this order.",
       true};
 
     const Text struts_entry{
       "Struts",
       "",
       "Numbers of the two joints of each strut, separated by semicolons; a "
-      "third number is the rise in m of a circular arc over its chord, positive "
+      "third number is the rise, in m or with a unit, of a circular arc over its chord, positive "
       "to the left of the direction from the first to the second joint. In "
       "space three more numbers may follow, the normal n of the arc's plane: "
       "the arc then rises along n x chord; without them n is `0 0 1`.",
       true};
 
-    /** The blank-separated words of one of the entries between semicolons. */
+    /** The numbers, maybe with units, of one of the entries between semicolons.
+     */
     struct Item
     {
       std::string              where; ///< beginning of a message about it
@@ -53,9 +55,7 @@ namespace auxfem
           item.text  = text;
           item.where = path + "/" + entry + ": " + noun + " " +
             std::to_string(items.size()) + " (\"" + text + "\") ";
-          std::istringstream stream(text);
-          for (std::string word; stream >> word;)
-            item.words.push_back(word);
+          item.words = split_quantity_list(text);
           items.push_back(item);
         }
       return items;
@@ -63,24 +63,24 @@ namespace auxfem
 
     /** @p meaning of the number, e.g. `number in m`, is for the message. */
     double read_number(const std::string &word,
+                       const std::string &unit,
                        const Item        &item,
                        const std::string &meaning)
     {
       try
         {
-          const ParsedQuantity quantity = split_quantity(word);
-          if (quantity.unit.empty())
-            return quantity.number;
+          return parse_quantity(word, unit);
         }
-      catch (const InputError &)
-        {}
-      throw InputError(item.where + "has \"" + word + "\" where a " + meaning +
-                       ", without unit word, is needed.");
+      catch (const InputError &error)
+        {
+          throw InputError(item.where + "has \"" + word + "\" where a " +
+                           meaning + " is needed: " + error.what() + ".");
+        }
     }
 
     double read_metres(const std::string &word, const Item &item)
     {
-      return read_number(word, item, "number in m");
+      return read_number(word, "m", item, "number in m, or one with a unit,");
     }
 
     [[noreturn]] void refuse_coordinates(const Item        &item,
@@ -98,11 +98,14 @@ namespace auxfem
     dealii::Point<3> position_of_joint(const Item        &item,
                                        const unsigned int dimension)
     {
-      if (item.words.size() != 2 && item.words.size() != 3)
+      std::vector<double> coordinates;
+      for (const std::string &word : item.words)
+        coordinates.push_back(read_metres(word, item));
+      if (coordinates.size() != 2 && coordinates.size() != 3)
         refuse_coordinates(item, dimension);
       dealii::Point<3> joint;
-      for (unsigned int d = 0; d < item.words.size(); ++d)
-        joint[d] = read_metres(item.words[d], item);
+      for (unsigned int d = 0; d < coordinates.size(); ++d)
+        joint[d] = coordinates[d];
       if (dimension == 2 && joint[2] != 0.)
         throw InputError(item.where + "has the third coordinate " +
                          item.words[2] +
@@ -219,13 +222,24 @@ namespace auxfem
         (dimension == 3 ? "; 2 3 0.25 0 1 0\"." : "\"."));
     }
 
-    dealii::Tensor<1, 3> read_normal(const Item &item)
+    /** The numbers from the fourth on. */
+    std::vector<double> read_components(const Item &item)
+    {
+      std::vector<double> components;
+      for (std::size_t i = 3; i < item.words.size(); ++i)
+        components.push_back(read_number(item.words[i],
+                                         "1",
+                                         item,
+                                         "number, a component of the normal,"));
+      return components;
+    }
+
+    dealii::Tensor<1, 3> normal_of(const std::vector<double> &components,
+                                   const Item                &item)
     {
       dealii::Tensor<1, 3> normal;
       for (unsigned int d = 0; d < 3; ++d)
-        normal[d] = read_number(item.words[3 + d],
-                                item,
-                                "number, a component of the normal");
+        normal[d] = components[d];
       if (normal.norm() == 0.)
         throw InputError(item.where +
                          "has the normal 0 0 0, which is no direction. Give "
@@ -238,8 +252,9 @@ namespace auxfem
                          const std::size_t  n_joints,
                          const unsigned int dimension)
     {
-      const std::size_t n          = item.words.size();
-      const bool        has_normal = (n == 6);
+      const std::size_t         n          = item.words.size();
+      const bool                has_normal = (n == 6);
+      const std::vector<double> components = read_components(item);
       if (n != 2 && n != 3 && !(has_normal && dimension == 3))
         refuse_strut(item, dimension);
       UnitStrut strut;
@@ -248,7 +263,7 @@ namespace auxfem
       if (n > 2)
         strut.sagitta = read_metres(item.words[2], item);
       if (has_normal)
-        strut.normal = read_normal(item);
+        strut.normal = normal_of(components, item);
       return strut;
     }
 
