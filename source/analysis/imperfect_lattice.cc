@@ -91,15 +91,20 @@ namespace auxfem
                    GeometryOffsets &offsets)
     {
       unsigned int n_modes = 0;
+      std::string  paths;
       for (const ImperfectionDefinition &definition : scene.imperfections)
         if (is_mode(definition))
-          n_modes = std::max(n_modes, definition.mode);
+          {
+            n_modes = std::max(n_modes, definition.mode);
+            paths += (paths.empty() ? "" : ", ") + definition.path;
+          }
       const Scene perfect = designed(scene, n_modes);
       LatticeRun  run(perfect, communicator);
       run.prepare();
       if (perfect.time.static_start)
         run.start();
-      const BucklingModes found = buckling_modes_of(run);
+      const BucklingModes found =
+        buckling_modes_of(run, paths + ", Type = buckling mode");
       for (const ImperfectionDefinition &definition : scene.imperfections)
         {
           if (!is_mode(definition))

@@ -218,8 +218,9 @@ namespace auxfem
       if (!has_begun)
         recorder.begin(equations);
       RunResult failed = result(exit_state);
-      if (failed.work.steps == 0)
-        failed.findings.push_back(nothing_computed(failed.time));
+      failed.findings.push_back(failed.work.steps == 0
+                                  ? nothing_computed(failed.time)
+                                  : incomplete(failed.time));
       recorder.finish(solution, failed);
     };
     // Else ranks may know nothing of an exception of another, and would wait.

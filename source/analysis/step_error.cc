@@ -1,5 +1,6 @@
 #include <auxfem/algebra/row_sums.h>
 #include <auxfem/analysis/step_error.h>
+#include <auxfem/parameters/rounded_text.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -236,7 +237,7 @@ namespace auxfem
         std::ostringstream text;
         text << "The error of the time integration is estimated at up to "
              << motions.total_error << ' ' << motions.unit << ", "
-             << 100 * motions.total_error / largest << " % of the "
+             << percentage_text(motions.total_error / largest, 3) << " of the "
              << motions.name << ", more than Time/Relative tolerance allows. ";
         if (allowed_until(motions, end_time) > tolerance * largest)
           text << "Set " << motions.parameter << " to " << tolerance * largest

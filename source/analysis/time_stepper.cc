@@ -473,12 +473,19 @@ namespace auxfem
 
   void TimeStepper::give_up(const State &state, const double dt) const
   {
+    const auto         jump = ends.jump_at(state.time);
     std::ostringstream message;
+    message.precision(3);
     message
-      << "The step from t = " << state.time
-      << " s did not converge even with dt = " << dt
-      << " s (half of it would be less than Time/Smallest time step = "
-      << control->shortest() << " s): " << last_failure
+      << "The step from t = " << state.time << " s"
+      << (jump && *jump != StepEnd::Jump::none
+            ? ", where a load or a prescribed motion jumps,"
+            : "")
+      << " did not converge even with dt = " << dt << " s ("
+      << (dt < control->shortest() ? "which is less than"
+                                   : "half of it would be less than")
+      << " Time/Smallest time step = " << control->shortest()
+      << " s): " << last_failure
       << ".\nAll steps until then are in the output folder. A smaller smallest "
          "step, numerical damping (Scheme = generalized-alpha), where things "
          "hit each other Scheme = energy-momentum, or, in statics, prescribed "

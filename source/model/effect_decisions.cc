@@ -1,4 +1,5 @@
 #include <auxfem/model/effect_definition.h>
+#include <auxfem/parameters/rounded_text.h>
 
 #include <cstdio>
 
@@ -63,11 +64,10 @@ namespace auxfem
 
   std::string part_text(const double part)
   {
-    char text[40];
     if (part >= 1e-4)
-      std::snprintf(text, sizeof(text), "%.2g %%", 100 * part);
-    else
-      std::snprintf(text, sizeof(text), "%.1e", part);
+      return percentage_text(part);
+    char text[40];
+    std::snprintf(text, sizeof(text), "%.1e", part);
     return text;
   }
 

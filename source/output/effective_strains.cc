@@ -1,7 +1,10 @@
+#include <auxfem/mesh/sets.h>
 #include <auxfem/output/effective_strains.h>
 #include <auxfem/parameters/errors.h>
 
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace auxfem
 {
@@ -119,6 +122,93 @@ namespace auxfem
     return result;
   }
 
+  namespace
+  {
+    /** Collects axes along which something acts on the sides of a lattice. */
+    class LoadedAxes
+    {
+    public:
+      LoadedAxes(const Scene &scene, const Lattice &lattice)
+        : scene(scene)
+        , lattice(lattice)
+        , spans(spans_of(lattice))
+      {}
+
+      /** @param acts whether @p definition acts along each axis. */
+      template <class Definition>
+      void add(const Definition &definition, const std::array<bool, 3> &acts)
+      {
+        const Joints joints = joints_of(definition, lattice, scene.context);
+        for (const Span &span : spans)
+          if (acts[span.axis] && are_on_side(joints, span))
+            axes.insert(span.axis);
+      }
+
+      void add(const std::array<bool, 3> &acts)
+      {
+        for (const Span &span : spans)
+          if (acts[span.axis])
+            axes.insert(span.axis);
+      }
+
+      unsigned int only_or(const unsigned int otherwise) const
+      {
+        return axes.size() == 1 ? *axes.begin() : otherwise;
+      }
+
+    private:
+      /** On one of the two sides: joints on both are moved in shear. Joints of
+       * plates are beside the lattice. */
+      bool are_on_side(const Joints &joints, const Span &span) const
+      {
+        const auto are_in = [&](const Joints &side) {
+          return std::all_of(joints.begin(),
+                             joints.end(),
+                             [&](const unsigned int joint) {
+                               return joint >= lattice.n_structural_joints() ||
+                                 std::find(side.begin(), side.end(), joint) !=
+                                 side.end();
+                             });
+        };
+        return are_in(*span.low) || are_in(*span.high);
+      }
+
+      const Scene            &scene;
+      const Lattice          &lattice;
+      const std::vector<Span> spans;
+      std::set<unsigned int>  axes;
+    };
+
+    template <class Components>
+    std::array<bool, 3> acting(const Components &components)
+    {
+      return {{!components[0].is_zero(),
+               !components[1].is_zero(),
+               !components[2].is_zero()}};
+    }
+
+    template <class Vector>
+    std::array<bool, 3> nonzero(const Vector &vector)
+    {
+      return {{vector[0] != 0, vector[1] != 0, vector[2] != 0}};
+    }
+  } // namespace
+
+  unsigned int loaded_axis(const Scene &scene, const Lattice &lattice)
+  {
+    LoadedAxes axes(scene, lattice);
+    for (const SupportDefinition &support : scene.supports)
+      axes.add(support, acting(support.motion));
+    for (const JointLoadDefinition &load : scene.joint_loads)
+      axes.add(load, acting(load.components));
+    for (const InitialVelocityDefinition &initial : scene.initial_velocities)
+      axes.add(initial, nonzero(initial.velocity));
+    for (const LineLoadDefinition &load : scene.line_loads)
+      axes.add(acting(load.components));
+    axes.add(nonzero(scene.gravity));
+    return axes.only_or(1);
+  }
+
   void LargestStrain::add(const double                     time,
                           const std::vector<unsigned int> &axes,
                           const double                    *values)
@@ -126,7 +216,8 @@ namespace auxfem
     std::array<std::optional<double>, 3> now;
     for (unsigned int i = 0; i < axes.size(); ++i)
       now[axes[i]] = values[i];
-    if (!now[1] || std::abs(*now[1]) <= std::abs(strains[1].value_or(0)))
+    if (!now[loaded] ||
+        std::abs(*now[loaded]) <= std::abs(strains[loaded].value_or(0)))
       return;
     strains   = now;
     time_then = time;
@@ -156,9 +247,9 @@ namespace auxfem
   std::optional<double>
   LargestStrain::poissons_ratio(const unsigned int axis) const
   {
-    if (!strains[1] || !strains[axis])
+    if (axis == loaded || !strains[loaded] || !strains[axis])
       return {};
-    return -*strains[axis] / *strains[1];
+    return -*strains[axis] / *strains[loaded];
   }
 
   std::string axis_name(const unsigned int axis)

@@ -1,4 +1,5 @@
 #include <auxfem/output/energy_judgement.h>
+#include <auxfem/parameters/rounded_text.h>
 #include <auxfem/time/moment_text.h>
 
 #include <algorithm>
@@ -15,13 +16,6 @@ namespace auxfem
     constexpr double doubtful_error = 0.05, ruinous_error = 0.2;
     /** What a scheme may give, and what a damped one may take, unasked. */
     constexpr double doubtful_gift = 0.05, doubtful_loss = 0.2;
-
-    std::string in_per_cent(const double part)
-    {
-      char text[40];
-      std::snprintf(text, sizeof(text), "%.2g %%", 100 * part);
-      return text;
-    }
 
   } // namespace
 
@@ -66,7 +60,7 @@ namespace auxfem
     if (given.value > doubtful_gift * moved)
       found.push_back({Verdict::doubtful,
                        "The time integration has given the structure " +
-                         in_per_cent(given.value / moved) +
+                         percentage_text(given.value / moved) +
                          " of the energy that came in, by " +
                          moment_text(kind == Kind::static_path, given.time) +
                          "; shorten the step, or use a scheme that damps.",
@@ -75,7 +69,7 @@ namespace auxfem
     if (taken.value > doubtful_loss * moved)
       found.push_back({Verdict::doubtful,
                        "The time integration has taken " +
-                         in_per_cent(taken.value / moved) +
+                         percentage_text(taken.value / moved) +
                          " of the energy that came in, by " +
                          moment_text(kind == Kind::static_path, taken.time) +
                          "; shorten the step.",
@@ -108,7 +102,7 @@ namespace auxfem
     const bool  is_ruinous = !(error.value <= ruinous_error * moved);
     std::string text       = "Energy error ";
     text += moved > 0
-      ? in_per_cent(error.value / moved) + " of the energy that came in"
+      ? percentage_text(error.value / moved) + " of the energy that came in"
       : "where no energy came in";
     text += ", at " + moment_text(kind == Kind::static_path, error.time) +
       ": these results are ";

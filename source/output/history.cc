@@ -108,6 +108,8 @@ namespace auxfem
     if (scene.output.effective_strains)
       {
         strains.emplace(equations.model());
+        strain_so_far =
+          LargestStrain(loaded_axis(scene, equations.model().lattice));
         for (const Column &column : strains->columns())
           column_list.push_back(column);
       }

@@ -1,10 +1,15 @@
 #include <auxfem/equations/effects/contact.h>
+#include <auxfem/mesh/sets.h>
+#include <auxfem/model/supports.h>
+#include <auxfem/model/unknown_names.h>
 #include <auxfem/output/notes.h>
 #include <auxfem/scene/time_function_notes.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
+#include <set>
 #include <sstream>
 
 namespace auxfem
@@ -63,6 +68,57 @@ namespace auxfem
               "designed one by up to "
            << largest << " m.";
       notes.push_back(text.str());
+    }
+
+    /** Loads on unknowns that supports prescribe, which only add to reactions.
+     */
+    void add_loads_on_supports(const Scene              &scene,
+                               const Lattice            &lattice,
+                               std::vector<std::string> &notes)
+    {
+      std::set<std::pair<unsigned int, unsigned int>> prescribed;
+      for (const JointMotion &motion : prescribed_motions(scene, lattice))
+        prescribed.insert({motion.joint, motion.component});
+      for (const JointLoadDefinition &load : scene.joint_loads)
+        {
+          const auto joints  = joints_of(load, lattice, scene.context);
+          const auto is_held = [&](const unsigned int c) {
+            return std::all_of(joints.begin(),
+                               joints.end(),
+                               [&](const unsigned int joint) {
+                                 return prescribed.count({joint, c}) > 0;
+                               });
+          };
+          for (unsigned int c = 0; c < load.components.size(); ++c)
+            if (!load.components[c].is_zero() && !load.follows_joint &&
+                is_held(c))
+              notes.push_back(
+                load.components[c].origin() +
+                " does nothing: supports prescribe the " +
+                motion_name(c, lattice.dimension) +
+                " of all its joints, so it only adds to their reactions. Load "
+                "joints that are free to move, or remove the load.");
+        }
+    }
+
+    /** Results beside the scenes that a user has written. */
+    void add_inputs_beside_results(const std::string        &folder,
+                                   std::vector<std::string> &notes)
+    {
+      namespace fs = std::filesystem;
+      std::error_code ignored;
+      std::string     inputs;
+      for (const fs::directory_entry &entry :
+           fs::directory_iterator(folder, ignored))
+        if (const std::string name = entry.path().filename().string();
+            entry.path().extension() == ".prm" && name != "original.prm" &&
+            name != "parameters.prm")
+          inputs += (inputs.empty() ? "" : ", ") + name;
+      if (!inputs.empty())
+        notes.push_back("Results are written among input files: the folder " +
+                        folder + " has " + inputs +
+                        ". Give the results a folder of their own by "
+                        "Output/Directory or --output.");
     }
 
     void add_thick_sections(const Scene              &scene,
@@ -139,6 +195,8 @@ namespace auxfem
       notes.push_back(note);
     add_imperfections(model.lattice, notes);
     add_thick_sections(scene, model, notes);
+    add_loads_on_supports(scene, model.lattice, notes);
+    add_inputs_beside_results(scene.output.directory, notes);
     if (equations.reporting().strut_contact != nullptr)
       add_overlaps(*equations.reporting().strut_contact, notes);
     return notes;

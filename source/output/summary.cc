@@ -1,5 +1,6 @@
 #include <auxfem/output/console.h>
 #include <auxfem/output/summary.h>
+#include <auxfem/parameters/rounded_text.h>
 #include <auxfem/version.h>
 
 #include <deal.II/base/mpi.h>
@@ -18,9 +19,6 @@ namespace auxfem
 {
   namespace
   {
-    /** Of a lattice loaded along y. */
-    constexpr std::array<unsigned int, 2> lateral_axes = {{0, 2}};
-
     std::string now()
     {
       const std::time_t time = std::time(nullptr);
@@ -282,11 +280,11 @@ namespace auxfem
 
     Json json_of(const LargestStrain &strain)
     {
-      Json json = {{"time", strain.time()}};
+      Json json = {{"time", strain.time()}, {"axis", axis_name(strain.axis())}};
       for (unsigned int axis = 0; axis < 3; ++axis)
         if (const std::optional<double> value = strain.along(axis))
           json[axis_name(axis)] = *value;
-      for (const unsigned int axis : lateral_axes)
+      for (unsigned int axis = 0; axis < 3; ++axis)
         if (const std::optional<double> ratio = strain.poissons_ratio(axis))
           json["poissons_ratio_" + axis_name(axis)] = *ratio;
       return json;
@@ -295,17 +293,19 @@ namespace auxfem
     /** A line with effective Poisson's ratios; empty without any. */
     std::string poissons_ratio_text(const LargestStrain &strain)
     {
+      const std::string  loaded = "strain." + axis_name(strain.axis());
       std::ostringstream ratios;
-      for (const unsigned int axis : lateral_axes)
+      for (unsigned int axis = 0; axis < 3; ++axis)
         if (const std::optional<double> ratio = strain.poissons_ratio(axis))
           ratios << (ratios.tellp() > 0 ? ", " : "") << "-strain."
-                 << axis_name(axis) << "/strain.y = " << *ratio;
+                 << axis_name(axis) << "/" << loaded << " = "
+                 << rounded_text(*ratio, 4);
       if (ratios.str().empty())
         return "";
       std::ostringstream line;
       line << "Effective Poisson's ratio " << ratios.str()
-           << " at the largest |strain.y|, strain.y = " << *strain.along(1)
-           << '\n';
+           << " at the largest |" << loaded << "|, " << loaded << " = "
+           << *strain.along(strain.axis()) << '\n';
       return line.str();
     }
   } // namespace
@@ -367,7 +367,7 @@ namespace auxfem
     json["effects"] = json_of(summary.decisions, scene.effects.tolerance);
     if (!summary.notes.empty())
       json["notes"] = summary.notes;
-    if (summary.strain.along(1))
+    if (summary.strain.along(summary.strain.axis()))
       json["largest_effective_strain"] = json_of(summary.strain);
     return json_text(json) + '\n';
   }
@@ -466,8 +466,9 @@ namespace auxfem
       stream << order_search_text(*summary.orders) << '\n'
              << mesh_error_text(*summary.orders) << '\n';
     if (summary.largest_penetration)
-      stream << "Largest penetration " << 100 * *summary.largest_penetration
-             << " % of the thickness\n";
+      stream << "Largest penetration "
+             << percentage_text(*summary.largest_penetration, 3)
+             << " of the thickness\n";
     stream << poissons_ratio_text(summary.strain)
            << closing_energies_text(summary.energies, folder) << '\n'
            << verdict_text(summary.findings);

@@ -17,6 +17,15 @@ namespace auxfem
             ""};
   }
 
+  Finding incomplete(const double time)
+  {
+    return {Verdict::doubtful,
+            "The run is incomplete: it ended before its end. All results, "
+            "largest values too, are those of the part that was done.",
+            time,
+            ""};
+  }
+
   Verdict verdict_of(const std::vector<Finding> &findings)
   {
     Verdict worst = Verdict::sound;

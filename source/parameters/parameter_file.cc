@@ -151,9 +151,33 @@ namespace auxfem
       void open_subsection(const std::string &name)
       {
         ParameterSubsection &parent = current();
-        if (parent.find_subsection(name) == nullptr)
-          parent.subsections.push_back({name, location(), {}, {}});
-        stack.push_back(parent.find_subsection(name));
+        ParameterSubsection *first  = parent.find_subsection(name);
+        // A file may add to what one that it includes has begun.
+        if (first != nullptr && !stack.empty() &&
+            first->location.file == location().file)
+          {
+            mistakes.add(location().text() + ": " + path_of_open() + name +
+                         " is given a second time; the first is at " +
+                         first->location.text() +
+                         ". Give one of them another name, or make them one "
+                         "subsection");
+            first = nullptr;
+          }
+        if (first == nullptr)
+          {
+            parent.subsections.push_back({name, location(), {}, {}});
+            first = &parent.subsections.back();
+          }
+        stack.push_back(first);
+      }
+
+      /** `Supports/ground/` within these subsections. */
+      std::string path_of_open() const
+      {
+        std::string path;
+        for (const ParameterSubsection *subsection : stack)
+          path += subsection->name + "/";
+        return path;
       }
 
       void close_subsection(const std::size_t outer_depth)
@@ -173,10 +197,7 @@ namespace auxfem
             current().entries.push_back({name, value, location()});
             return;
           }
-        std::string path;
-        for (const ParameterSubsection *subsection : stack)
-          path += subsection->name + "/";
-        mistakes.add(location().text() + ": " + path + name +
+        mistakes.add(location().text() + ": " + path_of_open() + name +
                      " is given a second time (value \"" + value +
                      "\"); the first is at " + first->location.text() +
                      " (value \"" + first->value + "\"); remove one of them");

@@ -39,8 +39,9 @@ namespace auxfem
       }
     catch (const std::exception &failure)
       {
-        if (result.work.steps == 0)
-          result.findings = {nothing_computed(result.time)};
+        result.findings = {result.work.steps == 0
+                             ? nothing_computed(result.time)
+                             : incomplete(result.time)};
         finish(failure.what());
         throw;
       }

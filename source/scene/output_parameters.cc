@@ -54,7 +54,8 @@ namespace auxfem
       "strain.z: the mean displacement of the joint set right minus that of "
       "left over their mean distance at rest, so too for top and bottom, front "
       "and back, where both sets exist and are apart. The last lines of a run "
-      "then give effective Poisson's ratios for a load along y."};
+      "then give effective Poisson's ratios for the axis that is loaded, y if "
+      "that is not one alone."};
 
     const Boolean verdict_fails = {
       "Exit code by verdict",

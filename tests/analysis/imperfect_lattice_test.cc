@@ -103,6 +103,14 @@ TEST(ImperfectLatticeOnRanks, IsTheSame)
     EXPECT_LT(alone.joints[i].distance(together.joints[i]), 1e-10);
 }
 
+TEST(ImperfectLattice, WhatCannotBuckleIsRefusedInItsName)
+{
+  const std::string message = input_error_of(
+    [] { imperfect_one(bent_by_mode(1e-3).set("Loads/press/Force x", "0")); });
+  expect_parts(message, {"Imperfections/bow", "no load", "Time of the loads"});
+  EXPECT_FALSE(contains(message, "Analysis"));
+}
+
 TEST(ImperfectLattice, ModesThatAreNotThereAreRefused)
 {
   expect_parts(input_error_of([] {

@@ -96,6 +96,44 @@ TEST(EffectiveStrains, LeaveOutAxesWithoutTwoSidesApart)
                 "set Effective strains = false"});
 }
 
+TEST(LoadedAxis, IsTheOnlyOneAlongWhichSidesAreLoaded)
+{
+  const auto axis_of = [](const std::string &subsection,
+                          const std::string &entries) {
+    const Scene scene = read_scene_from_text(
+      SceneText()
+        .dimension(3)
+        .frame("0 0 0; 4 0 0; 4 2 0; 0 2 0; 0 0 3; 4 0 3; 4 2 3; 0 2 3",
+               "0 1; 1 2; 2 3; 3 0; 4 5; 5 6; 6 7; 7 4; 0 4; 1 5; 2 6; 3 7")
+        .circle("band", "5 mm", {"70 GPa", "2700 kg/m3"})
+        .add(subsection, entries),
+      "test.prm");
+    return loaded_axis(scene, build_lattice(scene));
+  };
+  EXPECT_EQ(axis_of("Loads/push", "Joints = front | Force z = t"), 2u);
+  EXPECT_EQ(axis_of("Loads/push", "Joints = 1, 5 | Force x = t"), 0u);
+  EXPECT_EQ(axis_of("Supports/lid",
+                    "Joints = front | Type = prescribed | Displacement z = t"),
+            2u);
+  EXPECT_EQ(axis_of("Initial velocities/hit", "Joints = top | Velocity y = -1"),
+            1u);
+  EXPECT_EQ(axis_of("Gravity", "Acceleration z = -9.81"), 2u);
+  // Along two axes, and in shear.
+  EXPECT_EQ(axis_of("Loads/push", "Joints = 6 | Force x = t | Force z = t"),
+            1u);
+  EXPECT_EQ(axis_of("Loads/push", "Joints = top | Force x = t"), 1u);
+}
+
+TEST(LargestStrain, HasRatiosForTheLoadedAxis)
+{
+  LargestStrain largest(2);
+  const double  strains[] = {1, 2, -4};
+  largest.add(1, {0, 1, 2}, strains);
+  EXPECT_EQ(*largest.poissons_ratio(0), 0.25);
+  EXPECT_EQ(*largest.poissons_ratio(1), 0.5);
+  EXPECT_FALSE(largest.poissons_ratio(2));
+}
+
 TEST(LargestStrain, IsThatOfTheLargestStrainAlongY)
 {
   LargestStrain                   largest;

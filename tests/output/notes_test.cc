@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 #include <support/scene_text.h>
 
+#include <filesystem>
+#include <fstream>
+
 #include <support/messages.h>
 
 using namespace auxfem;
@@ -11,6 +14,23 @@ using namespace auxfem::testing_support;
 
 namespace
 {
+  std::vector<std::string> notes_on_scene(const SceneText &scene)
+  {
+    const EquationsOnRanks of_scene(scene, {}, MPI_COMM_SELF);
+    return notes_on(of_scene.scene, of_scene.equations);
+  }
+
+  /** A clamped strut whose free end has a support of @p type. */
+  SceneText strut_with(const std::string &type, const std::string &load)
+  {
+    return SceneText()
+      .frame("0 0; 1 0", "0 1")
+      .rectangle("strip", 0.01, 0.01, {1e9, 1})
+      .add("Supports/foot", "Joints = 0")
+      .add("Supports/tip", "Joints = 1 | Type = " + type)
+      .add("Loads/push", "Joints = 1 | " + load);
+  }
+
   std::vector<std::string> notes_of(const std::string &height)
   {
     const EquationsOnRanks of_scene(
@@ -83,4 +103,35 @@ TEST(Notes, NameStrutsThatOverlapAtRest)
   expect_parts(of_beside[0], {"0 and 1 overlap at rest", "do not touch"});
   EXPECT_TRUE(notes_with(apart, "auto").empty());
   EXPECT_TRUE(notes_with(crossing, "off").empty());
+}
+
+TEST(Notes, NameLoadsThatDoNothing)
+{
+  const std::vector<std::string> notes =
+    notes_on_scene(strut_with("roller x", "Force x = 1 | Force y = t"));
+  ASSERT_EQ(notes.size(), 1u);
+  expect_parts(notes[0],
+               {"Loads/push/Force y: 't'",
+                "does nothing",
+                "vertical displacement",
+                "reactions"});
+  EXPECT_EQ(notes_on_scene(strut_with("clamp", "Moment z = 1")).size(), 1u);
+  EXPECT_TRUE(notes_on_scene(strut_with("pin", "Moment z = 1")).empty());
+}
+
+TEST(Notes, NameInputFilesInTheFolderOfTheResults)
+{
+  namespace fs             = std::filesystem;
+  const std::string folder = testing::TempDir() + "scenes";
+  fs::create_directories(folder);
+  for (const char *file : {"parameters.prm", "original.prm", "data.csv"})
+    std::ofstream(folder + "/" + file);
+  const SceneText scene =
+    strut_with("roller x", "Force x = 1").set("Output/Directory", folder);
+  EXPECT_TRUE(notes_on_scene(scene).empty());
+  std::ofstream(folder + "/bridge.prm");
+  const std::vector<std::string> notes = notes_on_scene(scene);
+  ASSERT_EQ(notes.size(), 1u);
+  expect_parts(notes[0], {"among input files", folder, "bridge.prm"});
+  fs::remove_all(folder);
 }

@@ -139,6 +139,22 @@ namespace
 
 
 
+  TEST(ParameterFile, RefusesTwoGroupsOfOneNameNamingBothLines)
+  {
+    expect_message("subsection Supports\n subsection ground\n  set A = 1\n"
+                   " end\n subsection ground\n  set B = 2\n end\nend\n",
+                   {"scene.prm:5",
+                    "Supports/ground",
+                    "second time",
+                    "scene.prm:2",
+                    "another name"});
+    expect_message("subsection Loads\n subsection a\n end\nend\n"
+                   "subsection Loads\n subsection a\n end\nend\n",
+                   {"scene.prm:6", "Loads/a", "scene.prm:2"});
+  }
+
+
+
   TEST(ParameterFile, ReportsAllMistakesAtOnce)
   {
     expect_message("what\nset A = 1\nset A = 2\nend\n",
@@ -162,6 +178,22 @@ namespace
     ASSERT_NE(s->find_entry("C"), nullptr);
     EXPECT_NE(s->find_entry("C")->location.text().find("inner/last.prm:1"),
               std::string::npos);
+  }
+
+
+
+  TEST(ParameterFile, AddsToGroupsOfAnIncludedFile)
+  {
+    const TemporaryFolder folder;
+    folder.write("part.prm",
+                 "subsection S\nsubsection a\nset A = 1\nend\nend\n");
+    const ParameterSubsection root = read_parameter_file(
+      folder.write("main.prm",
+                   "include part.prm\n"
+                   "subsection S\nsubsection a\nset B = 2\nend\nend\n"));
+    const ParameterSubsection &a = root.subsections.at(0).subsections.at(0);
+    EXPECT_NE(a.find_entry("A"), nullptr);
+    EXPECT_NE(a.find_entry("B"), nullptr);
   }
 
 

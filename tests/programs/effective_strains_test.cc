@@ -122,4 +122,81 @@ end
     expect_contains(run.errors,
                     {"Output/Effective strains = true", "reduced cell"});
   }
+
+
+  /** A body-centred cubic cell of round struts, pressed along z between planes
+   * of symmetry. */
+  const std::string cubic_cell = R"(
+set Dimension = 3
+subsection Lattice
+  set Cell   = frame
+  set Joints = 0 0 0; 5 mm 0 0; 0 5 mm 0; 5 mm 5 mm 0; 0 0 5 mm; \
+               5 mm 0 5 mm; 0 5 mm 5 mm; 5 mm 5 mm 5 mm; 2.5 mm 2.5 mm 2.5 mm
+  set Struts = 0 8; 1 8; 2 8; 3 8; 4 8; 5 8; 6 8; 7 8
+end
+subsection Sections
+  subsection rod
+    set Shape           = circle
+    set Radius          = 0.25 mm
+    set Young's modulus = 110 GPa
+  end
+end
+subsection Supports
+  subsection corners
+    set Joints     = 0 1 2 3 4 5 6 7
+    set Type       = prescribed
+    set Rotation x = 0
+    set Rotation y = 0
+    set Rotation z = 0
+  end
+  subsection left
+    set Joints         = left
+    set Type           = prescribed
+    set Displacement x = 0
+  end
+  subsection bottom
+    set Joints         = bottom
+    set Type           = prescribed
+    set Displacement y = 0
+  end
+  subsection back
+    set Joints         = back
+    set Type           = prescribed
+    set Displacement z = 0
+  end
+  subsection press
+    set Joints         = front
+    set Type           = prescribed
+    set Displacement z = -5e-6 * t
+  end
+end
+subsection Effects
+  set Large rotation    = off
+  set Shear flexibility = off
+end
+subsection Time
+  set Scheme    = static
+  set End time  = 1
+  set Time step = 1
+end
+subsection Output
+  set Graphics          = false
+  set Effective strains = true
+end
+)";
+
+  TEST_F(EffectiveStrainsProgram, AreRatiosForTheAxisThatIsLoaded)
+  {
+    write("scene.prm", cubic_cell);
+    const ProgramRun run = run_auxfem({"scene.prm", "--output", "out"});
+    ASSERT_EQ(run.exit_code, 0) << run.errors;
+    // Struts of length l that do not turn at their ends, with the stiffnesses
+    // EA / l along and 12 EI / l^3 across, of which the latter is r part.
+    const double r  = 3 * 0.25 * 0.25 / (0.75 * 5 * 5);
+    const double nu = (1 - r) / (2 + r);
+    EXPECT_NEAR(std::stod(summary("poissons_ratio_x")), nu, 1e-9);
+    EXPECT_NEAR(std::stod(summary("poissons_ratio_y")), nu, 1e-9);
+    expect_contains(run.output,
+                    {"-strain.x/strain.z = 0.4925", "strain.z = -0.001"});
+  }
 } // namespace

@@ -213,26 +213,52 @@ namespace
     write("scene.prm", data_text("star.prm"));
     // From 0.081 ms on, where a step ends, one iteration is too few for any: 19
     // us are left to the end of the step, and a quarter of them is too short.
-    expect_failure(run_auxfem({"scene.prm",
-                               "--output",
-                               "out",
-                               "--set",
-                               "Loads/hit/Force y=if(t < 81e-6, 0, -50)",
-                               "--set",
-                               "Newton/Maximum iterations=1",
-                               "--set",
-                               "Time/Smallest time step=5 us",
-                               "--set",
-                               "Output/Graphics interval=0.02 ms"}),
-                   {"did not converge even with dt = 9.5e-06 s",
-                    "1 iteration",
-                    "joint"});
+    expect_failure(
+      run_auxfem({"scene.prm",
+                  "--output",
+                  "out",
+                  "--set",
+                  "Loads/hit/Force y=if(t < 81e-6, 0, -50)",
+                  "--set",
+                  "Newton/Maximum iterations=1",
+                  "--set",
+                  "Time/Smallest time step=5 us",
+                  "--set",
+                  "Output/Graphics interval=0.02 ms"}),
+      {"where a load or a prescribed motion jumps, did not converge "
+       "even with dt = 9.5e-06 s (half of it would be less than",
+       "1 iteration",
+       "joint"});
     expect_results_until(0.081e-3,
                          {"did not converge"},
                          0,
                          0.0409807621,
                          "apex");
   }
+
+
+  TEST_F(FailedRun, SuddenLoadInStatics)
+  {
+    write("scene.prm", data_text("star.prm"));
+    // Viscous struts take a sudden load in a first step of 1e-5 of the others.
+    expect_failure(run_auxfem({"scene.prm",
+                               "--output",
+                               "out",
+                               "--set",
+                               "Loads/hit/Force y=-1e9",
+                               "--set",
+                               "Time/Scheme=static",
+                               "--set",
+                               "Effects/Large rotation=on",
+                               "--set",
+                               "Newton/Maximum iterations=1",
+                               "--set",
+                               "Time/Smallest time step=5 us"}),
+                   {"The step from t = 0 s, where a load or a prescribed "
+                    "motion jumps, did not converge",
+                    "which is less than Time/Smallest time step = 5e-06 s"});
+  }
+
 
 
   TEST_F(FailedRun, ConnectorWhoseEndsMeet)

@@ -34,6 +34,9 @@ namespace
     void expect_whole_results(const std::string &exit_state) const
     {
       EXPECT_EQ(summary("exit_state"), exit_state);
+      EXPECT_EQ(summary("verdict"), "doubtful");
+      expect_contains(read_text(path("out/log.txt")),
+                      {"The run is incomplete"});
       const Table table = history(); // throws if a row is torn
       EXPECT_GT(table.n_rows, 5u);
       EXPECT_NEAR(table["time"].back(),

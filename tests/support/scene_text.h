@@ -351,18 +351,36 @@ namespace auxfem
       /** What a user would write in the file. */
       std::string str() const
       {
-        std::string text;
+        // Entries of each subsection, which may be given once only.
+        std::vector<std::pair<std::string, std::string>> groups;
         for (const auto &[path, words] : parameters)
+          {
+            const std::size_t slash     = path.rfind('/');
+            const bool        is_at_top = slash == std::string::npos;
+            const std::string group =
+              is_at_top ? "" : path.substr(0, slash + 1);
+            auto found = std::find_if(groups.begin(),
+                                      groups.end(),
+                                      [&](const auto &other) {
+                                        return other.first == group;
+                                      });
+            if (found == groups.end())
+              found = groups.insert(groups.end(), {group, ""});
+            found->second += "set " + path.substr(is_at_top ? 0 : slash + 1) +
+              " = " + words + "\n";
+          }
+        std::string text;
+        for (const auto &[group, entries] : groups)
           {
             std::string end;
             std::size_t from = 0;
-            for (std::size_t to = path.find('/'); to != std::string::npos;
-                 from = to + 1, to = path.find('/', from))
+            for (std::size_t to = group.find('/'); to != std::string::npos;
+                 from = to + 1, to = group.find('/', from))
               {
-                text += "subsection " + path.substr(from, to - from) + "\n";
+                text += "subsection " + group.substr(from, to - from) + "\n";
                 end += "end\n";
               }
-            text += "set " + path.substr(from) + " = " + words + "\n" + end;
+            text += entries + end;
           }
         return text;
       }

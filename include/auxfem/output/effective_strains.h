@@ -3,6 +3,7 @@
 
 #include <auxfem/model/lattice_model.h>
 #include <auxfem/output/csv_table.h>
+#include <auxfem/scene/scene.h>
 #include <auxfem/time/records.h>
 
 #include <optional>
@@ -53,10 +54,28 @@ namespace auxfem
     std::vector<std::vector<Term>> terms; ///< for each of them
   };
 
-  /** Effective strains at the largest shortening or lengthening along y. */
+  /**
+   * The axis along which the lattice is loaded: the only one along which
+   * joints of its opposite sides are moved, pushed or thrown, or plates, line
+   * loads or gravity act. y if there is none or several.
+   */
+  unsigned int loaded_axis(const Scene &scene, const Lattice &lattice);
+
+  /** Effective strains at the largest shortening or lengthening along the
+   * loaded axis. */
   class LargestStrain
   {
   public:
+    /** @param axis along which the lattice is loaded. */
+    explicit LargestStrain(const unsigned int axis = 1) : loaded(axis)
+    {}
+
+    /** The loaded axis. */
+    unsigned int axis() const
+    {
+      return loaded;
+    }
+
     /**
      * Takes note of the strains @p values along @p axes at @p time (s).
      */
@@ -83,13 +102,14 @@ namespace auxfem
     }
 
     /**
-     * Effective Poisson's ratio of a lateral axis, 0 or 2: minus the strain
-     * along it over that along y. Nothing if either has none, or as long as
-     * there is no strain along y.
+     * Effective Poisson's ratio of a lateral axis: minus the strain along it
+     * over that along the loaded one. Nothing for the latter, if either has no
+     * strain, or as long as that of the loaded axis is zero.
      */
     std::optional<double> poissons_ratio(unsigned int axis) const;
 
   private:
+    unsigned int                         loaded;
     double                               time_then = 0;
     std::array<std::optional<double>, 3> strains;
   };

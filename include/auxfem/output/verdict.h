@@ -28,6 +28,10 @@ namespace auxfem
   /** That a run has ended at @p time (s) before its first step was done. */
   Finding nothing_computed(double time);
 
+  /** That a run has ended at @p time (s) before its end, by a signal or a
+   * failure. */
+  Finding incomplete(double time);
+
   /** The worst of @p findings; sound without any. */
   Verdict verdict_of(const std::vector<Finding> &findings);
 

@@ -26,12 +26,12 @@ namespace auxfem
 
     [[noreturn]] void refuse(const std::string &why)
     {
-      throw InputError("Analysis = buckling: " + why);
+      throw InputError(why);
     }
 
     [[noreturn]] void fail_to_buckle(const std::string &why)
     {
-      throw ComputationError("Analysis = buckling: " + why + '.');
+      throw ComputationError(why + '.');
     }
 
     /** Adds @p factor times @p other to @p matrix, of the same pattern. */

@@ -3,6 +3,7 @@
 #include <auxfem/output/csv_table.h>
 #include <auxfem/output/shape_amplitude.h>
 #include <auxfem/output/vtu_writer.h>
+#include <auxfem/parameters/rounded_text.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -282,7 +283,7 @@ namespace auxfem
         if (mode.damped)
           text << std::setprecision(6) << "   damped "
                << mode.damped->angular_frequency / (2 * PI) << " Hz, ratio "
-               << std::setprecision(3) << mode.damped->ratio();
+               << rounded_text(mode.damped->ratio());
         else if (is_damped && mode.eigenvalue > 0)
           text << "   no damped one found";
       }

@@ -9,6 +9,7 @@
 #include <auxfem/output/run_output.h>
 #include <auxfem/output/run_report.h>
 #include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/rounded_text.h>
 #include <auxfem/time/interruption.h>
 #include <auxfem/time/static.h>
 
@@ -57,7 +58,7 @@ namespace auxfem
       text.precision(6);
       for (const NaturalMode::Damped &damped : found.further_damped)
         text << "  Also damped: " << damped.angular_frequency / (2 * PI)
-             << " Hz, ratio " << damped.ratio() << '\n';
+             << " Hz, ratio " << rounded_text(damped.ratio(), 6) << '\n';
       text.precision(4);
       if (!found.damped_count)
         text << "  Damped modes are not counted.\n";
@@ -246,7 +247,7 @@ namespace auxfem
     {
       const ModesDefinition &asked = run.scene.modes;
       if (run.scene.analysis == Analysis::buckling)
-        return buckling_modes_of(run);
+        return buckling_modes_of(run, "Analysis = buckling");
       if (!has_natural_modes(run.solver(), run.solution.state))
         return complex_modes(run.solver(),
                              run.solution.state,
@@ -279,14 +280,30 @@ namespace auxfem
     return scene;
   }
 
-  BucklingModes buckling_modes_of(LatticeRun &run)
+  BucklingModes buckling_modes_of(LatticeRun &run, const std::string &purpose)
   {
     const ModesDefinition &modes = run.scene.modes;
-    return buckling_modes(run.solver(),
-                          run.solution.state,
-                          {modes.load_time.value_or(run.scene.time.end_time),
-                           modes.reversed_loads},
-                          modes.number);
+    try
+      {
+        return buckling_modes(run.solver(),
+                              run.solution.state,
+                              {modes.load_time.value_or(
+                                 run.scene.time.end_time),
+                               modes.reversed_loads},
+                              modes.number);
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(purpose + ": " + error.what());
+      }
+    catch (const Interrupted &)
+      {
+        throw;
+      }
+    catch (const ComputationError &error)
+      {
+        throw ComputationError(purpose + ": " + error.what());
+      }
   }
 
   std::vector<std::string> modes_files()

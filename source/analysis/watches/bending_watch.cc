@@ -1,5 +1,6 @@
 #include <auxfem/analysis/spaced_looks.h>
 #include <auxfem/analysis/watch.h>
+#include <auxfem/parameters/rounded_text.h>
 
 #include <sstream>
 
@@ -62,8 +63,8 @@ namespace auxfem
         text.precision(2);
         text << "Elements of order 1 are too stiff where struts bend: those "
                 "here miss about "
-             << 100 * missed
-             << " % of the compliance. Set Discretization/Order = 2 or more, "
+             << percentage_text(missed)
+             << " of the compliance. Set Discretization/Order = 2 or more, "
                 "or raise Discretization/Global refinements: each halving of "
                 "the elements leaves a quarter of it.";
         return {

@@ -1,5 +1,6 @@
 #include <auxfem/analysis/occurrences.h>
 #include <auxfem/analysis/watch.h>
+#include <auxfem/parameters/rounded_text.h>
 #include <auxfem/time/moment_text.h>
 
 #include <sstream>
@@ -51,8 +52,9 @@ namespace auxfem
           " of joint " + std::to_string(first->number);
         std::ostringstream text;
         text.precision(3);
-        text << "The " << location << " has less than " << 100 * doubtful_length
-             << " % of its length at rest from about "
+        text << "The " << location << " has less than "
+             << percentage_text(doubtful_length, 3)
+             << " of its length at rest from about "
              << moment_text(equations.layout().path, first->time, 3) << " on";
         if (largest->size == 1)
           text << ", and one is pushed through itself at "

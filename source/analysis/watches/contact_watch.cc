@@ -1,6 +1,7 @@
 #include <auxfem/analysis/occurrences.h>
 #include <auxfem/analysis/watch.h>
 #include <auxfem/equations/effects/contact.h>
+#include <auxfem/parameters/rounded_text.h>
 
 #include <algorithm>
 #include <sstream>
@@ -100,9 +101,9 @@ namespace auxfem
         std::ostringstream text;
         text.precision(3);
         text << "At t = " << largest.time << " s " << location << " goes "
-             << 100 * largest.size << " % of its thickness into " << other
-             << ". Beyond " << 100 * doubtful_penetration
-             << " % results depend on how stiff its face is taken to be: raise "
+             << percentage_text(largest.size, 3) << " of its thickness into "
+             << other << ". Beyond " << percentage_text(doubtful_penetration, 3)
+             << " results depend on how stiff its face is taken to be: raise "
                 "Contact/Stiffness, or let things move more slowly.";
         return {Verdict::doubtful, text.str(), largest.time, location};
       }

@@ -2,6 +2,7 @@
 #include <auxfem/analysis/node_masses.h>
 #include <auxfem/analysis/watch.h>
 #include <auxfem/equations/effects/contact.h>
+#include <auxfem/parameters/rounded_text.h>
 
 #include <algorithm>
 #include <array>
@@ -97,8 +98,8 @@ namespace auxfem
           << " only: the impulse, and what comes after it, depend on how long "
              "steps are. Contact as short as that leaves open ";
         text.precision(2);
-        text << 100 * unresolved / largest
-             << " % of the largest momentum; answers may err by ten times as "
+        text << percentage_text(unresolved / largest)
+             << " of the largest momentum; answers may err by ten times as "
                 "much. "
              << advice();
         return {{Verdict::doubtful,

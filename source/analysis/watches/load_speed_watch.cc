@@ -1,5 +1,6 @@
 #include <auxfem/analysis/node_masses.h>
 #include <auxfem/analysis/watch.h>
+#include <auxfem/parameters/rounded_text.h>
 #include <auxfem/time/largest_in_time.h>
 
 #include <algorithm>
@@ -63,16 +64,15 @@ namespace auxfem
           return {};
         std::ostringstream text;
         text.precision(2);
-        text
-          << "The loads are too fast to leave inertia out: at t = "
-          << kinetic.time
-          << " s the masses that move would have a kinetic energy of "
-          << 100 * kinetic.value / work
-          << " % of the work of the loads. Displacements and forces may err "
-             "by "
-          << 200 * std::sqrt(kinetic.value / work)
-          << " % by vibrations. Set a Time/Scheme with inertia, newmark say, "
-             "or load more slowly.";
+        text << "The loads are too fast to leave inertia out: at t = "
+             << kinetic.time
+             << " s the masses that move would have a kinetic energy of "
+             << percentage_text(kinetic.value / work)
+             << " of the work of the loads. Displacements and forces may err "
+                "by "
+             << percentage_text(2 * std::sqrt(kinetic.value / work))
+             << " by vibrations. Set a Time/Scheme with inertia, newmark say, "
+                "or load more slowly.";
         return {{Verdict::doubtful, text.str(), kinetic.time, ""}};
       }
 

@@ -1,4 +1,5 @@
 #include <auxfem/analysis/watch.h>
+#include <auxfem/parameters/rounded_text.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -111,8 +112,8 @@ namespace auxfem
       {
         std::ostringstream text;
         text.precision(2);
-        text << load << " changes within steps, which miss " << 100 * missed
-             << " % of its impulse"
+        text << load << " changes within steps, which miss "
+             << percentage_text(missed) << " of its impulse"
              << shorter_step_text(scene_step, scheme, missed);
         return {Verdict::doubtful, text.str(), time, ""};
       }

@@ -1,6 +1,7 @@
 #include <auxfem/analysis/small_displacement_error.h>
 #include <auxfem/analysis/spaced_looks.h>
 #include <auxfem/analysis/watch.h>
+#include <auxfem/parameters/rounded_text.h>
 
 #include <sstream>
 
@@ -46,10 +47,11 @@ namespace auxfem
         text << "Displacements are not small, as Large rotation = off "
                 "supposes: at t = "
              << time << " s forces and displacements are wrong by about "
-             << 100 * worst.total() << " %, by rotations of " << worst.rotation
+             << percentage_text(worst.total()) << ", by rotations of "
+             << worst.rotation
              << " rad, axial forces that change the stiffness by "
-             << 100 * worst.second_order << " %, and axial strains of "
-             << 100 * worst.strain << " % (most at " << worst.location
+             << percentage_text(worst.second_order) << ", and axial strains of "
+             << percentage_text(worst.strain) << " (most at " << worst.location
              << "). Set Effects/Large rotation = on, or reduce the load.";
         return {{worst.total() > ruinous_displacement_error
                    ? Verdict::not_to_be_used

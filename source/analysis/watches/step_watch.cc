@@ -1,6 +1,7 @@
 #include <auxfem/analysis/watch.h>
 #include <auxfem/analysis/watched_part.h>
 #include <auxfem/model/unknown_records.h>
+#include <auxfem/parameters/rounded_text.h>
 #include <auxfem/time/largest_in_time.h>
 
 #include <algorithm>
@@ -222,7 +223,7 @@ namespace auxfem
         std::ostringstream text;
         text.precision(2);
         text << "The steps are long for the motion: each misses about "
-             << 100 * relative << " % of the way of the joints"
+             << percentage_text(relative) << " of the way of the joints"
              << shorter_step_text(scene_step, scheme, relative);
         return {is_ruinous ? Verdict::not_to_be_used : Verdict::doubtful,
                 text.str(),

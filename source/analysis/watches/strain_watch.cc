@@ -1,5 +1,6 @@
 #include <auxfem/analysis/occurrences.h>
 #include <auxfem/analysis/watch.h>
+#include <auxfem/parameters/rounded_text.h>
 #include <auxfem/time/moment_text.h>
 
 #include <limits>
@@ -32,12 +33,13 @@ namespace auxfem
         "strut " + std::to_string(excess.largest.number);
       std::ostringstream text;
       text.precision(3);
-      text << "The strain reaches " << 100 * excess.strain << " % in an outer "
+      text << "The strain reaches " << percentage_text(excess.strain, 3)
+           << " in an outer "
            << "fibre of " << location
            << ". Stress in proportion to strain and sections that keep their "
               "shape, which beams here are made of, do not hold beyond some "
-           << 100 * doubtful_strain
-           << " % for any material: check loads, sections and units.";
+           << percentage_text(doubtful_strain, 3)
+           << " for any material: check loads, sections and units.";
       return {excess.strain > ruinous_strain ? Verdict::not_to_be_used
                                              : Verdict::doubtful,
               text.str(),
@@ -55,11 +57,11 @@ namespace auxfem
            << moment_text(excess.on_path, excess.first.time, 3)
            << " on, first in " << location << "; strut "
            << excess.largest.number << " reaches a strain of "
-           << 100 * excess.strain << " % in an outer fibre at "
+           << percentage_text(excess.strain, 3) << " in an outer fibre at "
            << moment_text(excess.on_path, excess.largest.time, 3)
            << ", its Yield strain is "
-           << 100 * excess.strain / excess.largest.size
-           << " %. Struts here stay elastic; real ones are softer from there "
+           << percentage_text(excess.strain / excess.largest.size, 3)
+           << ". Struts here stay elastic; real ones are softer from there "
               "on and keep a part of the deformation. Reduce the load, or use "
               "the results until then.";
       return {Verdict::doubtful, text.str(), excess.first.time, location};

@@ -26,9 +26,12 @@ namespace auxfem
   /** @p scene as modes look at it: at t = 0 and at rest. */
   Scene scene_of_modes(Scene scene);
 
-  /** Those that the scene of @p run asks for, which has started. Throws as
-   * buckling_modes(). Collective. */
-  BucklingModes buckling_modes_of(LatticeRun &run);
+  /**
+   * Those that the scene of @p run asks for, which has started. Throws as
+   * buckling_modes(), with messages that begin with @p purpose: the parameter
+   * that asks for the modes. Collective.
+   */
+  BucklingModes buckling_modes_of(LatticeRun &run, const std::string &purpose);
 
   /** Names of files that tell of modes, of any number of them. */
   std::vector<std::string> modes_files();
