@@ -2,6 +2,7 @@
 #include <auxfem/parameters/describe.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/out_of_memory.h>
+#include <auxfem/parameters/printable.h>
 #include <auxfem/parameters/short_lines.h>
 #include <auxfem/program.h>
 #include <auxfem/resumption.h>
@@ -102,6 +103,7 @@ namespace auxfem
   std::optional<int>
   answer_without_mpi(const std::vector<std::string> &arguments)
   {
+    const PrintableStream output(std::cout), errors(std::cerr);
     try
       {
         const auto text = answer(read_command_line(arguments).action);
@@ -128,7 +130,9 @@ namespace auxfem
   int run_program(const std::vector<std::string> &arguments,
                   const StartTimes               &start)
   {
-    const bool speaks =
+    // Titles, names and files that are quoted may hold escape sequences.
+    const PrintableStream output(std::cout), errors(std::cerr);
+    const bool            speaks =
       dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
     const auto report_internal = [](const std::string &what) {
       return end_all_ranks("internal error, please report it together with the "

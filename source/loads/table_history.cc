@@ -3,6 +3,7 @@
 #include <auxfem/loads/time_history.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/expression.h>
+#include <auxfem/parameters/input_file.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -10,7 +11,6 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 
 namespace auxfem
@@ -74,13 +74,8 @@ namespace auxfem
         , scale(read_scale(table.scale, context))
       {
         read_reference(table.file, context);
-        std::ifstream in(file);
-        if (!in || std::filesystem::is_directory(file))
-          throw InputError(path + ": cannot read the table " + file +
-                           ".\nGive the name of a text file; a relative name "
-                           "starts from the folder of the parameter file (" +
-                           context.directory + ").");
-        std::string row;
+        std::istringstream in(content(context));
+        std::string        row;
         for (line = 1; std::getline(in, row); ++line)
           {
             // Spreadsheets mark UTF-8 files by three bytes in front.
@@ -193,6 +188,22 @@ namespace auxfem
           {
             throw InputError(path + ": the scale of the table, " +
                              error.what() + ".");
+          }
+      }
+
+      std::string content(const SceneContext &context) const
+      {
+        try
+          {
+            return read_input_file(file);
+          }
+        catch (const UnreadableFile &unreadable)
+          {
+            throw InputError(path + ": cannot read the table " + file +
+                             ".\nIt " + unreadable.reason +
+                             ". Give the name of a text file; a relative name "
+                             "starts from the folder of the parameter file (" +
+                             context.directory + ").");
           }
       }
 

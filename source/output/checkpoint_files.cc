@@ -1,5 +1,6 @@
 #include <auxfem/output/checkpoint_files.h>
 #include <auxfem/output/checkpoint_format.h>
+#include <auxfem/output/output_file.h>
 #include <auxfem/parameters/errors.h>
 
 #include <array>
@@ -132,8 +133,11 @@ namespace auxfem
       wait_for_disk(file, O_WRONLY);
     const std::string file = next->file, temporary = file + ".part";
 
+    std::error_code ignored;
+    std::filesystem::remove(temporary, ignored);
     errno = 0;
-    std::ofstream stream(temporary, std::ios::binary);
+    std::ofstream stream =
+      open_output_file(temporary, std::ios::out | std::ios::binary);
     write_checkpoint(next->number, content, stream);
     stream.close();
     if (!stream)

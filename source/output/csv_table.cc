@@ -1,4 +1,5 @@
 #include <auxfem/output/csv_table.h>
+#include <auxfem/output/output_file.h>
 #include <auxfem/parameters/errors.h>
 
 #include <deal.II/base/exceptions.h>
@@ -29,7 +30,7 @@ namespace auxfem
 
     std::string reason()
     {
-      return std::generic_category().message(errno);
+      return output_error_text(errno);
     }
 
     [[noreturn]] void refuse(const std::string &file)
@@ -41,7 +42,7 @@ namespace auxfem
 
     std::ofstream open(const std::string &file)
     {
-      std::ofstream stream(file);
+      std::ofstream stream = open_output_file(file);
       if (!stream)
         refuse(file);
       return stream;
@@ -84,10 +85,11 @@ namespace auxfem
         " is not what the run has left there: it was changed, or "
         "the output parameters ask for other columns. Put it "
         "back, or start from t = 0.");
+    stream = open_output_file(file, std::ios::in | std::ios::out);
+    if (!stream)
+      refuse(file);
     std::filesystem::resize_file(file, length, error);
-    if (!error)
-      stream.open(file, std::ios::in | std::ios::out | std::ios::ate);
-    if (error || !stream)
+    if (error || !stream.seekp(0, std::ios::end))
       refuse(file);
   }
 

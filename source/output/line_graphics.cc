@@ -1,5 +1,6 @@
 #include <auxfem/output/first_rank.h>
 #include <auxfem/output/line_graphics.h>
+#include <auxfem/output/output_file.h>
 #include <auxfem/parameters/errors.h>
 
 #include <deal.II/base/utilities.h>
@@ -143,11 +144,9 @@ namespace auxfem
   {
     on_first_rank(communicator, [&]() {
       const std::string subfolder = folder + "/" + name;
-      std::error_code   error;
-      std::filesystem::create_directories(subfolder, error);
-      if (error)
+      if (const std::error_code error = make_output_subfolder(subfolder))
         throw InputError("Cannot make the folder " + subfolder + ": " +
-                         error.message() +
+                         output_error_text(error.value()) +
                          ".\nRemove what stands in the way, or choose another "
                          "folder with Output/Directory or --output DIR.");
     });
@@ -246,7 +245,7 @@ namespace auxfem
 
     const std::string file = name + "_" +
       dealii::Utilities::int_to_string(n_written, n_digits) + ".vtu";
-    std::ofstream stream(subfolder + file);
+    std::ofstream stream = open_output_file(subfolder + file);
     if (graphics.empty())
       stream << text_without_lines(graphics);
     else
@@ -266,7 +265,8 @@ namespace auxfem
     const std::string record   = folder + "/" + name + ".pvd";
     const bool        is_first = end_of_entries == 0;
     const auto        mode     = std::ios::out | std::ios::binary;
-    std::fstream      stream(record, is_first ? mode : mode | std::ios::in);
+    std::ofstream     stream =
+      open_output_file(record, is_first ? mode : mode | std::ios::in);
     stream.seekp(end_of_entries);
     const std::string head = is_first ? record_head : "";
     // In one piece, so that no moment is left at which the record has no end.
@@ -291,8 +291,8 @@ namespace auxfem
         std::filesystem::remove(record, ignored);
         return;
       }
-    std::fstream stream(record,
-                        std::ios::in | std::ios::out | std::ios::binary);
+    std::ofstream stream =
+      open_output_file(record, std::ios::in | std::ios::out | std::ios::binary);
     stream.seekp(end_of_entries);
     stream << record_tail;
     stream.close();

@@ -1,3 +1,4 @@
+#include <auxfem/output/output_file.h>
 #include <auxfem/output/output_folder.h>
 #include <auxfem/parameters/errors.h>
 
@@ -80,6 +81,7 @@ namespace auxfem
     : path(path)
   {
     make_folder();
+    refuse_links(contents, former_results);
     // Of a folder that is refused nothing shall be touched, not even by a list.
     if (exists(file(list_name)))
       {
@@ -100,6 +102,21 @@ namespace auxfem
     write_list();
   }
 
+  void OutputFolder::refuse_links(const FolderContents &contents,
+                                  const FormerResults   former_results) const
+  {
+    std::vector<std::string> names = contents.series;
+    names.push_back(list_name);
+    // Else they are removed, or refused, as the files of others.
+    if (former_results == FormerResults::continued)
+      for (const std::string &name : contents.names())
+        names.push_back(name);
+    std::error_code ignored;
+    for (const std::string &name : names)
+      if (fs::is_symlink(fs::symlink_status(file(name), ignored)))
+        refuse(name + " cannot be written", ELOOP);
+  }
+
   OutputFolder::Descriptor::~Descriptor()
   {
     if (number >= 0)
@@ -116,7 +133,7 @@ namespace auxfem
   {
     throw InputError(
       "The output folder `" + path + "` cannot be used.\n  " + what + ": " +
-      std::generic_category().message(reason) +
+      output_error_text(reason) +
       "\nIt must be a folder that can be made and written to. Give another one "
       "with --output DIR or the parameter Output/Directory.");
   }
@@ -133,8 +150,9 @@ namespace auxfem
 
   void OutputFolder::lock()
   {
-    list.number =
-      ::open(file(list_name).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    list.number = ::open(file(list_name).c_str(),
+                         O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC,
+                         0666);
     if (list.number < 0)
       refuse(list_name + " cannot be written", errno);
     // Where the file system knows no locks, two runs cannot know of each other.

@@ -1,5 +1,7 @@
+#include <auxfem/output/output_file.h>
 #include <auxfem/output/run_folder.h>
 #include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/input_file.h>
 
 #include <cerrno>
 #include <filesystem>
@@ -64,27 +66,28 @@ namespace auxfem
              contents_of(scene, further),
              with_inputs_of(scene, rules),
              former_results)
+    , path(scene.output.directory)
   {
     const bool is_continued = former_results == FormerResults::continued;
-    const std::string &path = scene.output.directory;
     errno                   = 0;
-    log_file.open(path + "/log.txt",
-                  is_continued ? std::ios::app : std::ios::out);
+    log_file                = open_output_file(path + "/log.txt",
+                                is_continued ? std::ios::app : std::ios::out);
     if (!log_file)
       folder.refuse("log.txt cannot be written", errno);
 
-    std::error_code error;
     if (is_copied(scene) && !is_continued)
-      fs::copy_file(scene.file, path + "/original.prm", error);
-    if (error)
-      folder.refuse("original.prm cannot be written", error.value());
+      write("original.prm", read_input_file(scene.file));
+    write("parameters.prm", scene.all_parameters);
+  }
 
-    errno = 0;
-    std::ofstream parameters(path + "/parameters.prm");
-    parameters << scene.all_parameters;
-    parameters.close();
-    if (!parameters)
-      folder.refuse("parameters.prm cannot be written", errno);
+  void RunFolder::write(const std::string &name, const std::string &text) const
+  {
+    errno                = 0;
+    std::ofstream stream = open_output_file(path + "/" + name);
+    stream << text;
+    stream.close();
+    if (!stream)
+      folder.refuse(name + " cannot be written", errno);
   }
 
   void RunFolder::claim_series(const std::string &name)
@@ -95,12 +98,13 @@ namespace auxfem
   void replace_file(const std::string &file, const std::string &text)
   {
     const std::string temporary = file + ".part";
-    errno                       = 0;
-    std::ofstream stream(temporary);
+    std::error_code   error;
+    fs::remove(temporary, error);
+    errno                = 0;
+    std::ofstream stream = open_output_file(temporary);
     stream << text;
     stream.close();
 
-    std::error_code error;
     if (!stream)
       error = {errno, std::generic_category()};
     else

@@ -1,12 +1,12 @@
 #include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/input_file.h>
 #include <auxfem/parameters/mistakes.h>
 #include <auxfem/parameters/named.h>
 #include <auxfem/parameters/parameter_file.h>
 
 #include <deal.II/base/utilities.h>
 
-#include <filesystem>
-#include <fstream>
+#include <algorithm>
 #include <sstream>
 
 namespace auxfem
@@ -14,6 +14,11 @@ namespace auxfem
   namespace
   {
     using dealii::Utilities::trim;
+
+    /** Files that a scene may include, and their bytes. A frame of a million
+     * joints takes 100 MB; more is taken for files that include each other. */
+    constexpr unsigned int most_files = 1000;
+    constexpr std::size_t  most_bytes = std::size_t(1) << 30;
 
     std::string directory_of(const std::string &file)
     {
@@ -47,16 +52,27 @@ namespace auxfem
     public:
       void read_file(const std::string &file)
       {
-        std::ifstream stream(file);
-        // a folder can be opened like a file, only reading it fails
-        if (!stream || std::filesystem::is_directory(file))
+        const std::string where =
+          open_files.empty() ? "" : location().text() + ": ";
+        if (++n_files > most_files)
+          throw InputError(where + "the scene is read from more than " +
+                           std::to_string(most_files) +
+                           " files; look for files that include others again "
+                           "and again");
+        std::string content;
+        try
           {
-            mistakes.add((open_files.empty() ? "" : location().text() + ": ") +
-                         "the parameter file \"" + file +
-                         "\" cannot be opened; check its name and that you "
-                         "may read it");
+            content = read_input_file(file, most_bytes - n_bytes);
+          }
+        catch (const UnreadableFile &unreadable)
+          {
+            mistakes.add(where + "the parameter file \"" + file + "\" " +
+                         unreadable.reason +
+                         "; check its name and that you may read it");
             return;
           }
+        n_bytes += content.size();
+        std::istringstream stream(content);
         read_stream(stream, file);
       }
 
@@ -223,6 +239,8 @@ namespace auxfem
       std::vector<ParameterSubsection *> stack;
       std::vector<FileLocation>          open_files;
       Mistakes                           mistakes;
+      unsigned int                       n_files = 0;
+      std::size_t                        n_bytes = 0;
     };
   } // namespace
 

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <iomanip>
+#include <iostream>
 #include <limits>
 
 namespace auxfem
@@ -142,10 +144,11 @@ namespace auxfem
       static const std::vector<int> widths =
         {-16, -19, 14, 15, 14, 14, 17, 17, 14};
       for (unsigned int i = 0; i < widths.size(); ++i)
-        std::printf("%*s ", widths[i], cells[i].c_str());
+        std::cout << (widths[i] < 0 ? std::left : std::right)
+                  << std::setw(std::abs(widths[i])) << cells[i] << ' ';
       // a reason may have several lines; the first says what happened
       const std::string &last = cells.back();
-      std::printf(" %s\n", last.substr(0, last.find('\n')).c_str());
+      std::cout << ' ' << last.substr(0, last.find('\n')) << '\n' << std::right;
     }
   } // namespace
 
@@ -194,7 +197,6 @@ namespace auxfem
           print(cells);
           table.append_text(cells);
         }
-    std::printf("The table is in %s\n", file.c_str());
-    std::fflush(stdout);
+    std::cout << "The table is in " << file << std::endl;
   }
 } // namespace auxfem

@@ -1,3 +1,4 @@
+#include <auxfem/output/output_file.h>
 #include <auxfem/output/run_folder.h>
 #include <auxfem/output/summary.h>
 #include <auxfem/parameters/parameter_file.h>
@@ -100,8 +101,9 @@ namespace auxfem
                 const std::string &key,
                 const MeasuredRun &run)
   {
-    std::error_code ignored;
-    fs::create_directories(folder, ignored);
+    if (const std::error_code error = make_output_subfolder(folder))
+      throw ComputationError("Cannot make the folder " + folder + ": " +
+                             output_error_text(error.value()) + ".");
     replace_file(file_of(folder, key),
                  Json{{"key", key}, {"run", json_of(run)}}
                    .dump(-1, ' ', false, Json::error_handler_t::replace));

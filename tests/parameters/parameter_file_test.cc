@@ -6,6 +6,9 @@
 #include <filesystem>
 #include <fstream>
 
+#include <support/messages.h>
+#include <sys/stat.h>
+
 namespace
 {
   using namespace auxfem;
@@ -230,6 +233,39 @@ namespace
                     std::string::npos)
             << error.what();
         }
+  }
+
+
+
+  TEST(ParameterFile, FilesThatIncludeEachOtherEnd)
+  {
+    const TemporaryFolder folder;
+    for (unsigned int i = 0; i < 30; ++i)
+      {
+        const std::string next = "include " + std::to_string(i + 1) + ".prm\n";
+        folder.write(std::to_string(i) + ".prm", next + next);
+      }
+    folder.write("30.prm", "");
+    const std::string main = folder.write("main.prm", "include 0.prm\n");
+    const std::string message =
+      input_error_of([&]() { read_parameter_file(main); });
+    EXPECT_TRUE(contains(message, "more than 1000 files")) << message;
+  }
+
+
+
+  TEST(ParameterFile, RefusesPipesAndDevices)
+  {
+    const TemporaryFolder folder;
+    const std::string     pipe = folder.write("pipe.prm", "");
+    std::filesystem::remove(pipe);
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    for (const std::string &file : {pipe, std::string("/dev/zero")})
+      {
+        const std::string message =
+          input_error_of([&]() { read_parameter_file(file); });
+        EXPECT_TRUE(contains(message, "pipe, socket or device")) << message;
+      }
   }
 
 

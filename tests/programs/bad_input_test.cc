@@ -299,6 +299,28 @@ namespace
 
 
 
+  TEST_F(BadInput, SendsNoCommandsToTheTerminal)
+  {
+    const std::string escape = "\x1b]0;title\x07";
+    write("a" + escape + ".prm",
+          "set " + escape + " = 1\n" + data_text("star.prm"));
+    const ProgramRun refused = run_auxfem({"--check", "a" + escape + ".prm"});
+    expect_refusal(refused, {"a?]0;title?.prm"});
+    EXPECT_EQ(refused.errors.find_first_of("\x1b\x07"), std::string::npos);
+
+    write("scene.prm", "set Title = " + escape + "\n" + data_text("star.prm"));
+    const ProgramRun run = run_auxfem(
+      {"scene.prm", "--output", "out", "--set", "Time/End time=40 us"});
+    EXPECT_EQ(run.exit_code, 0) << run.errors;
+    for (const std::string &text : {run.output, read_text(path("out/log.txt"))})
+      {
+        expect_contains(text, {"?]0;title?"});
+        EXPECT_EQ(text.find_first_of("\x1b\x07"), std::string::npos);
+      }
+  }
+
+
+
   TEST_F(BadInput, MissingFile)
   {
     expect_refusal(start_auxfem({"lost.prm"}),

@@ -39,6 +39,36 @@ namespace
     }
   };
 
+  TEST_F(FilesOfTheUser, AreNotWrittenThroughLinks)
+  {
+    fs::create_directories(path("elsewhere"));
+    write("elsewhere/empty", "");
+    const auto refuses_link = [&](const std::string &name,
+                                  const std::string &target,
+                                  const Words       &further = {}) {
+      fs::create_directories(path("out"));
+      fs::create_symlink(target, path("out/" + name));
+      expect_refusal(run_into("out", "scene.prm", further), {name});
+      fs::remove_all(path("out"));
+    };
+    refuses_link(".auxfem-files", "../elsewhere/empty", {"--force"});
+    refuses_link(".auxfem-files", "../elsewhere/new", {"--force"});
+    refuses_link("solution", "../elsewhere", {"--force"});
+    refuses_link("connectors", "../elsewhere/none", {"--force"});
+    refuses_link("history.csv", "../elsewhere/empty");
+
+    // What is replaced on demand is the link.
+    fs::create_directories(path("out"));
+    for (const char *name : {"history.csv", "log.txt", "summary.json.part"})
+      fs::create_symlink("../elsewhere/empty",
+                         path("out/" + std::string(name)));
+    const ProgramRun run = run_into("out", "scene.prm", {"--force"});
+    EXPECT_EQ(run.exit_code, 0) << run.errors;
+
+    EXPECT_EQ(read_text(path("elsewhere/empty")), "");
+    EXPECT_EQ(std::distance(fs::directory_iterator(path("elsewhere")), {}), 1);
+  }
+
   TEST_F(FilesOfTheUser, AreNotReplacedUnasked)
   {
     fs::create_directories(path("mine"));

@@ -12,6 +12,40 @@ namespace
     expect_contains(read_text(path("out/log.txt")), {"Goes on from t = "});
   }
 
+  TEST_F(ResumedRun, DoesNotWriteThroughLinks)
+  {
+    namespace fs = std::filesystem;
+    Words half   = begin();
+    half.insert(half.end(), {"--set", "Time/End time=1 ms"});
+    ASSERT_EQ(run_auxfem(half).exit_code, 0);
+    for (const std::string name : {"history.csv",
+                                   "history.units.csv",
+                                   "parameters.prm",
+                                   "log.txt",
+                                   "solution",
+                                   ".auxfem-files",
+                                   "checkpoint_b.part"})
+      {
+        const std::string file = path("out/" + name), kept = path("kept");
+        if (name == "checkpoint_b.part")
+          write("kept", "mine");
+        else
+          fs::rename(file, kept);
+        fs::create_symlink(kept, file);
+        const bool        is_folder = fs::is_directory(kept);
+        const std::string before    = is_folder ? "" : read_text(kept);
+        const ProgramRun  run       = run_auxfem(go_on());
+        EXPECT_EQ(run.exit_code, 1) << name << run.output;
+        expect_contains(run.errors, {name, "link"});
+        if (!is_folder)
+          {
+            EXPECT_EQ(read_text(kept), before) << name;
+          }
+        fs::remove(file);
+        fs::rename(kept, file);
+      }
+  }
+
   TEST_F(ResumedRun, GoesOnToALaterEnd)
   {
     ASSERT_EQ(run_auxfem({"scene.prm", "--output", "whole"}).exit_code, 0);

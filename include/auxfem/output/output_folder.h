@@ -52,6 +52,7 @@ namespace auxfem
      * the rules name. Throws InputError, before anything is removed, if
      * - the folder cannot be made or written to,
      * - another process writes into it,
+     * - a file or folder to be written is a link,
      * - a file that the run reads would be replaced,
      * - other files that auxfem has not written would be, unless the
      *   rules allow it.
@@ -85,6 +86,8 @@ namespace auxfem
     }
 
     void make_folder() const;
+    void refuse_links(const FolderContents &contents,
+                      FormerResults         former_results) const;
     void lock();
     void read_list();
     void write_list();

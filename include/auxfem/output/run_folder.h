@@ -2,6 +2,7 @@
 #define auxfem_output_run_folder_h
 
 #include <auxfem/output/output_folder.h>
+#include <auxfem/parameters/printable.h>
 #include <auxfem/scene/scene.h>
 
 #include <fstream>
@@ -34,15 +35,20 @@ namespace auxfem
     /** Notes that the run writes the series @p name. */
     void claim_series(const std::string &name);
 
-    /** log.txt. */
+    /** log.txt, which is read on terminals. */
     std::ostream &log()
     {
-      return log_file;
+      return log_stream;
     }
 
   private:
-    OutputFolder  folder;
-    std::ofstream log_file;
+    void write(const std::string &name, const std::string &text) const;
+
+    OutputFolder      folder;
+    const std::string path;
+    std::ofstream     log_file;
+    PrintableBuffer   log_buffer{log_file.rdbuf()};
+    std::ostream      log_stream{&log_buffer};
   };
 
   /**
