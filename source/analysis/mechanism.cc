@@ -44,6 +44,9 @@ namespace auxfem
                                                : 1.) *
           (numbering.unknowns().strut[i] ? 0.99 : 1.);
       const std::string words = describe_largest(numbering, sizes);
+      std::string       notes;
+      for (const std::string &note : model.lattice.notes)
+        notes += '\n' + note;
       throw InputError(
         "The structure is not supported: it can move without any resistance, most of "
         "all the " +
@@ -54,7 +57,8 @@ namespace auxfem
         (model.lattice.n_plates > 0
            ? " Plates hold nothing until it is pressed on them, nor are they "
              "held: move them, or use a scheme with inertia."
-           : ""));
+           : "") +
+        notes);
     }
 
     /** Stiffness of each owned row's motion alone, for which that of a motion

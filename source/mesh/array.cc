@@ -101,6 +101,7 @@ namespace auxfem
 
       Lattice build()
       {
+        lattice.notes = cell.notes;
         create_sets();
         Index3 at;
         for (at[2] = 0; at[2] < n_cells[2]; ++at[2])

@@ -186,7 +186,9 @@ namespace auxfem
                                     const Equations &equations)
   {
     const LatticeModel      &model = equations.model();
-    std::vector<std::string> notes = scene.time.values_without_effect;
+    std::vector<std::string> notes = model.lattice.notes;
+    for (const std::string &note : scene.time.values_without_effect)
+      notes.push_back(note);
     if (const std::optional<std::string> on_scheme =
           scene.time.scheme->note_on_rigid_parts();
         on_scheme && model.numbering.constraints().n_multipliers() > 0)

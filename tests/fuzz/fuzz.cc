@@ -68,6 +68,12 @@ namespace
              AUXFEM_PRM_DIRECTORY "/portal.prm",
              read_text(AUXFEM_MESH_DIRECTORY "/portal" + std::string(ending)),
              ending});
+        for (const std::string file :
+             {"portal-binary-2.msh", "portal-binary-4.msh", "portal.inp"})
+          seeds.push_back({Seed::Kind::mesh,
+                           AUXFEM_PRM_DIRECTORY "/portal.prm",
+                           read_text(AUXFEM_TEST_DATA_DIRECTORY "/" + file),
+                           file.substr(file.rfind('.'))});
       }
     return seeds;
   }
@@ -173,11 +179,11 @@ namespace
         return outcome_of(text, seed.name, {});
       const std::string file = fs::absolute(prefix + seed.ending).string();
       std::ofstream(file, std::ios::binary) << text;
-      return outcome_of(read_text(seed.name),
-                        seed.name,
-                        {seed.kind == Seed::Kind::table
-                           ? "Loads/hit/Force y=table: " + file
-                           : "Lattice/File=" + file});
+      const std::vector<std::string> overrides = seed.kind == Seed::Kind::table
+        ? std::vector<std::string>{"Loads/hit/Force y=table: " + file}
+        : std::vector<std::string>{"Lattice/File=" + file,
+                                   "Lattice/Run gmsh script=true"};
+      return outcome_of(read_text(seed.name), seed.name, overrides);
     }
 
     void

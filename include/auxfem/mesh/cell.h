@@ -80,6 +80,9 @@ namespace auxfem
 
     /** Further named joints, collected over all cells, e.g. `tips`. */
     std::map<std::string, std::vector<unsigned int>> joint_sets;
+
+    /** Sentences for the user on how the cell was made. */
+    std::vector<std::string> notes;
   };
 
   /** A kind of unit cell: parameters to joints and struts. */

@@ -147,6 +147,9 @@ namespace auxfem
     /** Number of unit cells. */
     unsigned int n_cells = 1;
 
+    /** Sentences for the user on how the cell was made. */
+    std::vector<std::string> notes;
+
     /** The same without its imperfections, for whoever selects by position;
      * nullptr: there are none. */
     std::shared_ptr<const Lattice> as_designed;

@@ -1,6 +1,7 @@
 #include <auxfem/mesh/arc.h>
 #include <auxfem/mesh/cells/entries.h>
 #include <auxfem/mesh/index_text.h>
+#include <auxfem/mesh/merge_joints.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/quantity.h>
 
@@ -188,12 +189,16 @@ namespace auxfem
       return difference.norm() <= relative_chord_tolerance * chord.norm();
     }
 
-    void check_strut(const UnitStrut      &strut,
+    /** @param merged length of struts that merge_joints() leaves out. */
+    void check_strut(const double          merged,
+                     const UnitStrut      &strut,
                      const UnitCell       &cell,
                      const StrutsOfJoints &of_joints,
                      const Item           &item)
     {
       const dealii::Tensor<1, 3> chord = chord_of(strut, cell);
+      if (strut.sagitta == 0. && chord.norm() < merged)
+        return;
       if (chord.norm() == 0.)
         throw InputError(item.where +
                          "has zero length: its two joints lie at the same "
@@ -267,7 +272,8 @@ namespace auxfem
       return strut;
     }
 
-    void read_struts(const std::string  &value,
+    void read_struts(const double        merged,
+                     const std::string  &value,
                      const SceneContext &context,
                      UnitCell           &cell)
     {
@@ -277,7 +283,7 @@ namespace auxfem
         {
           const UnitStrut strut =
             read_strut(item, cell.joints.size(), context.dimension);
-          check_strut(strut, cell, of_joints, item);
+          check_strut(merged, strut, cell, of_joints, item);
           of_joints[joints_of(strut)].push_back(cell.struts.size());
           cell.struts.push_back(strut);
         }
@@ -291,11 +297,21 @@ namespace auxfem
         throw InputError(values.context.path + "/" + joints_entry.name +
                          ": a frame needs at least two joints, for example "
                          "\"0 0; 1 0\".");
-      read_struts(values[struts_entry], values.context, cell);
+      const double distance = values[merge_distance()];
+      read_struts(distance, values[struts_entry], values.context, cell);
       if (cell.struts.empty())
         throw InputError(values.context.path + "/" + struts_entry.name +
                          ": a frame needs at least one strut, for example "
                          "\"0 1\".");
+      merge_joints(distance,
+                   {[](const unsigned int joint) {
+                      return "joint " + std::to_string(joint);
+                    },
+                    [](const unsigned int strut) {
+                      return "strut " + std::to_string(strut);
+                    }},
+                   values.context.dimension,
+                   cell);
       cell.why_no_period.fill("A frame has no neighbour cells.");
       return std::make_unique<GivenCell>(cell);
     }
@@ -306,7 +322,7 @@ namespace auxfem
     return {"frame",
             "Free-form frame: joints and straight or circular struts "
             "given one by one.",
-            {joints_entry, struts_entry},
+            {joints_entry, struts_entry, merge_distance()},
             make_frame};
   }
 } // namespace auxfem

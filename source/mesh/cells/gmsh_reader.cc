@@ -1,20 +1,13 @@
 #include <auxfem/mesh/cells/gmsh_reader.h>
 #include <auxfem/mesh/cells/msh_format.h>
 #include <auxfem/mesh/cells/separate_process.h>
-#include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/input_file.h>
 
-#include <deal.II/base/utilities.h>
-
-#include <boost/serialization/map.hpp>
-#include <boost/serialization/string.hpp>
-#include <boost/serialization/vector.hpp>
-
-#include <algorithm>
-#include <cctype>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <new>
 
 #include <gmsh.h>
 
@@ -22,13 +15,46 @@ namespace auxfem
 {
   namespace
   {
-    std::string cannot_read(const std::string &where,
-                            const std::string &file,
-                            const std::string &messages)
+    namespace fs = std::filesystem;
+
+    /** Memory that gmsh may take for a mesh of curves (bytes). */
+    constexpr std::size_t most_memory = std::size_t(4) << 30;
+
+    /** Formats that gmsh tells by the ending, and how such files begin. */
+    const std::map<std::string, std::string> beginnings = {
+      {".vtk", "# vtk DataFile"},
+      {".unv", "    -1"},
+      {".mesh", "MeshVersionFormatted"}};
+
+    /** A new folder that nobody else may use; removed with the object. */
+    class PrivateFolder
     {
-      return where + "gmsh cannot read " + file + ":" + messages +
-        "\nCorrect the file, or write it anew with gmsh.";
-    }
+    public:
+      PrivateFolder()
+        : path((fs::temp_directory_path() / "auxfem_XXXXXX").string())
+      {
+        if (mkdtemp(path.data()) == nullptr)
+          throw MeshMistake{"no temporary folder " + path +
+                            " can be made for its answer"};
+      }
+
+      ~PrivateFolder()
+      {
+        std::error_code ignored;
+        fs::remove_all(path, ignored);
+      }
+
+      PrivateFolder(const PrivateFolder &)            = delete;
+      PrivateFolder &operator=(const PrivateFolder &) = delete;
+
+      std::string file(const std::string &name) const
+      {
+        return path + "/" + name;
+      }
+
+    private:
+      std::string path;
+    };
 
     /** The gmsh library between its two calls, mute, its messages kept. */
     class GmshSession
@@ -40,8 +66,7 @@ namespace auxfem
         // lattice everywhere.
         gmsh::initialize(0, nullptr, false);
         gmsh::option::setNumber("General.Terminal", 0);
-        // The exception that gmsh would throw leaves its parser in the middle
-        // of the file, and the next file is then read wrongly.
+        // gmsh would else leave its parser by an exception.
         gmsh::option::setNumber("General.AbortOnError", 0);
         gmsh::logger::start();
       }
@@ -55,7 +80,7 @@ namespace auxfem
       GmshSession(const GmshSession &)            = delete;
       GmshSession &operator=(const GmshSession &) = delete;
 
-      /** The first of gmsh's error messages, one a line; empty if none. */
+      /** The first of gmsh's error messages; empty if none. */
       std::string errors() const
       {
         const std::string        mark = "Error: ";
@@ -65,244 +90,99 @@ namespace auxfem
         unsigned int n_shown = 0;
         for (const auto &message : log)
           if (message.compare(0, mark.size(), mark) == 0 && n_shown++ < 3)
-            text += "\n  " + printable(message.substr(mark.size()));
-        return text;
-      }
-
-    private:
-      /** gmsh cites what it cannot read, which need not be text. */
-      static std::string printable(std::string text)
-      {
-        for (char &letter : text)
-          if (!std::isprint(static_cast<unsigned char>(letter)))
-            letter = '?';
+            text += (text.empty() ? "" : "\n  ") + message.substr(mark.size());
         return text;
       }
     };
 
-    /** Reads the mesh of one file. */
-    class MeshReader
-    {
-    public:
-      MeshReader(const std::string &file,
-                 const double       unit,
-                 const std::string &where)
-        : file(file)
-        , where(where)
-        , unit(unit)
-      {}
-
-      LineMesh read() const
-      {
-        try
-          {
-            open();
-            LineMesh mesh;
-            read_nodes(mesh);
-            read_lines(mesh);
-            read_groups(mesh);
-            return mesh;
-          }
-        catch (const std::string &message)
-          {
-            refuse("\n  " + message);
-          }
-      }
-
-    private:
-      [[noreturn]] void refuse(const std::string &messages) const
-      {
-        throw InputError(cannot_read(where, file, messages));
-      }
-
-      void open() const
-      {
-        gmsh::open(file);
-        std::vector<std::size_t> nodes;
-        std::vector<double>      coordinates, unused;
-        gmsh::model::mesh::getNodes(nodes, coordinates, unused);
-        // Where the parser failed, meshing would only add further errors.
-        if (nodes.empty() && session.errors().empty())
-          gmsh::model::mesh::generate(1);
-        if (!session.errors().empty())
-          refuse(session.errors());
-      }
-
-      void read_nodes(LineMesh &mesh) const
-      {
-        std::vector<std::size_t> nodes;
-        std::vector<double>      x, unused;
-        gmsh::model::mesh::getNodes(nodes, x, unused);
-        for (std::size_t i = 0; i < nodes.size(); ++i)
-          mesh.positions[nodes[i]] = {unit * x[3 * i],
-                                      unit * x[3 * i + 1],
-                                      unit * x[3 * i + 2]};
-      }
-
-      void read_lines(LineMesh &mesh) const
-      {
-        gmsh::vectorpair curves;
-        gmsh::model::getEntities(curves, 1);
-        for (const auto &curve : curves)
-          {
-            std::vector<int>                      types;
-            std::vector<std::vector<std::size_t>> elements, nodes;
-            gmsh::model::mesh::getElements(types,
-                                           elements,
-                                           nodes,
-                                           1,
-                                           curve.second);
-            for (std::size_t i = 0; i < types.size(); ++i)
-              add_lines(types[i],
-                        elements[i],
-                        nodes[i],
-                        curve.second,
-                        mesh.lines);
-          }
-        if (mesh.lines.empty())
-          throw InputError(
-            where + file +
-            " has no line elements, of which the struts are made.\nMesh the "
-            "curves of the lattice (gmsh -1) and save them: of a model with "
-            "physical groups, gmsh saves only what is in one of them.");
-        std::sort(mesh.lines.begin(),
-                  mesh.lines.end(),
-                  [](const LineMesh::Line &a, const LineMesh::Line &b) {
-                    return a.tag < b.tag;
-                  });
-      }
-
-      void add_lines(const int                       type,
-                     const std::vector<std::size_t> &elements,
-                     const std::vector<std::size_t> &nodes,
-                     const int                       curve,
-                     std::vector<LineMesh::Line>    &lines) const
-      {
-        const int         line_of_2_nodes = 1, line_of_3_nodes = 8;
-        const std::size_t n_nodes = nodes.size() / elements.size();
-        if (type != line_of_2_nodes && type != line_of_3_nodes)
-          throw InputError(
-            where + file + " has line elements of " + std::to_string(n_nodes) +
-            " nodes, for example element " + std::to_string(elements[0]) +
-            ".\nAllowed are 2 nodes (straight struts) and 3 nodes (arcs): set "
-            "Mesh.ElementOrder in gmsh to 1 or 2.");
-        for (std::size_t i = 0; i < elements.size(); ++i)
-          lines.push_back(
-            {elements[i],
-             nodes[n_nodes * i],
-             nodes[n_nodes * i + 1],
-             n_nodes == 3 ? nodes[n_nodes * i + 2] : LineMesh::no_node,
-             curve});
-      }
-
-      void read_groups(LineMesh &mesh) const
-      {
-        gmsh::vectorpair groups;
-        gmsh::model::getPhysicalGroups(groups);
-        for (const auto &[dimension, tag] : groups)
-          if (dimension == 0)
-            add_point_group(tag, mesh);
-          else if (dimension == 1)
-            add_curve_group(tag, mesh);
-      }
-
-      void add_point_group(const int tag, LineMesh &mesh) const
-      {
-        std::vector<std::size_t> nodes;
-        std::vector<double>      coordinates;
-        gmsh::model::mesh::getNodesForPhysicalGroup(0, tag, nodes, coordinates);
-        auto &group = mesh.point_groups[name_of_group(0, tag)];
-        group.insert(group.end(), nodes.begin(), nodes.end());
-      }
-
-      void add_curve_group(const int tag, LineMesh &mesh) const
-      {
-        const std::string name = name_of_group(1, tag);
-        std::vector<int>  curves;
-        gmsh::model::getEntitiesForPhysicalGroup(1, tag, curves);
-        for (const int curve : curves)
-          mesh.groups_of_curve[std::abs(curve)].push_back(name);
-      }
-
-      std::string name_of_group(const int dimension, const int tag) const
-      {
-        std::string name;
-        gmsh::model::getPhysicalName(dimension, tag, name);
-        if (name == "all")
-          throw InputError(where + file +
-                           " has a physical group named \"all\", which is the "
-                           "name of the set of all joints or struts.\nChoose "
-                           "another name for the group.");
-        return name.empty() ? "group " + std::to_string(tag) : name;
-      }
-
-      GmshSession       session;
-      const std::string file;
-      const std::string where;
-      const double      unit;
-    };
-
-    constexpr char is_mesh = 'm', is_message = 'e';
-
-    /** A packed LineMesh or a message, told apart by the first letter. */
-    std::string answer_of_gmsh(const std::string &file,
-                               const double       unit,
-                               const std::string &where)
+    /** Meshes the curves of @p file into @p result; gmsh's errors, or none. */
+    std::string mesh_curves(const std::string &file, const std::string &result)
     {
       try
         {
-          const std::vector<char> mesh =
-            dealii::Utilities::pack(MeshReader(file, unit, where).read(),
-                                    /*allow_compression=*/false);
-          return is_mesh + std::string(mesh.begin(), mesh.end());
+          const GmshSession session;
+          gmsh::open(file);
+          std::vector<std::size_t> nodes;
+          std::vector<double>      coordinates, unused;
+          gmsh::model::mesh::getNodes(nodes, coordinates, unused);
+          // Where the parser failed, meshing would only add further errors.
+          if (nodes.empty() && session.errors().empty())
+            gmsh::model::mesh::generate(1);
+          gmsh::option::setNumber("Mesh.MshFileVersion", 4.1);
+          // As text, coordinates would lose their last digit.
+          gmsh::option::setNumber("Mesh.Binary", 1);
+          // Also lines outside of all groups are struts.
+          gmsh::option::setNumber("Mesh.SaveAll", 1);
+          gmsh::write(result);
+          return session.errors();
         }
-      catch (const InputError &error)
+      catch (const std::bad_alloc &)
         {
-          return is_message + std::string(error.what());
+          return "gmsh needs more memory than the " +
+            std::to_string(most_memory >> 30) + " GB that it may take";
         }
       catch (const std::exception &error)
         {
-          return is_message +
-            cannot_read(where, file, "\n  " + std::string(error.what()));
+          return error.what();
+        }
+      catch (const std::string &message)
+        {
+          return message;
+        }
+    }
+
+    LineMesh mesh_of_curves(const std::string   &file,
+                            const PrivateFolder &folder,
+                            const double         seconds)
+    {
+      const std::string result = folder.file("result.msh");
+      std::string       errors;
+      try
+        {
+          errors =
+            run_in_separate_process([&]() { return mesh_curves(file, result); },
+                                    {seconds, most_memory});
+        }
+      catch (const CrashedProcess &crash)
+        {
+          errors = "gmsh has failed: " + crash.how +
+            (crash.is_out_of_time ? ", the Gmsh time limit" : "");
+        }
+      if (!errors.empty())
+        throw MeshMistake{errors};
+      try
+        {
+          return read_msh(read_input_file(result));
+        }
+      catch (const UnreadableFile &unreadable)
+        {
+          throw MeshMistake{"its answer " + unreadable.reason};
         }
     }
   } // namespace
 
-  LineMesh read_with_gmsh(const std::string &file,
-                          const double       unit,
-                          const std::string &where,
-                          const std::string &directory)
+  LineMesh run_gmsh_script(const std::string &file, const double seconds)
   {
-    // gmsh takes a file that does not exist as the name of a new model.
-    const std::ifstream stream(file);
-    if (!stream || std::filesystem::is_directory(file))
-      throw InputError(where + "cannot read the mesh file " + file +
-                       ".\nGive the name of a file that gmsh reads; a relative "
-                       "name starts from the folder of the parameter file (" +
-                       directory + ").");
-    const std::string mistake = mistake_in_mesh_file(file);
-    if (!mistake.empty())
-      throw InputError(where + "the mesh file " + file + " is damaged:\n  " +
-                       mistake +
-                       "\nCorrect the file, or write it anew with gmsh.");
-    std::string answer;
-    try
-      {
-        answer = run_in_separate_process(
-          [&]() { return answer_of_gmsh(file, unit, where); });
-      }
-    catch (const CrashedProcess &crash)
-      {
-        throw InputError(
-          cannot_read(where,
-                      file,
-                      "\n  its reader crashes (" + crash.how +
-                        "), as it does on damaged or truncated files."));
-      }
-    if (answer.empty() || answer[0] != is_mesh)
-      throw InputError(answer.substr(std::min<std::size_t>(1, answer.size())));
-    return dealii::Utilities::unpack<LineMesh>(
-      std::vector<char>(answer.begin() + 1, answer.end()),
-      /*allow_compression=*/false);
+    return mesh_of_curves(file, PrivateFolder(), seconds);
+  }
+
+  bool gmsh_reads(const std::string &ending)
+  {
+    return beginnings.count(ending) > 0;
+  }
+
+  LineMesh read_with_gmsh(const std::string &content,
+                          const std::string &ending,
+                          const double       seconds)
+  {
+    const std::string &beginning = beginnings.at(ending);
+    if (content.compare(0, beginning.size(), beginning) != 0)
+      throw MeshMistake{"the file does not begin with \"" + beginning + "\""};
+    // gmsh runs FILE.opt beside a file, and its readers look at the ending
+    // only.
+    const PrivateFolder folder;
+    const std::string   copy = folder.file("mesh" + ending);
+    std::ofstream(copy, std::ios::binary) << content;
+    return mesh_of_curves(copy, folder, seconds);
   }
 } // namespace auxfem

@@ -1,10 +1,15 @@
 #include <auxfem/mesh/arc.h>
+#include <auxfem/mesh/cells/abaqus_format.h>
 #include <auxfem/mesh/cells/entries.h>
 #include <auxfem/mesh/cells/gmsh_reader.h>
+#include <auxfem/mesh/cells/msh_format.h>
+#include <auxfem/mesh/merge_joints.h>
 #include <auxfem/mesh/position_text.h>
 #include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/input_file.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <tuple>
@@ -17,11 +22,26 @@ namespace auxfem
       "File",
       "",
       "File with line elements, relative to the folder of the parameter file: "
-      "any mesh gmsh reads, or a geometry (.geo), whose curves are then meshed. "
-      "Lines of two nodes become straight struts, lines of three nodes circular "
-      "arcs through their middle node; physical groups become sets of struts "
-      "and joints, those without name under \"group\" and their number.",
+      "a mesh in gmsh's format .msh (2 or 4.1, text or binary), an input file "
+      "of Abaqus (.inp), .vtk, .unv or .mesh, or a script of gmsh (.geo), whose "
+      "curves are meshed. Lines of two nodes become straight struts, lines of "
+      "three nodes circular arcs through their middle node; physical groups, "
+      "element and node sets become sets of struts and joints, groups without "
+      "name under \"group\" and their number.",
       true};
+
+    const Boolean run_script{
+      "Run gmsh script",
+      false,
+      "Whether gmsh may run the script (.geo). A script can run every command "
+      "and write every file that you can: read it first."};
+
+    const Quantity time_limit{
+      "Gmsh time limit",
+      "30 s",
+      "s",
+      Range::positive(),
+      "Time after which gmsh is ended, with all that a script has started."};
 
     const Quantity length_unit{"Length unit",
                                "1 m",
@@ -40,12 +60,15 @@ namespace auxfem
     class MeshToCell
     {
     public:
-      MeshToCell(const LineMesh     &mesh,
-                 const std::string  &file,
-                 const SceneContext &context)
+      MeshToCell(const LineMesh        &mesh,
+                 const std::string     &file,
+                 const ParameterValues &values)
         : mesh(mesh)
-        , is_planar(context.dimension == 2)
-        , where(context.path + "/" + file_entry.name + ": in " + file + ", ")
+        , unit(values[length_unit])
+        , merged(values[merge_distance()])
+        , is_planar(values.context.dimension == 2)
+        , where(values.context.path + "/" + file_entry.name + ": in " + file +
+                ", ")
         , tolerance(relative_length_tolerance * size())
       {}
 
@@ -55,6 +78,8 @@ namespace auxfem
         for (const LineMesh::Line &line : mesh.lines)
           add_strut(line);
         add_joint_sets();
+        cell.notes = mesh.notes;
+        merge();
         cell.why_no_period.fill("A mesh file has no neighbour cells.");
         return std::move(cell);
       }
@@ -76,9 +101,9 @@ namespace auxfem
         return std::max({extent[0], extent[1], extent[2]});
       }
 
-      const dealii::Point<3> &position(const std::size_t node) const
+      dealii::Point<3> position(const std::size_t node) const
       {
-        return mesh.positions.at(node);
+        return unit * mesh.positions.at(node);
       }
 
       /**
@@ -87,7 +112,7 @@ namespace auxfem
        */
       dealii::Point<3> checked_position(const std::size_t node) const
       {
-        const dealii::Point<3> &p = position(node);
+        const dealii::Point<3> p = position(node);
         if (!is_planar)
           return p;
         if (std::abs(p[2]) > tolerance)
@@ -111,6 +136,24 @@ namespace auxfem
           }
       }
 
+      /** In notes, joints and struts have the numbers of the file, too. */
+      void merge()
+      {
+        std::vector<std::size_t> nodes;
+        for (const auto &[node, joint] : joint_of_node)
+          nodes.push_back(node);
+        merge_joints(merged,
+                     {[&nodes](const unsigned int joint) {
+                        return "joint " + std::to_string(joint) + " (node " +
+                          std::to_string(nodes[joint]) + ")";
+                      },
+                      [this](const unsigned int strut) {
+                        return "element " + std::to_string(tag_of_strut[strut]);
+                      }},
+                     is_planar ? 2 : 3,
+                     cell);
+      }
+
       void add_strut(const LineMesh::Line &line)
       {
         // Version 2 of gmsh's format repeats a line for every group it is in.
@@ -123,11 +166,14 @@ namespace auxfem
             cell.struts.push_back(
               {joint_of_node.at(line.first), joint_of_node.at(line.second)});
             set_shape(line, cell.struts.back());
+            tag_of_strut.push_back(line.tag);
           }
-        const auto groups = mesh.groups_of_curve.find(line.curve);
-        auto      &sets   = cell.struts[known.first->second].sets;
-        if (groups != mesh.groups_of_curve.end())
-          sets.insert(sets.end(), groups->second.begin(), groups->second.end());
+        auto &sets = cell.struts[known.first->second].sets;
+        for (const std::string &set : line.sets)
+          {
+            refuse_name_of_all(set);
+            sets.push_back(set);
+          }
       }
 
       /**
@@ -139,6 +185,8 @@ namespace auxfem
         const dealii::Point<3>     start = checked_position(line.first);
         const dealii::Tensor<1, 3> chord =
           checked_position(line.second) - start;
+        if (line.middle == LineMesh::no_node && chord.norm() < merged)
+          return;
         if (chord.norm() <= tolerance)
           throw InputError(
             text_of(line) +
@@ -174,11 +222,21 @@ namespace auxfem
           std::to_string(line.second) + ")";
       }
 
+      void refuse_name_of_all(const std::string &set) const
+      {
+        if (set == "all")
+          throw InputError(where +
+                           "a group is named \"all\", which is the name of the "
+                           "set of all joints or struts.\nChoose another name "
+                           "for the group.");
+      }
+
       void add_joint_sets()
       {
-        for (const auto &[name, nodes] : mesh.point_groups)
+        for (const auto &[name, nodes] : mesh.node_sets)
           for (const std::size_t node : nodes)
             {
+              refuse_name_of_all(name);
               const auto joint = joint_of_node.find(node);
               if (joint == joint_of_node.end())
                 throw InputError(where + "the physical group \"" + name +
@@ -190,15 +248,113 @@ namespace auxfem
             }
       }
 
-      const LineMesh                     &mesh;
+      const LineMesh &mesh;
+      const double    unit;
+      /** Length of struts that merge_joints() leaves out (m). */
+      const double                        merged;
       const bool                          is_planar;
       const std::string                   where;
       const double                        tolerance;
       UnitCell                            cell;
       std::map<std::size_t, unsigned int> joint_of_node;
+      std::vector<std::size_t>            tag_of_strut;
       std::map<std::tuple<std::size_t, std::size_t, std::size_t>, unsigned int>
         strut_of_nodes;
     };
+
+    std::string ending_of(const std::string &file)
+    {
+      std::string ending = std::filesystem::path(file).extension().string();
+      for (char &letter : ending)
+        letter = std::tolower(static_cast<unsigned char>(letter));
+      return ending;
+    }
+
+    [[noreturn]] void refuse_file(const ParameterValues &values,
+                                  const std::string     &reason)
+    {
+      throw InputError(values.context.path + "/" + file_entry.name + ": " +
+                       reason);
+    }
+
+    void refuse_script(const std::string &file, const ParameterValues &values)
+    {
+      refuse_file(values,
+                  file +
+                    " is a script of gmsh, which may run any command on this "
+                    "machine and write any file; it is not run.\nMesh it "
+                    "yourself (gmsh -1 " +
+                    file +
+                    ") and give the .msh file, or, if you know what is in it, "
+                    "write Lattice/" +
+                    run_script.name + " = true.");
+    }
+
+    /** Reads the mesh by its format, which the @p ending of @p file names. */
+    LineMesh read_mesh(const std::string     &file,
+                       const std::string     &ending,
+                       const ParameterValues &values)
+    {
+      // Only this one content is checked and read, even if the file changes.
+      const std::string content   = read_input_file(file);
+      const bool        is_script = ending == ".geo";
+      if (ending != ".msh" && ending != ".inp" && !is_script &&
+          !gmsh_reads(ending))
+        refuse_file(
+          values,
+          file +
+            " has none of the endings of mesh files: .msh, .inp, .vtk, "
+            ".unv, .mesh, or .geo for scripts of gmsh.\nSave the "
+            "mesh in gmsh's format .msh, version 2.2 or 4.1.");
+      if (ending == ".msh")
+        return read_msh(content);
+      if (ending == ".inp")
+        return read_abaqus(content);
+      if (!is_script)
+        return read_with_gmsh(content, ending, values[time_limit]);
+      if (!values[run_script])
+        refuse_script(file, values);
+      return run_gmsh_script(file, values[time_limit]);
+    }
+
+    /** As read_mesh(), with words for what fails. */
+    LineMesh read_lines(const std::string &file, const ParameterValues &values)
+    {
+      const std::string ending = ending_of(file);
+      LineMesh          mesh;
+      try
+        {
+          mesh = read_mesh(file, ending, values);
+        }
+      catch (const UnreadableFile &unreadable)
+        {
+          refuse_file(values,
+                      "cannot read the mesh file " + file + ": it " +
+                        unreadable.reason +
+                        ".\nGive the name of a mesh file; a relative name "
+                        "starts from the folder of the parameter file (" +
+                        values.context.directory + ").");
+        }
+      catch (const MeshMistake &mistake)
+        {
+          refuse_file(values,
+                      (ending == ".msh"
+                         ? "the mesh file " + file + " is damaged"
+                         : ending == ".inp" ? "cannot read " + file
+                                            : "gmsh cannot read " + file) +
+                        ":\n  " + mistake.text + "\nCorrect the file" +
+                        (ending == ".inp" ? "."
+                                          : ", or write it anew with gmsh."));
+        }
+      if (mesh.lines.empty())
+        refuse_file(
+          values,
+          file +
+            " has no line elements, of which the struts are made.\nMesh the "
+            "curves of the lattice (gmsh -1) and save them: of a model with "
+            "physical groups, gmsh saves only what is in one of them.");
+      return mesh;
+    }
 
     std::unique_ptr<Cell> make_mesh_file(ParameterValues &values)
     {
@@ -208,21 +364,17 @@ namespace auxfem
       values.set(file_entry.name,
                  absolute_file(values[file_entry], values.context));
       values.files.push_back(values[file_entry]);
-      const LineMesh mesh =
-        read_with_gmsh(file,
-                       values[length_unit],
-                       values.context.path + "/" + file_entry.name + ": ",
-                       values.context.directory);
+      const LineMesh mesh = read_lines(file, values);
       return std::make_unique<GivenCell>(
-        MeshToCell(mesh, file, values.context).build());
+        MeshToCell(mesh, file, values).build());
     }
   } // namespace
 
   RegistryEntry<Cell> mesh_file_cell_entry()
   {
     return {"mesh file",
-            "Frame from the line elements of a file that gmsh reads.",
-            {file_entry, length_unit},
+            "Frame from the line elements of a mesh file.",
+            {file_entry, length_unit, merge_distance(), run_script, time_limit},
             make_mesh_file};
   }
 } // namespace auxfem

@@ -1,9 +1,8 @@
 #include <auxfem/mesh/cells/msh_format.h>
+#include <auxfem/mesh/cells/msh_tokens.h>
 
-#include <charconv>
-#include <cmath>
-#include <fstream>
-#include <map>
+#include <algorithm>
+#include <cstdlib>
 #include <optional>
 #include <unordered_set>
 
@@ -11,11 +10,7 @@ namespace auxfem
 {
   namespace
   {
-    /** A mistake in the file, with its line. */
-    struct Mistake
-    {
-      std::string text;
-    };
+    constexpr long long line_of_2_nodes = 1, line_of_3_nodes = 8, point = 15;
 
     /** Numbers of nodes by gmsh's number of the element type. */
     std::optional<unsigned int> n_nodes_of(const long long type)
@@ -31,294 +26,273 @@ namespace auxfem
                                   : std::optional<unsigned int>(entry->second);
     }
 
-    /** Words of a text file, wherever its lines break. */
-    class Words
+    bool is_line_of_more_nodes(const long long type)
     {
-    public:
-      explicit Words(const std::string &file) : stream(file, std::ios::binary)
-      {
-        stream.seekg(0, std::ios::end);
-        size = stream.tellg();
-        stream.seekg(0);
-      }
-
-      /** Empty at the end of the file. */
-      std::string next()
-      {
-        std::string word;
-        for (int c = stream.get(); c != std::char_traits<char>::eof();
-             c     = stream.get())
-          {
-                const bool is_blank =
-                  c == ' ' || c == '\n' || c == '\t' || c == '\r';
-                if (is_blank && !word.empty())
-              {
-                    stream.unget();
-                    return word;
-              }
-            if (c == '\n')
-              ++line;
-            if (!is_blank)
-              word += char(c);
-          }
-        return word;
-      }
-
-      void skip_line()
-      {
-        std::string rest;
-        if (std::getline(stream, rest))
-          ++line;
-      }
-
-      /** The next word in quotes. */
-      void skip_quoted()
-      {
-        std::string text;
-        if (next_is_no_quote() || !std::getline(stream, text, '"'))
-          fail("a name in double quotes is expected");
-        if (text.find('\n') != std::string::npos)
-          fail("a name has no closing double quote");
-      }
-
-      long long integer(const std::string &what)
-      {
-        return number<long long>(what, "a whole number");
-      }
-
-      /** An integer that counts things of at least one byte each. */
-      long long count(const std::string &what)
-      {
-        const long long n = integer(what);
-        if (n < 0 || n > size)
-          fail("the " + what + " is " + std::to_string(n) +
-               ", and a file of this size cannot hold so many");
-        return n;
-      }
-
-      void real(const std::string &what)
-      {
-        if (!std::isfinite(number<double>(what, "a number")))
-          fail("the " + what + " is not finite");
-      }
-
-      [[noreturn]] void fail(const std::string &what) const
-      {
-        throw Mistake{"line " + std::to_string(line) + ": " + what};
-      }
-
-    private:
-      bool next_is_no_quote()
-      {
-        stream >> std::ws;
-        return stream.get() != '"';
-      }
-
-      template <class Number>
-      Number number(const std::string &what, const std::string &kind)
-      {
-        constexpr std::size_t n_shown = 30;
-        const std::string     word    = next();
-        Number                value{};
-        const char *const     begin =
-          word.data() + (word.size() > 1 && word[0] == '+' ? 1 : 0);
-        const char *const end    = word.data() + word.size();
-        const auto        answer = std::from_chars(begin, end, value);
-        if (word.empty())
-          fail("the file ends where the " + what + " is expected");
-        if (answer.ec != std::errc() || answer.ptr != end)
-          fail("'" + word.substr(0, n_shown) + "' is found where the " + what +
-               ", " + kind + ", is expected");
-        return value;
-      }
-
-      std::ifstream stream;
-      long long     size = 0;
-      unsigned long line = 1;
-    };
+      return type == 26 || type == 27 || type == 28;
+    }
 
     /** The sections of one file. */
     class MshFile
     {
     public:
-      explicit MshFile(const std::string &file) : words(file)
+      explicit MshFile(const std::string &content) : tokens(content)
       {}
 
-      void check()
+      LineMesh read()
       {
-        for (std::string word = words.next(); !word.empty();
-             word             = words.next())
-          {
-                        if (word == "$MeshFormat")
-              read_format();
-            else if (format == Format::other)
-              return;
-            else if (word == "$PhysicalNames")
-              read_physical_names();
-            else if (word == "$Entities" && format == Format::four)
-              read_entities();
-            else if (word == "$Nodes")
-              format == Format::four ? read_nodes_4() : read_nodes_2();
-            else if (word == "$Elements")
-              format == Format::four ? read_elements_4() : read_elements_2();
-            else
-              {
-                            skip(word);
-                            continue;
-              }
-            if (format != Format::other)
-              end(word);
-          }
+        read_format();
+        for (std::string word = tokens.next(); !word.empty();
+             word             = tokens.next())
+          read_section(word);
+        std::sort(mesh.lines.begin(),
+                  mesh.lines.end(),
+                  [](const LineMesh::Line &a, const LineMesh::Line &b) {
+                    return a.tag < b.tag;
+                  });
+        return std::move(mesh);
       }
 
     private:
-      enum class Format
-      {
-        two,
-        four,
-        other
-      };
+      /** A point, curve, surface or volume, by dimension and number. */
+      using Entity = std::pair<long long, long long>;
 
       void read_format()
       {
-        const std::string version   = words.next();
-        const bool        is_binary = words.integer("type of the file") != 0;
-        words.integer("size of a number");
-        if (is_binary)
-          format = Format::other;
-        else if (version == "4.1")
-          format = Format::four;
-        else if (version == "2" || version.compare(0, 2, "2.") == 0)
-          format = Format::two;
+        std::string section = tokens.next();
+        if (section == "$Comments")
+          {
+            skip(section);
+            section = tokens.next();
+          }
+        if (section != "$MeshFormat")
+          tokens.fail(
+            "the file does not begin with $MeshFormat; scripts of gmsh "
+            "have the ending .geo");
+        const std::string version = tokens.next();
+        if (version != "4.1" && version != "2" &&
+            version.compare(0, 2, "2.") != 0)
+          tokens.fail("version '" + version.substr(0, 30) +
+                      "' of the format is not read, only 2 and 4.1");
+        is_version_4                     = version == "4.1";
+        const bool      holds_bytes      = tokens.integer("type of the file");
+        const long long size_of_a_number = tokens.integer("size of a number");
+        if (holds_bytes)
+          {
+            tokens.is_binary = true;
+            tokens.skip_line();
+            if (size_of_a_number != sizeof(double) ||
+                tokens.integer("number 1 that tells the order of bytes") != 1)
+              tokens.fail("the file is from a machine with other numbers");
+          }
+        end(section);
+      }
+
+      void read_section(const std::string &section)
+      {
+        if (section == "$PhysicalNames")
+          read_physical_names();
+        else if (section == "$Entities" && is_version_4)
+          read_numbers(&MshFile::read_entities);
+        else if (section == "$Nodes")
+          read_numbers(is_version_4 ? &MshFile::read_nodes_4
+                                    : &MshFile::read_nodes_2);
+        else if (section == "$Elements")
+          read_numbers(is_version_4 ? &MshFile::read_elements_4
+                                    : &MshFile::read_elements_2);
+        else if (section == "$PartitionedEntities")
+          tokens.fail("the mesh is divided into partitions; save it without");
         else
-          format = Format::other;
+          {
+            skip(section);
+            return;
+          }
+        end(section);
+      }
+
+      /** Numbers of a section may be binary from the next line on. */
+      void read_numbers(void (MshFile::*read_them)())
+      {
+        if (tokens.is_binary && is_version_4)
+          tokens.skip_line();
+        (this->*read_them)();
       }
 
       void end(const std::string &section)
       {
         const std::string expected = "$End" + section.substr(1);
-        const std::string word     = words.next();
+        const std::string word     = tokens.next();
         if (word != expected)
-          words.fail((word.empty() ? "the file ends"
-                                   : "'" + word.substr(0, 30) + "' is found") +
-                     " where " + expected +
-                     " is expected, after as many entries as the section " +
-                     section + " announces");
+          tokens.fail((word.empty() ? "the file ends"
+                                    : "'" + word.substr(0, 30) + "' is found") +
+                      " where " + expected +
+                      " is expected, after as many entries as the section " +
+                      section + " announces");
       }
 
       /** A section that says nothing of nodes and lines, or a stray line. */
       void skip(const std::string &section)
       {
         if (section[0] != '$')
-          {
-            words.skip_line();
-            return;
-          }
-        const std::string last = "$End" + section.substr(1);
-        std::string       word = words.next();
-        while (!word.empty() && word != last)
-          word = words.next();
-        if (word.empty())
-          words.fail("the file ends within the section " +
-                     section.substr(0, 30));
+          tokens.skip_line();
+        else if (!tokens.skip_to_end_of("$End" + section.substr(1)))
+          tokens.fail("the file ends within the section " +
+                      section.substr(0, 30));
+      }
+
+      /** A number that is text in binary files, too. */
+      long long number_as_text(const std::string &what)
+      {
+        const bool is_binary = tokens.is_binary;
+        tokens.is_binary     = false;
+        const long long n    = tokens.count(what);
+        tokens.is_binary     = is_binary;
+        return n;
       }
 
       void read_physical_names()
       {
-        const long long n = words.count("number of physical names");
+        const bool is_binary = tokens.is_binary;
+        tokens.is_binary     = false;
+        const long long n    = tokens.count("number of physical names");
         for (long long i = 0; i < n; ++i)
           {
-            read_dimension();
-            words.integer("number of a physical group");
-            words.skip_quoted();
+            const long long dimension = read_dimension();
+            const long long group =
+              tokens.integer("number of a physical group");
+            names[{dimension, group}] = tokens.quoted();
           }
+        tokens.is_binary = is_binary;
       }
 
       long long read_dimension()
       {
-        const long long dimension = words.integer("dimension");
+        const long long dimension = tokens.integer("dimension");
         if (dimension < 0 || dimension > 3)
-          words.fail("the dimension " + std::to_string(dimension) +
-                     " is not one of 0, 1, 2, 3");
+          tokens.fail("the dimension " + std::to_string(dimension) +
+                      " is not one of 0, 1, 2, 3");
         return dimension;
       }
 
-      void read_tag(const std::string &what)
+      long long read_tag(const std::string &what)
       {
-        const long long tag = words.integer(what);
+        const long long tag = tokens.integer(what);
         if (std::llabs(tag) > 2147483647)
-          words.fail("the " + what + " is too large");
+          tokens.fail("the " + what + " is too large");
+        return tag;
       }
 
       void read_entities()
       {
         long long numbers[4];
         for (long long &n : numbers)
-          n = words.count("number of entities");
+          n = tokens.long_count("number of entities");
         for (unsigned int dimension = 0; dimension < 4; ++dimension)
           for (long long i = 0; i < numbers[dimension]; ++i)
             {
-              read_tag("number of an entity");
+              const long long tag = read_tag("number of an entity");
               for (unsigned int c = 0; c < (dimension == 0 ? 3 : 6); ++c)
-                words.real("position of an entity");
-              read_tags("number of physical groups", "physical group");
+                tokens.real("position of an entity");
+              std::vector<long long> groups =
+                read_tags("number of physical groups", "physical group");
               if (dimension > 0)
                 read_tags("number of boundaries", "boundary");
+              for (const long long group : groups)
+                sets_of_entity[{dimension, tag}].push_back(
+                  name_of_group(dimension, group));
             }
       }
 
-      void read_tags(const std::string &number, const std::string &one)
+      std::vector<long long> read_tags(const std::string &number,
+                                       const std::string &one)
       {
-        const long long n = words.count(number);
+        const long long        n = tokens.long_count(number);
+        std::vector<long long> tags;
         for (long long i = 0; i < n; ++i)
-          read_tag("number of a " + one);
+          tags.push_back(read_tag("number of a " + one));
+        return tags;
       }
 
-      void add_node()
+      /** A negative number stands for a group that curves run backwards in. */
+      std::string name_of_group(const long long dimension,
+                                const long long group) const
       {
-        const long long tag = words.integer("number of a node");
+        const auto name = names.find({dimension, std::llabs(group)});
+        return name == names.end() || name->second.empty()
+          ? "group " + std::to_string(std::llabs(group))
+          : name->second;
+      }
+
+      long long checked_node(const long long tag) const
+      {
         if (tag < 1)
-          words.fail("the node number " + std::to_string(tag) +
-                     " is not positive");
-        nodes.insert(tag);
+          tokens.fail("the node number " + std::to_string(tag) +
+                      " is not positive");
+        return tag;
       }
 
-      void read_position(const long long n_numbers)
+      void read_position(const long long node, const long long n_parameters)
       {
-        for (long long c = 0; c < n_numbers; ++c)
-          words.real("coordinate of a node");
+        dealii::Point<3> position;
+        for (unsigned int d = 0; d < 3; ++d)
+          position[d] = tokens.real("coordinate of a node");
+        for (long long i = 0; i < n_parameters; ++i)
+          tokens.real("parameter of a node");
+        mesh.positions[node] = position;
       }
 
       void read_nodes_2()
       {
-        const long long n = words.count("number of nodes");
+        const long long n = number_as_text("number of nodes");
+        if (tokens.is_binary)
+          tokens.skip_line();
         for (long long i = 0; i < n; ++i)
-          {
-            add_node();
-            read_position(3);
-          }
+          read_position(checked_node(tokens.integer("number of a node")), 0);
       }
 
       void read_nodes_4()
       {
-        const long long n_blocks = words.count("number of node blocks");
-        const long long n        = words.count("number of nodes");
-        words.integer("smallest node number");
-        words.integer("largest node number");
+        const long long n_blocks = tokens.long_count("number of node blocks");
+        const long long n        = tokens.long_count("number of nodes");
+        tokens.long_integer("smallest node number");
+        tokens.long_integer("largest node number");
         long long found = 0;
         for (long long block = 0; block < n_blocks; ++block)
           {
             const long long dimension = read_dimension();
-            read_tag("number of an entity");
-            const bool      is_parametric = words.integer("0 or 1") != 0;
-            const long long size = words.count("number of nodes of a block");
+            const Entity entity = {dimension, read_tag("number of an entity")};
+            const bool   is_parametric = tokens.integer("0 or 1") != 0;
+            const long long size =
+              tokens.long_count("number of nodes of a block");
+            std::vector<long long> nodes;
             for (long long i = 0; i < size; ++i)
-              add_node();
-            for (long long i = 0; i < size; ++i)
-              read_position(3 + (is_parametric ? dimension : 0));
+              nodes.push_back(
+                checked_node(tokens.long_integer("number of a node")));
+            for (const long long node : nodes)
+              {
+                read_position(node, is_parametric ? dimension : 0);
+                if (dimension == 0)
+                  add_point(node, sets_of(entity));
+              }
             found += size;
           }
         expect_total(n, found, "nodes");
+      }
+
+      const std::vector<std::string> &sets_of(const Entity &entity) const
+      {
+        static const std::vector<std::string> none;
+        const auto sets = sets_of_entity.find(entity);
+        return sets == sets_of_entity.end() ? none : sets->second;
+      }
+
+      void add_point(const long long node, const std::vector<std::string> &sets)
+      {
+        for (const std::string &set : sets)
+          {
+            std::vector<std::size_t> &nodes = mesh.node_sets[set];
+            if (points_of_set[set].insert(node).second)
+              nodes.push_back(node);
+          }
       }
 
       void expect_total(const long long    announced,
@@ -326,88 +300,156 @@ namespace auxfem
                         const std::string &what) const
       {
         if (announced != found)
-          words.fail(std::to_string(announced) + ' ' + what +
-                     " are announced, but the blocks have " +
-                     std::to_string(found));
+          tokens.fail(std::to_string(announced) + ' ' + what +
+                      " are announced, but the blocks have " +
+                      std::to_string(found));
       }
 
-      /** Nodes of an element; format becomes `other` for an unknown type. */
-      void read_connectivity(const long long element, const long long type)
+      unsigned int n_nodes_of_element(const long long element,
+                                      const long long type) const
       {
         constexpr long long largest_type = 140;
         if (type < 1 || type > largest_type)
-          words.fail("the element type " + std::to_string(type) +
-                     " is none of gmsh's");
+          tokens.fail("the element type " + std::to_string(type) +
+                      " is none of gmsh's");
         const std::optional<unsigned int> n_nodes = n_nodes_of(type);
-        if (!n_nodes)
+        if (!n_nodes || is_line_of_more_nodes(type))
+          tokens.fail(
+            (n_nodes ? "line elements of " + std::to_string(*n_nodes) + " nodes"
+                     : "elements of type " + std::to_string(type)) +
+            " are not read, for example element " + std::to_string(element) +
+            ". Allowed are lines of 2 nodes (straight struts) and 3 nodes "
+            "(arcs): set Mesh.ElementOrder in gmsh to 1 or 2");
+        return *n_nodes;
+      }
+
+      /** Makes a line or a point of an element; others are passed over. */
+      void read_connectivity(const long long                 element,
+                             const long long                 type,
+                             const std::vector<std::string> &sets)
+      {
+        const unsigned int     n_nodes = n_nodes_of_element(element, type);
+        std::vector<long long> nodes;
+        for (unsigned int i = 0; i < n_nodes; ++i)
           {
-            format = Format::other;
-            return;
-          }
-        for (unsigned int i = 0; i < *n_nodes; ++i)
-          {
+            const std::string what =
+              "node of element " + std::to_string(element);
             const long long node =
-              words.integer("node of element " + std::to_string(element));
-            if (nodes.count(node) == 0)
-              words.fail("element " + std::to_string(element) + " has node " +
-                         std::to_string(node) +
-                         ", which is not one of the file's nodes");
+              is_version_4 ? tokens.long_integer(what) : tokens.integer(what);
+            if (mesh.positions.count(node) == 0)
+              tokens.fail("element " + std::to_string(element) + " has node " +
+                          std::to_string(node) +
+                          ", which is not one of the file's nodes");
+            nodes.push_back(node);
           }
+        if (type == line_of_2_nodes || type == line_of_3_nodes)
+          mesh.lines.push_back({static_cast<std::size_t>(element),
+                                static_cast<std::size_t>(nodes[0]),
+                                static_cast<std::size_t>(nodes[1]),
+                                type == line_of_3_nodes
+                                  ? static_cast<std::size_t>(nodes[2])
+                                  : LineMesh::no_node,
+                                sets});
+        else if (type == point)
+          add_point(nodes[0], sets);
+      }
+
+      void read_element_2(const long long type, const long long n_tags)
+      {
+        const long long element = tokens.integer("number of an element");
+        read_element_2(element, type, n_tags);
+      }
+
+      /** The first tag is the physical group, 0 for none. */
+      void read_element_2(const long long element,
+                          const long long type,
+                          const long long n_tags)
+      {
+        long long group = 0;
+        for (long long i = 0; i < n_tags; ++i)
+          {
+            const long long tag = read_tag("tag of an element");
+            group               = i == 0 ? tag : group;
+          }
+        const long long dimension = type == point ? 0 : 1;
+        read_connectivity(element,
+                          type,
+                          group == 0 ? std::vector<std::string>()
+                                     : std::vector<std::string>{
+                                         name_of_group(dimension, group)});
       }
 
       void read_elements_2()
       {
-        const long long n = words.count("number of elements");
-        for (long long i = 0; i < n && format != Format::other; ++i)
+        const long long n = number_as_text("number of elements");
+        if (tokens.is_binary)
           {
-            const long long element = words.integer("number of an element");
-            const long long type    = words.integer("type of an element");
-            read_tags("number of tags", "tag");
-            read_connectivity(element, type);
+            tokens.skip_line();
+            read_binary_elements_2(n);
+            return;
+          }
+        for (long long i = 0; i < n; ++i)
+          {
+            const long long element = tokens.integer("number of an element");
+            const long long type    = tokens.integer("type of an element");
+            read_element_2(element, type, tokens.count("number of tags"));
+          }
+      }
+
+      /** Elements of one type and number of tags follow each other. */
+      void read_binary_elements_2(const long long n)
+      {
+        for (long long found = 0; found < n;)
+          {
+            const long long type = tokens.integer("type of an element");
+            const long long size =
+              tokens.count("number of elements of a block");
+            const long long n_tags = tokens.count("number of tags");
+            if (size == 0)
+              tokens.fail("a block has no elements");
+            for (long long i = 0; i < size; ++i)
+              read_element_2(type, n_tags);
+            found += size;
           }
       }
 
       void read_elements_4()
       {
-        const long long n_blocks = words.count("number of element blocks");
-        const long long n        = words.count("number of elements");
-        words.integer("smallest element number");
-        words.integer("largest element number");
+        const long long n_blocks =
+          tokens.long_count("number of element blocks");
+        const long long n = tokens.long_count("number of elements");
+        tokens.long_integer("smallest element number");
+        tokens.long_integer("largest element number");
         long long found = 0;
         for (long long block = 0; block < n_blocks; ++block)
           {
-            read_dimension();
-            read_tag("number of an entity");
-            const long long type = words.integer("type of an element");
-            const long long size = words.count("number of elements of a block");
+            const long long dimension = read_dimension();
+            const Entity entity  = {dimension, read_tag("number of an entity")};
+            const long long type = tokens.integer("type of an element");
+            const long long size =
+              tokens.long_count("number of elements of a block");
             for (long long i = 0; i < size; ++i)
               {
-                const long long element = words.integer("number of an element");
-                read_connectivity(element, type);
-                if (format == Format::other)
-                  return;
+                const long long element =
+                  tokens.long_integer("number of an element");
+                read_connectivity(element, type, sets_of(entity));
               }
             found += size;
           }
         expect_total(n, found, "elements");
       }
 
-      Words                         words;
-      Format                        format = Format::other;
-      std::unordered_set<long long> nodes;
+      MshTokens                                            tokens;
+      bool                                                 is_version_4 = false;
+      LineMesh                                             mesh;
+      std::map<Entity, std::string>                        names;
+      std::map<Entity, std::vector<std::string>>           sets_of_entity;
+      std::map<std::string, std::unordered_set<long long>> points_of_set;
     };
   } // namespace
 
-  std::string mistake_in_mesh_file(const std::string &file)
+  LineMesh read_msh(const std::string &content)
   {
-    try
-      {
-        MshFile(file).check();
-      }
-    catch (const Mistake &mistake)
-      {
-        return mistake.text;
-      }
-    return "";
+    return MshFile(content).read();
   }
 } // namespace auxfem

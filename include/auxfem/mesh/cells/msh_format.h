@@ -1,17 +1,17 @@
 #ifndef auxfem_mesh_cells_msh_format_h
 #define auxfem_mesh_cells_msh_format_h
 
-#include <string>
+#include <auxfem/mesh/cells/line_mesh.h>
 
 namespace auxfem
 {
   /**
-   * What is wrong with the mesh file @p file, e.g. `line 66: element 5 has node
-   * -1, ...`; empty if nothing is found. Looks at the counts, numbers and node
-   * references of text files in gmsh's formats 2 and 4.1, on which gmsh's own
-   * reader relies; other files are taken as they are.
+   * Lines of two and three nodes and physical groups of points and curves in
+   * @p content of a file in gmsh's format MSH 2 or 4.1, as text or binary.
+   * Groups without name are called "group" and their number. The lines may be
+   * none. Throws MeshMistake, e.g. `line 66: element 5 has node -1, ...`.
    */
-  std::string mistake_in_mesh_file(const std::string &file);
+  LineMesh read_msh(const std::string &content);
 } // namespace auxfem
 
 #endif
