@@ -1,6 +1,8 @@
 #include <auxfem/analysis/analysis.h>
 #include <auxfem/analysis/small_motions/frequency_response.h>
 #include <auxfem/analysis/small_motions/modes.h>
+#include <auxfem/model/scene_size.h>
+#include <auxfem/output/console.h>
 #include <auxfem/output/first_rank.h>
 #include <auxfem/output/run_output.h>
 #include <auxfem/output/singular_point_files.h>
@@ -8,6 +10,10 @@
 #include <auxfem/reduced_cell/comparison.h>
 #include <auxfem/simulation.h>
 #include <auxfem/study/study.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <iostream>
 
 namespace auxfem
 {
@@ -17,6 +23,15 @@ namespace auxfem
     {
       return scene.analysis == Analysis::modes ||
         scene.analysis == Analysis::buckling;
+    }
+
+    /** Says what a large scene takes, before it takes it. */
+    void tell_size(const Scene &scene, const MPI_Comm communicator)
+    {
+      const std::string text = size_text(scene);
+      if (!text.empty() &&
+          dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+        std::cout << indented(text) << '\n' << std::endl;
     }
 
     /** What runs of some kinds write beside the files of simulations. */
@@ -37,6 +52,7 @@ namespace auxfem
                 const StartTimes &start,
                 const FileRules  &rules)
   {
+    tell_size(scene, communicator);
     if (scene.analysis == Analysis::study)
       return run_study(scene, communicator, rules);
     FileRules with_others              = rules;
@@ -60,6 +76,7 @@ namespace auxfem
                    const StartTimes &start,
                    const FileRules  &rules)
   {
+    tell_size(scene, communicator);
     return run(scene,
                communicator,
                *make_run_output(scene,
@@ -77,6 +94,7 @@ namespace auxfem
 
   void check(const Scene &scene, const MPI_Comm communicator)
   {
+    tell_size(scene, communicator);
     if (is_of_modes(scene))
       return check_modes(scene, communicator);
     if (scene.analysis == Analysis::frequency_response)
