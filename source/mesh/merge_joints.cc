@@ -2,6 +2,7 @@
 #include <auxfem/mesh/earlier_joints.h>
 #include <auxfem/mesh/merge_joints.h>
 #include <auxfem/mesh/position_text.h>
+#include <auxfem/parameters/errors.h>
 
 #include <deal.II/numerics/rtree.h>
 
@@ -193,6 +194,10 @@ namespace auxfem
         cell.notes.push_back("Lattice/" + merge_distance().name +
                              " makes one: " + first_of(pairs) + ".");
         JointMerger(distance, names, cell).merge(first);
+        if (cell.struts.empty())
+          throw InputError("Lattice/" + merge_distance().name +
+                           ": no strut is longer than this distance. Take "
+                           "one below the length of the shortest strut.");
       }
     else
       cell.notes.push_back(

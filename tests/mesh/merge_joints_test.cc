@@ -72,6 +72,12 @@ TEST(MergeJoints, ArcsBesideStraightStrutsStay)
   EXPECT_EQ(lattice.notes.size(), 2u);
 }
 
+TEST(MergeJoints, SomeStrutMustStay)
+{
+  EXPECT_TRUE(contains(input_error_of([]() { frame_of_bars("5 m"); }),
+                       "Lattice/Merge distance: no strut is longer"));
+}
+
 TEST(MergeJoints, SoundFramesHaveNoNotes)
 {
   const auto lattice = make_array(cell_from_text("frame",

@@ -21,7 +21,8 @@ namespace auxfem
    * number one with it. Struts that have no length then, and those that repeat
    * another one, go; their sets stay. A distance of 0 merges nothing, and
    * joints that lie within round-off of each other are only told of. What was
-   * found is in the notes of @p cell, which must not have pairs.
+   * found is in the notes of @p cell, which must not have pairs. Throws InputError if no
+   * strut is left.
    */
   void merge_joints(double           distance,
                     const CellNames &names,
