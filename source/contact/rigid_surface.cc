@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace auxfem
 {
@@ -20,7 +21,7 @@ namespace auxfem
     }
 
     /** Two unit vectors across @p normal; in the plane the first lies in it. */
-    std::array<Vector3, 2> across(const Vector3 &normal)
+    std::array<Vector3, 2> unit_vectors_across(const Vector3 &normal)
     {
       const unsigned int least = std::abs(normal[2]) < 0.9 ? 2 : 0;
       Vector3 first = dealii::cross_product_3d(unit_vector(least), normal);
@@ -45,6 +46,22 @@ namespace auxfem
       return points;
     }
 
+    /** Subtracts @p level; what is then round-off becomes zero. */
+    void subtract(const double level, BernsteinPolynomial &polynomial)
+    {
+      constexpr double digits = 32 * std::numeric_limits<double>::epsilon();
+      double           scale  = std::abs(level);
+      for (unsigned int i = 0; i <= polynomial.degree; ++i)
+        scale = std::max(scale, std::abs(polynomial.coefficients[i]));
+      for (unsigned int i = 0; i <= polynomial.degree; ++i)
+        {
+          double &value = polynomial.coefficients[i];
+          value -= level;
+          if (std::abs(value) <= digits * scale)
+            value = 0;
+        }
+    }
+
     class PlaneSurface : public RigidSurface
     {
     public:
@@ -67,16 +84,23 @@ namespace auxfem
         return {normal, {}};
       }
 
-      double least_distance(const Vector3 &from,
-                            const Vector3 &to) const override
+      BernsteinPolynomial level(const ControlPolygon &one,
+                                const ControlPolygon &other,
+                                const double          distance) const override
       {
-        return std::min(distance(from), distance(to));
+        BernsteinPolynomial result;
+        result.degree = one.degree;
+        for (unsigned int i = 0; i <= one.degree; ++i)
+          result.coefficients[i] =
+            normal * (one.points[i] + other.points[i]) / 2;
+        subtract(distance, result);
+        return result;
       }
 
       Lines outline(const double       size,
                     const unsigned int dimension) const override
       {
-        const auto [a, b] = across(normal);
+        const auto [a, b] = unit_vectors_across(normal);
         const double r    = size / 2;
         if (dimension == 2)
           return {{-r * a, r * a}};
@@ -135,14 +159,15 @@ namespace auxfem
         return result;
       }
 
-      double least_distance(const Vector3 &from,
-                            const Vector3 &to) const override
+      BernsteinPolynomial level(const ControlPolygon &one,
+                                const ControlPolygon &other,
+                                const double          distance) const override
       {
-        const Vector3 start = projection * from, way = projection * (to - from);
-        const double  square = way.norm_square();
-        const double  part =
-          square > 0 ? std::clamp(-(start * way) / square, 0., 1.) : 0.;
-        return (start + part * way).norm() - radius;
+        BernsteinPolynomial result = product(across(one), across(other));
+        // A negative distance from the centre is never reached.
+        const double from_centre = radius + distance;
+        subtract(from_centre * std::abs(from_centre), result);
+        return result;
       }
 
       Lines outline(const double       size,
@@ -156,7 +181,7 @@ namespace auxfem
           return {circle(radius, x, y),
                   circle(radius, y, z),
                   circle(radius, z, x)};
-        const auto [a, b]   = across(axis);
+        const auto [a, b]   = unit_vectors_across(axis);
         const Vector3 along = size / 2 * axis;
         Lines         lines = {circle(radius, a, b, along),
                                circle(radius, a, b, -along)};
@@ -166,6 +191,15 @@ namespace auxfem
       }
 
     private:
+      ControlPolygon across(const ControlPolygon &curve) const
+      {
+        ControlPolygon result;
+        result.degree = curve.degree;
+        for (unsigned int i = 0; i <= curve.degree; ++i)
+          result.points[i] = projection * curve.points[i];
+        return result;
+      }
+
       const Vector3        axis;
       const double         radius;
       dealii::Tensor<2, 3> projection; ///< across the axis

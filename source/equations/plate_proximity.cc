@@ -2,6 +2,8 @@
 #include <auxfem/equations/plate_proximity.h>
 #include <auxfem/parameters/errors.h>
 
+#include <boost/math/tools/minima.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -26,13 +28,13 @@ namespace auxfem
     }
   } // namespace
 
-  PlateProximity::PlateProximity(const Scene                      &scene,
-                                 const LatticeModel               &model,
-                                 const std::vector<ContactAxis>   &axes,
-                                 const std::vector<ContactPoints> &points)
+  PlateProximity::PlateProximity(const Scene        &scene,
+                                 const LatticeModel &model,
+                                 const StrutCurves  &curves)
     : model(model)
-    , axes(axes)
-    , points_of_axes(points)
+    , curves(curves)
+    , axes(curves.list())
+    , points_of_axes(model, axes)
     , allowed_part(scene.contact.largest_penetration)
     , step_length(model.simulated.inertia ? scene.time.step : 0.)
     , dimension(model.lattice.dimension)
@@ -91,19 +93,15 @@ namespace auxfem
       {
         const ContactAxis *deepest = nullptr;
         double             depth   = 0;
-        for (unsigned int a = 0; a < axes.size(); ++a)
-          for (const dealii::Point<3> &point : points_of_axes[a].rest)
+        for (const ContactAxis &axis : axes)
+          if (const double here =
+                depth_at_rest(&axis - axes.data(),
+                              *plate.definition,
+                              tolerance * (axis.half_thickness + thickest));
+              here > depth)
             {
-              const ContactAxis &axis = axes[a];
-              const double       here = axis.half_thickness -
-                plate.definition->surface->distance(point -
-                                                    plate.definition->position);
-              if (here >
-                  std::max(depth, tolerance * (axis.half_thickness + thickest)))
-                {
-                  deepest = &axis;
-                  depth   = here;
-                }
+              deepest = &axis;
+              depth   = here;
             }
         if (deepest == nullptr)
           continue;
@@ -116,6 +114,37 @@ namespace auxfem
                    "behind it.";
         throw InputError(message.str());
       }
+  }
+
+  double PlateProximity::depth_at_rest(const unsigned int     axis,
+                                       const PlateDefinition &plate,
+                                       const double           tolerance) const
+  {
+    const RigidSurface &surface = *plate.surface;
+    AxisCurve           curve   = curves.at_rest(axis);
+    curve.coefficients[0] -= plate.position;
+    const ControlPolygon polygon(curve, curve.degree);
+    const double         half = axes[axis].half_thickness;
+    if (surface.level(polygon, polygon, half - tolerance).is_nowhere_negative())
+      return 0;
+    const auto distance = [&](const double parameter) {
+      return surface.distance(curve.at(parameter));
+    };
+    const std::vector<double> parameters =
+      parameters_between_levels(surface, {polygon}, {half - tolerance});
+    double least = std::min(distance(0), distance(1));
+    for (std::size_t i = 1; i < parameters.size(); ++i)
+      {
+        constexpr int half_the_digits = 26;
+        least =
+          std::min(least,
+                   boost::math::tools::brent_find_minima(distance,
+                                                         parameters[i - 1],
+                                                         parameters[i],
+                                                         half_the_digits)
+                     .second);
+      }
+    return least < half - tolerance ? half - least : 0;
   }
 
   std::vector<Vector3> PlateProximity::plate_values(const Vector &values) const
@@ -331,29 +360,32 @@ namespace auxfem
       std::binary_search(near_pairs.begin(), near_pairs.end(), pair);
     const double allowed =
       is_coupled ? allowed_part * thickness(pair.axis) : 0.;
-    const auto at =
-      [&](const unsigned int i, const State &state, const Vector3 &of_plate) {
-        return points_of_axes[pair.axis].rest[i] - plate.position - of_plate +
-          displacement(pair.axis, i, state);
-      };
-    for (unsigned int i = 0; i < points_of_axes[pair.axis].size(); ++i)
-      {
-        const double depth = axis.half_thickness -
-          plate.surface->least_distance(at(i, step.from, before),
-                                        at(i, step.to, now));
-        if (depth > allowed)
-          return Depth{axis.strut, pair.plate, depth, is_coupled};
-      }
+    const auto curve_at = [&](const State &state, const Vector3 &of_plate) {
+      AxisCurve curve = curves.curve(pair.axis,
+                                     owned_unknowns[pair.axis].data(),
+                                     state.displacement.data());
+      curve.coefficients[0] -= plate.position + of_plate;
+      return curve;
+    };
+    const AxisCurve from = curve_at(step.from, before),
+                    to   = curve_at(step.to, now);
+    const auto starts    = points_of_axes.touchable(pair.axis, from),
+               ends      = points_of_axes.touchable(pair.axis, to);
+    for (std::size_t i = 0; i < starts.size(); ++i)
+      if (const auto found = find_passage(*plate.surface,
+                                          starts[i],
+                                          ends[i],
+                                          axis.half_thickness - allowed))
+        {
+          // A part that is a point has no other parameter.
+          const double  parameter = starts[i].degree > 0 ? found->parameter : i;
+          const Vector3 place     = (1 - found->way) * from.at(parameter) +
+            found->way * to.at(parameter);
+          return Depth{axis.strut,
+                       pair.plate,
+                       axis.half_thickness - plate.surface->distance(place),
+                       is_coupled};
+        }
     return {};
-  }
-
-  dealii::Tensor<1, 3> PlateProximity::displacement(const unsigned int axis,
-                                                    const unsigned int point,
-                                                    const State &state) const
-  {
-    return points_of_axes[axis].displacement(point,
-                                             dimension,
-                                             owned_unknowns[axis].data(),
-                                             state.displacement.data());
   }
 } // namespace auxfem

@@ -110,30 +110,6 @@ TEST(RigidSurface, MeanDirectionTimesTheWayIsTheChangeOfDistance)
       << name;
 }
 
-TEST(RigidSurface, LeastDistanceIsThatOfTheWay)
-{
-  constexpr unsigned int n = 1000;
-  for (const auto &[name, surface] : all_surfaces())
-    for (const Vector3 &from : points)
-      for (const Vector3 &to : points)
-        {
-          double least = surface->distance(from);
-          for (unsigned int i = 1; i <= n; ++i)
-            least =
-              std::min(least,
-                       surface->distance(from + i / double(n) * (to - from)));
-          EXPECT_LE(surface->least_distance(from, to), least + 1e-15) << name;
-          EXPECT_NEAR(surface->least_distance(from, to),
-                      least,
-                      (to - from).norm() / n)
-            << name;
-        }
-  // Right through the middle.
-  EXPECT_DOUBLE_EQ(make_sphere_surface(0.5)->least_distance(Vector3({-2, 0, 0}),
-                                                            Vector3({3, 0, 0})),
-                   -0.5);
-}
-
 TEST(RigidSurface, OutlinesLieOnTheSurface)
 {
   for (const auto &[name, surface] : all_surfaces())

@@ -1,6 +1,8 @@
 #ifndef auxfem_contact_rigid_surface_h
 #define auxfem_contact_rigid_surface_h
 
+#include <auxfem/contact/bernstein_polynomial.h>
+
 #include <deal.II/base/tensor.h>
 
 #include <memory>
@@ -48,10 +50,17 @@ namespace auxfem
     virtual MeanDistance between(const Vector &from,
                                  const Vector &to) const = 0;
 
-    /** Least distance(), or a bound for it, on the straight way between two
-     * positions. */
-    virtual double least_distance(const Vector &from,
-                                  const Vector &to) const = 0;
+    /**
+     * The symmetric bilinear form L(one, other) of two curves of one degree, by
+     * their parameter. L(curve, curve) is negative where, and only where, the
+     * curve is nearer to the surface than @p distance (m). On the straight way
+     * (1 - t) from + t to this is
+     * (1 - t)^2 L(from, from) + 2 t (1 - t) L(from, to) + t^2 L(to, to).
+     * Coefficients that are round-off are zero.
+     */
+    virtual BernsteinPolynomial level(const ControlPolygon &one,
+                                      const ControlPolygon &other,
+                                      double                distance) const = 0;
 
     /**
      * Lines that show the body (m), each through points: relative to the point

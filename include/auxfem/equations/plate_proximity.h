@@ -2,7 +2,8 @@
 #define auxfem_equations_plate_proximity_h
 
 #include <auxfem/contact/plate_definition.h>
-#include <auxfem/equations/contact_points.h>
+#include <auxfem/equations/evaluation.h>
+#include <auxfem/equations/plate_contact_points.h>
 #include <auxfem/scene/scene.h>
 #include <auxfem/time/records.h>
 #include <auxfem/time/state.h>
@@ -43,13 +44,11 @@ namespace auxfem
     };
 
     /**
-     * @param scene, model, axes, points must outlive the object; @p points are
-     * those of each axis
+     * @param scene, model, curves must outlive the object
      */
-    PlateProximity(const Scene                      &scene,
-                   const LatticeModel               &model,
-                   const std::vector<ContactAxis>   &axes,
-                   const std::vector<ContactPoints> &points);
+    PlateProximity(const Scene        &scene,
+                   const LatticeModel &model,
+                   const StrutCurves  &curves);
 
     /** Throws InputError for struts without thickness, and for such as lie in a
      * plate at rest. */
@@ -98,11 +97,6 @@ namespace auxfem
                                            : thickest;
     }
 
-    /** Displacement of a point of an axis that this rank counts (m). */
-    dealii::Tensor<1, 3> displacement(unsigned int axis,
-                                      unsigned int point,
-                                      const State &state) const;
-
   private:
     using SpaceVector = dealii::Tensor<1, 3>;
 
@@ -115,6 +109,12 @@ namespace auxfem
 
     void refuse_struts_without_thickness() const;
     void refuse_plates_in_struts() const;
+
+    /** How deep an axis reaches into a plate at rest (m), if deeper than
+     * @p tolerance; else 0. */
+    double depth_at_rest(unsigned int           axis,
+                         const PlateDefinition &plate,
+                         double                 tolerance) const;
 
     /** Gap (m) that an owned axis has at least; the plate is displaced. */
     double least_gap(const PlatePair   &pair,
@@ -155,9 +155,10 @@ namespace auxfem
                                   const SpaceVector &before,
                                   const SpaceVector &now) const;
 
-    const LatticeModel               &model;
-    const std::vector<ContactAxis>   &axes;
-    const std::vector<ContactPoints> &points_of_axes;
+    const LatticeModel             &model;
+    const StrutCurves              &curves;
+    const std::vector<ContactAxis> &axes;
+    const PlateContactPoints        points_of_axes;
     /** Part of half the thickness that a step may go deep. */
     const double       allowed_part;
     const double       step_length; ///< of the scene (s); 0 in statics

@@ -20,8 +20,8 @@ namespace auxfem
         : scene(scene)
         , communicator(equations.unknowns().layout.communicator())
         , axes(make_contact_axes(equations.model(), scene.contact.stiffness))
-        , points_of_axes(make_contact_points(equations.model().lattice, axes))
-        , proximity(scene, equations.model(), axes, points_of_axes)
+        , curves(equations.model(), axes)
+        , proximity(scene, equations.model(), curves)
       {}
 
       void step(const Evaluation &step,
@@ -59,12 +59,12 @@ namespace auxfem
       }
 
     private:
-      const Scene                     &scene;
-      const MPI_Comm                   communicator;
-      const std::vector<ContactAxis>   axes;
-      const std::vector<ContactPoints> points_of_axes;
-      const PlateProximity             proximity;
-      Occurrences                      in_plates; ///< group: the plate
+      const Scene                   &scene;
+      const MPI_Comm                 communicator;
+      const std::vector<ContactAxis> axes;
+      const StrutCurves              curves;
+      const PlateProximity           proximity;
+      Occurrences                    in_plates; ///< group: the plate
     };
   } // namespace
 

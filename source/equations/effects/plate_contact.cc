@@ -1,4 +1,5 @@
 #include <auxfem/equations/effects/contact_effect.h>
+#include <auxfem/equations/plate_contact_points.h>
 #include <auxfem/equations/plate_proximity.h>
 
 #include <algorithm>
@@ -16,8 +17,12 @@ namespace auxfem
     /** A point of a strut that touches a plate. */
     struct PlateTouch : Touch
     {
-      unsigned int point; ///< of the axis
-      unsigned int plate; ///< in the order of the scene
+      PressingPoint point;
+      unsigned int  plate; ///< in the order of the scene
+      /** Of the nodes of the axis at the point. */
+      std::array<double, AxisCurve::max_degree + 1> shape = {};
+      /** From the point of reference of the plate (m). */
+      Vector3 position = {};
       /** Of the force on the strut: out of the plate. In a step between two
        * states not quite of length 1. */
       Vector3 normal = {};
@@ -39,8 +44,8 @@ namespace auxfem
     public:
       PlateTouches(const Scene &scene, const LatticeModel &model)
         : ContactEffect(scene, model)
-        , points_of_axes(make_contact_points(model.lattice, axes))
-        , proximity(scene, model, axes, points_of_axes)
+        , points_of_axes(model, axes)
+        , proximity(scene, model, curves)
       {
         proximity.refuse_bad_plates();
       }
@@ -95,26 +100,18 @@ namespace auxfem
         const double by_position = is_between ? 1. : factors.stiffness,
                      by_velocity =
                        is_between ? 1. / evaluation.dt : factors.damping;
-        std::vector<double> block;
-        for (const PlateTouch &touch : points_of(results))
+        const std::vector<PlateTouch> &points = points_of(results);
+        std::vector<double>            block;
+        for (auto touch = points.begin(); touch != points.end();)
           {
-            const Tensor of_point =
-              stiffness_of(touch, by_position, by_velocity);
-            const std::size_t n = coupled[touch.pair].unknowns.size();
+            const unsigned int pair = touch->pair;
+            const std::size_t  n    = coupled[pair].unknowns.size();
             block.assign(n * n, 0.);
-            std::size_t row = 0;
-            add_to_unknowns(
-              touch,
-              [&](const int, const unsigned int a, const double of_row) {
-                std::size_t column = row * n;
-                add_to_unknowns(
-                  touch,
-                  [&](const int, const unsigned int b, const double of_column) {
-                    block[column++] = of_row * of_column * of_point[a][b];
-                  });
-                ++row;
-              });
-            matrix.add(first_block + touch.pair, block.data());
+            for (; touch != points.end() && touch->pair == pair; ++touch)
+              add_block(*touch,
+                        stiffness_of(*touch, by_position, by_velocity),
+                        block);
+            matrix.add(first_block + pair, block.data());
           }
       }
 
@@ -133,7 +130,7 @@ namespace auxfem
                           });
       }
 
-      void raise_uncertain_forces(const Evaluation    &evaluation,
+      void raise_uncertain_forces(const Evaluation & /*evaluation*/,
                                   const EffectResults *results,
                                   const LargestMotion &largest,
                                   double              *forces) const override
@@ -142,9 +139,8 @@ namespace auxfem
           {
             // Depths are differences of positions, and where they are round-off
             // themselves the stiffness is none that can be told.
-            const double length = largest.displacement +
-              position(touch, evaluation.to.displacement).norm();
-            const double slope = law_at(touch).slope(
+            const double length = largest.displacement + touch.position.norm();
+            const double slope  = law_at(touch).slope(
               touch.depth + std::numeric_limits<double>::epsilon() * length);
             add_to_unknowns(touch,
                             [&](const int unknown,
@@ -219,8 +215,9 @@ namespace auxfem
             all.push_back(
               {axes[touch.axis].strut,
                touch.plate,
-               points_of_axes[touch.axis].rest[touch.point],
-               proximity.displacement(touch.axis, touch.point, state),
+               dealii::Point<3>(
+                 curves.at_rest(touch.axis).at(touch.point.parameter)),
+               motion_of_axis(touch, state.displacement),
                proximity.thickness(touch.axis) * touch.now,
                touch.whole_force(),
                touch.depth});
@@ -267,21 +264,14 @@ namespace auxfem
       {
         std::vector<PlateTouch> points;
         for (unsigned int i = 0; i < coupled.size(); ++i)
-          {
-            const PlatePair &pair = coupled[i].pair;
-            for (unsigned int p = 0; p < points_of_axes[pair.axis].size(); ++p)
-              if (const auto touch =
-                    press(evaluation, {{i, pair.axis}, p, pair.plate}))
-                points.push_back(*touch);
-          }
+          add_touching(i, evaluation, points);
         return points;
       }
 
       ContactLaw law_at(const PlateTouch &touch) const override
       {
-        return {axes[touch.axis].stiffness *
-                  points_of_axes[touch.axis].weights[touch.point],
-                parameters.smoothing * proximity.thickness(touch.axis)};
+        return {axes[touch.axis].stiffness * touch.point.weight,
+                smoothing(touch.axis)};
       }
 
       Penetration penetration(const PlateTouch &touch) const override
@@ -294,50 +284,98 @@ namespace auxfem
       Vector3 difference(const PlateTouch &touch,
                          const Vector     &values) const override
       {
+        return motion_of_axis(touch, values) -
+          motion_of_plate(touch.pair, values);
+      }
+
+      /** Up to which depth the law of contact is a parabola (m). */
+      double smoothing(const unsigned int axis) const
+      {
+        return parameters.smoothing * proximity.thickness(axis);
+      }
+
+      Vector3 motion_of_axis(const PlateTouch &touch,
+                             const Vector     &values) const
+      {
         const std::vector<int> &unknowns = coupled[touch.pair].unknowns;
-        Vector3                 result =
-          points_of_axes[touch.axis].displacement(touch.point,
-                                                  dimension,
-                                                  unknowns.data(),
-                                                  values.data());
-        const std::size_t of_plate = axes[touch.axis].n_nodes() * dimension;
-        for (unsigned int c = 0; c < dimension; ++c)
-          result[c] -= values[unknowns[of_plate + c]];
+        Vector3                 result;
+        for (unsigned int node = 0; node < axes[touch.axis].n_nodes(); ++node)
+          for (unsigned int c = 0; c < dimension; ++c)
+            result[c] +=
+              touch.shape[node] * values[unknowns[node * dimension + c]];
         return result;
       }
 
-      const RigidSurface &surface_of(const PlateTouch &touch) const
+      Vector3 motion_of_plate(const unsigned int pair,
+                              const Vector      &values) const
       {
-        return *proximity.plates()[touch.plate].definition->surface;
+        const Coupled    &of_pair = coupled[pair];
+        const std::size_t first = axes[of_pair.pair.axis].n_nodes() * dimension;
+        Vector3           result;
+        for (unsigned int c = 0; c < dimension; ++c)
+          result[c] = values[of_pair.unknowns[first + c]];
+        return result;
       }
 
-      /** Of a contact point from the point of reference of the plate (m). */
-      Vector3 position(const PlateTouch &touch,
-                       const Vector     &displacement) const
+      /** The axis of a pair from the point of reference of its plate. */
+      AxisCurve curve_at(const unsigned int pair,
+                         const Vector      &displacement) const
       {
-        return points_of_axes[touch.axis].rest[touch.point] -
-          proximity.plates()[touch.plate].definition->position +
-          difference(touch, displacement);
+        const Coupled &of_pair = coupled[pair];
+        AxisCurve      curve   = curves.curve(of_pair.pair.axis,
+                                       of_pair.unknowns.data(),
+                                       displacement.data());
+        curve.coefficients[0] -=
+          proximity.plates()[of_pair.pair.plate].definition->position +
+          motion_of_plate(pair, displacement);
+        return curve;
       }
 
-      /** Of a point of a near pair, if it touches. */
-      std::optional<PlateTouch> press(const Evaluation &evaluation,
-                                      PlateTouch        touch) const
+      /** Adds the points of a near pair that touch. */
+      void add_touching(const unsigned int       pair,
+                        const Evaluation        &evaluation,
+                        std::vector<PlateTouch> &points) const
       {
-        const bool   is_between = evaluation.kind == Evaluation::Kind::between;
-        const double half       = axes[touch.axis].half_thickness;
-        const RigidSurface &surface = surface_of(touch);
-        const Vector3       to = position(touch, evaluation.to.displacement);
-        Vector3             from;
+        const auto [axis, plate] = coupled[pair].pair;
+        const RigidSurface &surface =
+          *proximity.plates()[plate].definition->surface;
+        std::vector<AxisCurve> at_times = {
+          curve_at(pair, evaluation.to.displacement)};
+        if (evaluation.kind == Evaluation::Kind::between)
+          at_times.push_back(curve_at(pair, evaluation.from.displacement));
+        for (const PressingPoint &point : points_of_axes.pressing(
+               axis,
+               {surface, axes[axis].half_thickness, smoothing(axis)},
+               at_times))
+          if (const auto touch = press(evaluation,
+                                       surface,
+                                       at_times,
+                                       {{pair, axis}, point, plate}))
+            points.push_back(*touch);
+      }
+
+      /** Of a point of a near pair, if it touches.
+       * @param curves at the end and, in a step between two states, the start */
+      std::optional<PlateTouch> press(const Evaluation             &evaluation,
+                                      const RigidSurface           &surface,
+                                      const std::vector<AxisCurve> &at_times,
+                                      PlateTouch                    touch) const
+      {
+        const bool    is_between = evaluation.kind == Evaluation::Kind::between;
+        const double  half       = axes[touch.axis].half_thickness;
+        const Vector3 to         = at_times[0].at(touch.point.parameter);
+        Vector3       from;
+        touch.position      = to;
         touch.depth         = half - surface.distance(to);
         double depth_before = touch.depth;
         if (is_between)
           {
-            from         = position(touch, evaluation.from.displacement);
+            from         = at_times[1].at(touch.point.parameter);
             depth_before = half - surface.distance(from);
           }
         if (touch.depth <= 0 && depth_before <= 0)
           return {};
+        curves.shape(touch.axis, touch.point.parameter, touch.shape.data());
         const SurfaceDistance now = surface.at(to);
         const ContactLaw      law = law_at(touch);
         touch.now                 = now.normal;
@@ -377,12 +415,29 @@ namespace auxfem
         const std::vector<int> &unknowns = coupled[touch.pair].unknowns;
         for (unsigned int node = 0; node <= axis.n_nodes(); ++node)
           {
-            const double share = node < axis.n_nodes()
-              ? (*points_of_axes[touch.axis].shape)(touch.point, node)
-              : -1.;
+            const double share =
+              node < axis.n_nodes() ? touch.shape[node] : -1.;
             for (unsigned int c = 0; c < dimension; ++c)
               add(unknowns[node * dimension + c], c, share);
           }
+      }
+
+      /** Adds what a point adds to the tangent of its pair.
+       * @param stiffness stiffness_of() the point */
+      void add_block(const PlateTouch    &touch,
+                     const Tensor        &stiffness,
+                     std::vector<double> &block) const
+      {
+        std::size_t at = 0;
+        add_to_unknowns(
+          touch,
+          [&](const int, const unsigned int a, const double of_row) {
+            add_to_unknowns(
+              touch,
+              [&](const int, const unsigned int b, const double of_column) {
+                block[at++] += of_row * of_column * stiffness[a][b];
+              });
+          });
       }
 
       /** Derivative of minus the force on the strut by its motion against the
@@ -408,8 +463,8 @@ namespace auxfem
            touch.slope * dealii::outer_product(change.by_pressure, touch.now));
       }
 
-      const std::vector<ContactPoints> points_of_axes; ///< of each axis
-      PlateProximity                   proximity;
+      const PlateContactPoints points_of_axes;
+      PlateProximity           proximity;
     };
   } // namespace
 

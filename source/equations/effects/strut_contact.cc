@@ -15,7 +15,6 @@ namespace auxfem
     public:
       StrutTouches(const Scene &scene, const LatticeModel &model)
         : ContactEffect(scene, model)
-        , curves(model, axes)
         , points_of_axes(curves, dimension)
         , proximity(model, curves)
       {}
@@ -410,7 +409,6 @@ namespace auxfem
                          touch.force);
       }
 
-      const StrutCurves        curves;
       const StrutContactPoints points_of_axes;
       StrutProximity           proximity;
       std::vector<FacingStrut> facing;

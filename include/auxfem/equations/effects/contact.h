@@ -69,12 +69,11 @@ namespace auxfem
   };
 
   /**
-   * Contact of struts with rigid plates: at every contact point of an axis that
-   * is nearer to the surface than half the thickness, a force of ContactLaw
-   * along the normal, times the length that the point stands for, and Coulomb's
-   * friction against the motion along the surface, regularised as
-   * v / sqrt(v^2 + v0^2). Forces act on the axis. Theory: doc/theory.md,
-   * Contact.
+   * Contact of struts with rigid plates: over the part of an axis that is
+   * nearer to the surface than half the thickness, the integral of a force of
+   * ContactLaw along the normal, and of Coulomb's friction against the motion
+   * along the surface, regularised as v / sqrt(v^2 + v0^2). Forces act on the
+   * axis. Theory: doc/theory.md, Contact.
    *
    * Only struts near a plate are coupled with it; which these are follows from
    * accepted states.

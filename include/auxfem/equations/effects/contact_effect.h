@@ -2,9 +2,9 @@
 #define auxfem_equations_effects_contact_effect_h
 
 #include <auxfem/contact/contact_law.h>
-#include <auxfem/equations/contact_axes.h>
 #include <auxfem/equations/effects/contact.h>
 #include <auxfem/equations/sliding.h>
+#include <auxfem/equations/strut_curves.h>
 
 namespace auxfem
 {
@@ -148,6 +148,7 @@ namespace auxfem
       , friction{scene.contact.friction, scene.contact.slip_velocity}
       , dimension(model.lattice.dimension)
       , axes(make_contact_axes(model, scene.contact.stiffness))
+      , curves(model, axes)
     {}
 
     /** Pairs near each other, of all ranks, sorted. */
@@ -193,6 +194,7 @@ namespace auxfem
     const CoulombFriction          friction;
     const unsigned int             dimension;
     const std::vector<ContactAxis> axes;
+    const StrutCurves              curves;
     std::vector<Coupled>           coupled; ///< of this rank
     std::size_t                    first_block = 0;
 
