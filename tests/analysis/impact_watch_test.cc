@@ -65,6 +65,46 @@ TEST(ImpactWatch, SaysNothingOfWhatPassesLittleOn)
   EXPECT_TRUE(impacts(rods("15 ms", 1e5)).empty());
 }
 
+namespace
+{
+  /** A plate of 1 kg falls on a rod that stands and whose damping acts against
+   * its sudden velocity. */
+  SceneText rod_that_is_struck(const std::string &step)
+  {
+    return SceneText()
+      .frame("0 0; 0 1", "0 1")
+      .rectangle("rod", 0.02, 0.02, {1e7, 1000})
+      .set("Sections/rod/Stiffness-proportional damping", "10 ms")
+      .support("foot", "0", "clamp")
+      .mesh(2, 2)
+      .add("Plates/weight",
+           "Shape = plane | Normal = 0 -1 | Position = 0 1.011 | Mass = 1 | "
+           "Displacement y = free | Initial velocity y = -0.5")
+      .set("Contact/Stiffness", 10)
+      .time("20 ms", step, "energy-momentum");
+  }
+
+  std::vector<Finding> peaks(const SceneText &scene)
+  {
+    std::vector<Finding> found;
+    for (const Finding &finding : findings_of(scene, {}, MPI_COMM_SELF))
+      if (finding.text.find("The largest force on the plate \"weight\"") !=
+          std::string::npos)
+        found.push_back(finding);
+    return found;
+  }
+} // namespace
+
+TEST(ImpactWatch, NotesPeaksThatLastForFewSteps)
+{
+  const auto found = peaks(rod_that_is_struck("0.2 ms"));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].verdict, Verdict::sound);
+  // The weight comes down by 1 mm.
+  EXPECT_NEAR(found[0].time, 0.002, 1e-3);
+  EXPECT_TRUE(peaks(rod_that_is_struck("0.05 ms")).empty());
+}
+
 TEST(ImpactWatch, FindsTheSameInRunsThatAreResumed)
 {
   ASSERT_EQ(impacts(rods("7 ms")).size(), 1u);
