@@ -112,6 +112,8 @@ namespace auxfem
       }
     if (auto springs = make_rotational_springs(structure))
       effects.push_back(std::move(springs));
+    if (auto holds = make_spin_holds(structure))
+      effects.push_back(std::move(holds));
 
     for (unsigned int group = 0; group < scene.connectors.size(); ++group)
       {

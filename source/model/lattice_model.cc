@@ -112,6 +112,7 @@ namespace auxfem
     , mean_strut_length(mean_length(lattice))
     , releases(simulated.hinges ? joint_releases(scene, lattice)
                                 : std::vector<JointRelease>())
+    , free_spins(auxfem::free_spins(scene, lattice, releases))
     , connector_pairs(pairs_of(scene, lattice))
     , shared_numbering(std::make_shared<const DofNumbering>(
         lattice,
@@ -131,6 +132,7 @@ namespace auxfem
     , sections(other.sections)
     , mean_strut_length(other.mean_strut_length)
     , releases(other.releases)
+    , free_spins(other.free_spins)
     , connector_pairs(other.connector_pairs)
     , shared_numbering(other.shared_numbering)
     , numbering(*shared_numbering)

@@ -149,6 +149,31 @@ namespace auxfem
           notes.push_back(note.str());
         }
     }
+
+    void add_held_spins(const Scene              &scene,
+                        const LatticeModel       &model,
+                        std::vector<std::string> &notes)
+    {
+      const bool is_static = !model.simulated.inertia ||
+        scene.time.static_start || scene.analysis != Analysis::simulation;
+      if (model.free_spins.empty() || !is_static)
+        return;
+      constexpr std::size_t most = 3;
+      std::ostringstream    text;
+      text << "Between ball hinges ";
+      for (std::size_t i = 0; i < std::min(most, model.free_spins.size()); ++i)
+        text << (i > 0 ? ", " : "") << "strut "
+             << model.free_spins[i].struts.front();
+      if (model.free_spins.size() > most)
+        text << " and " << model.free_spins.size() - most << " more";
+      text
+        << " could turn about "
+        << (model.free_spins.size() > 1 ? "their own axes" : "its own axis")
+        << " without resistance. Where there is no inertia, this rotation is "
+           "held; it bears nothing.";
+      notes.push_back(text.str());
+    }
+
     /** The first of some pairs of struts, and how many more there are. */
     std::string
     pairs_text(const std::vector<std::array<unsigned int, 2>> &pairs)
@@ -199,6 +224,7 @@ namespace auxfem
     add_thick_sections(scene, model, notes);
     add_loads_on_supports(scene, model.lattice, notes);
     add_inputs_beside_results(scene.output.directory, notes);
+    add_held_spins(scene, model, notes);
     if (equations.reporting().strut_contact != nullptr)
       add_overlaps(*equations.reporting().strut_contact, notes);
     return notes;

@@ -2,7 +2,7 @@
 #define auxfem_model_lattice_model_h
 
 #include <auxfem/model/effect_decisions.h>
-#include <auxfem/model/joint_releases.h>
+#include <auxfem/model/free_spins.h>
 #include <auxfem/model/rigid_bodies.h>
 #include <auxfem/model/supports.h>
 
@@ -46,6 +46,8 @@ namespace auxfem
     const double mean_strut_length;
     /** Hinges and springs; empty if they are left out. */
     const std::vector<JointRelease> releases;
+    /** Bars that turn about themselves between ball hinges. */
+    const std::vector<FreeSpin> free_spins;
     /** Of the whole lattice, by the scene's groups of connectors. */
     const std::vector<std::vector<JointPair>> connector_pairs;
 
