@@ -74,6 +74,22 @@ namespace auxfem
       Range::positive(),
       "The same about axis 2, unused in the plane; auto: Second moment of area.",
       {"auto"}};
+    const Quantity extreme_fibre = {
+      "Extreme fibre",
+      "none",
+      "m",
+      Range::positive(),
+      "Distance of the outermost fibre from axis 3, for strains by bending in "
+      "the plane; none: not known, the Yield strain is then compared with the "
+      "least strain there can be, that of the radius of gyration.",
+      {"none"}};
+    const Quantity extreme_fibre_2 = {
+      "Extreme fibre 2",
+      "auto",
+      "m",
+      Range::positive(),
+      "The same from axis 2, unused in the plane; auto: Extreme fibre.",
+      {"auto"}};
     const Quantity torsion_of_rectangle = {
       "Torsion constant",
       "auto",
@@ -147,7 +163,7 @@ namespace auxfem
       Range::positive(),
       "Strain of an outer fibre, in tension or compression, up to which the "
       "material is linear elastic; beyond it the verdict on the run is "
-      "doubtful; of Shape = given the axial strain alone.",
+      "doubtful; of Shape = given see Extreme fibre.",
       {"none"}};
     const Quantity stiffness_damping = {
       "Stiffness-proportional damping",
@@ -206,7 +222,7 @@ namespace auxfem
                         torsion_constant_of_rectangle(std::max(b, h),
                                                       std::min(b, h)));
       section.radius          = h / 2;
-      section.fibre_distances = {{b / 2, h / 2}};
+      section.fibre_distances = section.half_thicknesses = {{b / 2, h / 2}};
       set_shear_areas(values, 5. / 6., section);
     }
 
@@ -215,7 +231,7 @@ namespace auxfem
       const double r          = values[radius];
       section.area            = PI * r * r;
       section.radius          = r;
-      section.fibre_distances = {{r, r}};
+      section.fibre_distances = section.half_thicknesses = {{r, r}};
       set_round(PI / 4 * r * r * r * r, section);
       set_shear_areas(values, 0.9, section);
     }
@@ -231,7 +247,7 @@ namespace auxfem
           "; reduce it, or set Shape = circle for a solid rod");
       section.area            = PI * (outer * outer - inner * inner);
       section.radius          = outer;
-      section.fibre_distances = {{outer, outer}};
+      section.fibre_distances = section.half_thicknesses = {{outer, outer}};
       set_round(PI / 4 * (std::pow(outer, 4) - std::pow(inner, 4)), section);
       set_shear_areas(values, 0.5, section);
     }
@@ -251,6 +267,13 @@ namespace auxfem
       section.radius =
         values.value_or(drawing_radius,
                         std::sqrt(3 * section.second_moment_3 / section.area));
+      if (!values.is_word(extreme_fibre))
+        section.fibre_distances = {
+          {values.value_or(extreme_fibre_2, values[extreme_fibre]),
+           values[extreme_fibre]}};
+      else if (!values.is_word(extreme_fibre_2))
+        values.refuse(extreme_fibre_2,
+                      "Extreme fibre is none. Give both distances, or none");
       if (!values.is_word(given_rotary_inertia))
         {
           const std::vector<double> given = values[given_rotary_inertia];
@@ -302,6 +325,8 @@ namespace auxfem
                shear_area_3,
                second_moment,
                second_moment_2,
+               extreme_fibre,
+               extreme_fibre_2,
                given_torsion,
                given_rotary_inertia,
                drawing_radius}}}};

@@ -10,8 +10,8 @@ namespace auxfem
      * smaller one. */
     double half_thickness(const Section &section, const unsigned int dimension)
     {
-      const auto &fibres = section.fibre_distances;
-      return dimension == 2 ? fibres[1] : std::min(fibres[0], fibres[1]);
+      const auto &halves = section.half_thicknesses;
+      return dimension == 2 ? halves[1] : std::min(halves[0], halves[1]);
     }
 
     /** What sections are to contact, and what rigid struts are. */

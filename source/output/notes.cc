@@ -174,6 +174,25 @@ namespace auxfem
       notes.push_back(text.str());
     }
 
+    void add_unknown_fibres(const Scene &scene, std::vector<std::string> &notes)
+    {
+      for (const SectionDefinition &definition : scene.sections)
+        {
+          const Section &section = definition.section;
+          if (!section.yield_strain || section.fibre_distances[1] > 0)
+            continue;
+          std::ostringstream text;
+          text.precision(3);
+          text << definition.path
+               << ": the Yield strain is compared with the least strain that "
+                  "bending can give, at a distance of the radius of gyration, "
+               << section.radii_of_gyration()[1]
+               << " m, from the axis. The outermost fibre is further away and "
+                  "yields earlier. Give its distance as Extreme fibre.";
+          notes.push_back(text.str());
+        }
+    }
+
     /** The first of some pairs of struts, and how many more there are. */
     std::string
     pairs_text(const std::vector<std::array<unsigned int, 2>> &pairs)
@@ -225,6 +244,7 @@ namespace auxfem
     add_loads_on_supports(scene, model.lattice, notes);
     add_inputs_beside_results(scene.output.directory, notes);
     add_held_spins(scene, model, notes);
+    add_unknown_fibres(scene, notes);
     if (equations.reporting().strut_contact != nullptr)
       add_overlaps(*equations.reporting().strut_contact, notes);
     return notes;

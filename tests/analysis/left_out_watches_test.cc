@@ -140,6 +140,75 @@ TEST(YieldWatch, TellsTheFirstStrutThatYields)
   EXPECT_TRUE(pulled("none").empty());
 }
 
+namespace
+{
+  /** A cantilever of 0.2 m with 1 N at its end: 2.143e-4 = F L c / EI at the
+   * clamp, by EI = 70e9 * 0.02 * 0.002^3 / 12 and c = 1 mm. */
+  SceneText bent_strip(const std::string &yield_strain)
+  {
+    return SceneText()
+      .frame("0 0; 0.2 0", "0 1")
+      .rectangle("strip", "20 mm", "2 mm", {"70 GPa", 2700})
+      .set("Sections/strip/Yield strain", yield_strain)
+      .support("clamp", "0", "clamp")
+      .load("tip", "1", {"0", "-t", "0"})
+      .time(1, 0.5, "static");
+  }
+
+  /** The same by its stiffnesses. */
+  SceneText bent_strip_of_given_section(const std::string &yield_strain)
+  {
+    return bent_strip(yield_strain)
+      .remove("Sections/strip/Width")
+      .remove("Sections/strip/Height")
+      .add("Sections/strip",
+           "Shape = given | Area = 4e-5 | Shear area = 3.33e-5 | "
+           "Second moment of area = 1.33333e-11");
+  }
+} // namespace
+
+TEST(YieldWatch, KnowsTheStrainAtAClamp)
+{
+  for (const unsigned int order : {2u, 3u, 5u})
+    {
+      EXPECT_EQ(findings_of(bent_strip("2.13e-4").mesh(order)).size(), 1u);
+      EXPECT_TRUE(findings_of(bent_strip("2.16e-4").mesh(order)).empty());
+    }
+}
+
+TEST(YieldWatch, KnowsTheStrainBetweenTheEndsOfAnElement)
+{
+  // q L^2 / 8 = 0.2 N m in the middle of a strut on two supports, as above.
+  const auto on_two_supports = [](const std::string &yield_strain) {
+    SceneText scene = bent_strip(yield_strain);
+    return scene.remove("Loads")
+      .support("clamp", "0", "pin")
+      .support("end", "1", "roller x")
+      .add("Loads/line",
+           "Type = line | Struts = all | Force per length y = -40*t")
+      .mesh(3)
+      .set("Effects/Large rotation", "off");
+  };
+  EXPECT_EQ(findings_of(on_two_supports("2.13e-4")).size(), 1u);
+  EXPECT_TRUE(findings_of(on_two_supports("2.16e-4")).empty());
+}
+
+TEST(YieldWatch, KnowsTheFibresOfGivenSections)
+{
+  const auto with_fibre = [](const std::string &yield_strain) {
+    return findings_of(bent_strip_of_given_section(yield_strain)
+                         .set("Sections/strip/Extreme fibre", "1 mm"));
+  };
+  EXPECT_EQ(with_fibre("2.13e-4").size(), 1u);
+  EXPECT_TRUE(with_fibre("2.16e-4").empty());
+  // Not known, it is at the radius of gyration, 2 mm / 12^1/2, at least.
+  const auto without = [](const std::string &yield_strain) {
+    return findings_of(bent_strip_of_given_section(yield_strain));
+  };
+  EXPECT_EQ(without("1.23e-4").size(), 1u);
+  EXPECT_TRUE(without("1.25e-4").empty());
+}
+
 TEST(ConnectorWatch, TellsConnectorsWithoutLength)
 {
   EXPECT_TRUE(findings_of(shortened_spring("-0.9 * t")).empty());

@@ -4,6 +4,7 @@
 #include <deal.II/base/tensor.h>
 
 #include <array>
+#include <cmath>
 #include <optional>
 
 namespace auxfem
@@ -35,10 +36,15 @@ namespace auxfem
      */
     std::optional<dealii::Tensor<1, 3>> reference;
     /**
-     * Distance of the outer fibres from axes 2 and 3 (m); 0 of a section that
-     * is given by its stiffnesses: it has no shape.
+     * Distance of the outer fibres from axes 2 and 3 (m); 0: not known, of a
+     * section that is given by its stiffnesses.
      */
     std::array<double, 2> fibre_distances = {{0., 0.}};
+    /**
+     * Half of the thickness across axes 2 and 3 that contact acts on (m); 0 of
+     * a section that is given by its stiffnesses: it has no shape.
+     */
+    std::array<double, 2> half_thicknesses = {{0., 0.}};
     /** Strain of an outer fibre at which the material yields; empty: not given.
      */
     std::optional<double> yield_strain;
@@ -78,6 +84,13 @@ namespace auxfem
     double bending_stiffness_3() const
     {
       return youngs_modulus * second_moment_3;
+    }
+    /** Radii of gyration about axes 2 and 3 (m). The outer fibres of any
+     * section are at least as far. */
+    std::array<double, 2> radii_of_gyration() const
+    {
+      return {
+        {std::sqrt(second_moment_2 / area), std::sqrt(second_moment_3 / area)}};
     }
     /** rho A (kg/m). */
     double mass_per_length() const

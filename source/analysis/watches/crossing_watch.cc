@@ -156,10 +156,10 @@ namespace auxfem
       /** In the plane that in it, in space the smaller one (m). */
       double half_thickness(const unsigned int strut) const
       {
-        const auto &fibres =
-          sections[lattice.struts[strut].section].fibre_distances;
-        return lattice.dimension == 2 ? fibres[1]
-                                      : std::min(fibres[0], fibres[1]);
+        const auto &halves =
+          sections[lattice.struts[strut].section].half_thicknesses;
+        return lattice.dimension == 2 ? halves[1]
+                                      : std::min(halves[0], halves[1]);
       }
 
       /** Whether they are joined to each other, or one. */

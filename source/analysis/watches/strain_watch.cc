@@ -68,15 +68,15 @@ namespace auxfem
     }
 
     /** Of strains beyond what the section of a strut may have. */
-    class StrainLimit : public Watch
+    class StrainWatch : public Watch
     {
     public:
-      /** @param allowed by section; infinite where any is. */
-      StrainLimit(const Equations          &equations,
-                  const std::vector<double> allowed,
-                  const std::string        &name,
+      /** @param limits by section */
+      StrainWatch(const Equations               &equations,
+                  const std::vector<StrainLimit> limits,
+                  const std::string             &name,
                   Finding (*finding)(const Excess &))
-        : allowed(allowed)
+        : limits(limits)
         , equations(equations)
         , communicator(equations.unknowns().layout.communicator())
         , name(name)
@@ -93,7 +93,7 @@ namespace auxfem
             const StrutStrain found =
               group.forces->largest_strain(step.to,
                                            *results.of_effects[group.effect],
-                                           allowed,
+                                           limits,
                                            known ? known->size : 1.);
             if (found.strut != invalid_index)
               beyond.add({found.ratio, step.to.time, found.strut});
@@ -107,7 +107,8 @@ namespace auxfem
         if (!first)
           return {};
         const double allowed_there =
-          allowed[equations.model().lattice.struts[largest->number].section];
+          limits[equations.model().lattice.struts[largest->number].section]
+            .strain;
         return {finding({*first,
                          *largest,
                          largest->size * allowed_there,
@@ -125,37 +126,50 @@ namespace auxfem
       }
 
     private:
-      const std::vector<double> allowed;
-      const Equations          &equations;
-      const MPI_Comm            communicator;
-      const std::string         name;
+      const std::vector<StrainLimit> limits;
+      const Equations               &equations;
+      const MPI_Comm                 communicator;
+      const std::string              name;
       Finding (*const finding)(const Excess &);
       Occurrences beyond; ///< strains over what is allowed
     };
 
-    std::vector<double> yield_strains(const std::vector<Section> &sections)
+    std::vector<StrainLimit>
+    doubtful_strains(const std::vector<Section> &sections)
     {
-      std::vector<double> strains;
+      std::vector<StrainLimit> limits;
       for (const Section &section : sections)
-        strains.push_back(section.yield_strain.value_or(
-          std::numeric_limits<double>::infinity()));
-      return strains;
+        limits.push_back({doubtful_strain, section.fibre_distances});
+      return limits;
     }
 
+    /** Of sections whose outer fibres are not known, with the nearest that
+     * these can be. */
+    std::vector<StrainLimit> yield_strains(const std::vector<Section> &sections)
+    {
+      std::vector<StrainLimit> limits;
+      for (const Section &section : sections)
+        limits.push_back({section.yield_strain.value_or(
+                            std::numeric_limits<double>::infinity()),
+                          section.fibre_distances[1] > 0
+                            ? section.fibre_distances
+                            : section.radii_of_gyration()});
+      return limits;
+    }
   } // namespace
 
   std::unique_ptr<Watch> make_strain_watch(const Equations &equations)
   {
-    return std::make_unique<StrainLimit>(
-      equations,
-      std::vector<double>(equations.model().sections.size(), doubtful_strain),
-      strain_record,
-      doubtful_strain_finding);
+    return std::make_unique<StrainWatch>(equations,
+                                         doubtful_strains(
+                                           equations.model().sections),
+                                         strain_record,
+                                         doubtful_strain_finding);
   }
 
   std::unique_ptr<Watch> make_yield_watch(const Equations &equations)
   {
-    return std::make_unique<StrainLimit>(equations,
+    return std::make_unique<StrainWatch>(equations,
                                          yield_strains(
                                            equations.model().sections),
                                          yield_record,

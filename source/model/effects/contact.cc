@@ -8,8 +8,8 @@ namespace auxfem
   {
     bool is_thick(const SectionDefinition &definition)
     {
-      const auto &fibres = definition.section.fibre_distances;
-      return std::max(fibres[0], fibres[1]) > 0;
+      const auto &halves = definition.section.half_thicknesses;
+      return std::max(halves[0], halves[1]) > 0;
     }
 
     /** Analyses that go from state to state without inertia to carry them. */

@@ -27,8 +27,6 @@ namespace auxfem
     {
       double length; ///< of the strut (m)
       bool   owned;
-      /** See strain_per_energy() (1/N). */
-      double strain_per_energy;
     };
 
     /** @param group of the elements of @p numbering. */
@@ -47,8 +45,7 @@ namespace auxfem
       of_elements.reserve(n_elements);
       for (unsigned int e = 0; e < n_elements; ++e)
         of_elements.push_back({lattice.length(strut(e)),
-                               numbering.elements()[group.begin + e].is_owned,
-                               strain_per_energy(section(e))});
+                               numbering.elements()[group.begin + e].is_owned});
       batches_at_rest.reserve((n_elements + n_lanes - 1) / n_lanes);
       for_each_batch([&](const ElementBatch &batch) {
         batches_at_rest.push_back(
@@ -137,18 +134,6 @@ namespace auxfem
     const BeamShape<order>      shape;
 
   private:
-    /**
-     * Square of the strain of outer fibres over twice the energy per length
-     * (1/N), at most: N / EA + M d / EI against N^2 / EA + M^2 / EI.
-     */
-    static double strain_per_energy(const Section &section)
-    {
-      const auto [d2, d3] = section.fibre_distances;
-      return 1 / section.axial_stiffness() +
-        d2 * d2 / section.bending_stiffness_2() +
-        d3 * d3 / section.bending_stiffness_3();
-    }
-
     /**
      * Frames of the true axis; r0' is that of the interpolated axis, so the
      * strut is free of stress at rest.

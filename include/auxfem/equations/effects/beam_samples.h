@@ -183,26 +183,30 @@ namespace auxfem
       return integral / 2;
     }
 
-    StrutStrain largest_strain(const State               &state,
-                               const EffectResults       &results,
-                               const std::vector<double> &allowed,
-                               const double               least) const override
+    StrutStrain largest_strain(const State                    &state,
+                               const EffectResults            &results,
+                               const std::vector<StrainLimit> &limits,
+                               const double least) const override
     {
       const auto &energies =
         static_cast<const BeamResults &>(results).strain_energies;
-      const double weight = *std::min_element(std::begin(beams.shape.weight),
-                                              std::end(beams.shape.weight));
-      StrutStrain  largest{least, invalid_index};
+      std::vector<double> bounds;
+      for (std::size_t s = 0; s < limits.size(); ++s)
+        bounds.push_back(
+          2 * square_at_points *
+          strain_per_energy(beams.sections[s], limits[s].distances));
+      StrutStrain largest{least, invalid_index};
       for (unsigned int e = 0; e < beams.size(); ++e)
         {
-          const auto  &beam         = beams[e];
-          const double of_section   = allowed[beams.strut(e).section],
-                       least_strain = largest.ratio * of_section;
-          if (!beam.owned ||
-              2 * beam.strain_per_energy * energies[e] <= least_strain *
-                  least_strain * weight * beams.at_rest(e).jacobian)
+          const unsigned int section    = beams.strut(e).section;
+          const double       of_section = limits[section].strain,
+                       least_strain     = largest.ratio * of_section;
+          if (!beams[e].owned ||
+              bounds[section] * energies[e] <=
+                least_strain * least_strain * beams.at_rest(e).jacobian)
             continue;
-          const double ratio = largest_strain(state, e) / of_section;
+          const double ratio =
+            largest_strain(state, e, limits[section].distances) / of_section;
           if (ratio > largest.ratio)
             largest = {ratio, beams.interval(e).strut};
         }
@@ -300,25 +304,85 @@ namespace auxfem
       return strains;
     }
 
-    /** Of outer fibres at the Gauss points of element @p e. */
-    double largest_strain(const State &state, const unsigned int e) const
+    /**
+     * Square of the strain of outer fibres over twice the energy per length
+     * (1/N), at most: N / EA + M d / EI against N^2 / EA + M^2 / EI.
+     */
+    static double strain_per_energy(const Section               &section,
+                                    const std::array<double, 2> &distances)
+    {
+      const auto [d2, d3] = distances;
+      return 1 / section.axial_stiffness() +
+        d2 * d2 / section.bending_stiffness_2() +
+        d3 * d3 / section.bending_stiffness_3();
+    }
+
+    /** Intervals between the points at which strains are looked for. */
+    static constexpr int n_intervals = 4 * order;
+
+    static double strain_point(const int i)
+    {
+      return -1 + 2. * i / n_intervals;
+    }
+
+    /**
+     * The largest square of a section force at such a point over the integral
+     * of the squares of what does work along [-1, 1], by Cauchy and Schwarz.
+     */
+    static double largest_square(const BeamShape<order> &shape)
+    {
+      double largest = 0;
+      for (int i = 0; i <= n_intervals; ++i)
+        {
+          double H[order], of_forces = 0, of_moments = 0;
+          shape.gauss_interpolation_at(strain_point(i), H);
+          for (int g = 0; g < order; ++g)
+            {
+              double M = 0;
+              for (int h = 0; h < order; ++h)
+                M += H[h] * shape.moment[h][g];
+              of_forces += H[g] * H[g] / shape.weight[g];
+              of_moments += M * M / shape.weight[g];
+            }
+          largest = std::max({largest, of_forces, of_moments});
+        }
+      return largest;
+    }
+
+    /** Of outer fibres along element @p e. */
+    double largest_strain(const State                 &state,
+                          const unsigned int           e,
+                          const std::array<double, 2> &distances) const
     {
       const Section &section = beams.section(e);
       SectionForces  elastic[order];
-      // Strain energies are a bound of the moments that do work on curvatures,
-      // not of those of sections without shear.
       elastic_forces(e, state, elastic);
-      const auto &fibres  = section.fibre_distances;
-      double      largest = 0;
-      for (const SectionForces &forces : elastic)
-        largest = std::max(largest,
-                           std::abs(forces[0]) / section.axial_stiffness() +
-                             std::abs(forces[4]) * fibres[0] /
-                               section.bending_stiffness_2() +
-                             std::abs(forces[5]) * fibres[1] /
-                               section.bending_stiffness_3());
-      return largest;
+      find_moments(elastic);
+      double strains[n_intervals + 1];
+      for (int i = 0; i <= n_intervals; ++i)
+        {
+          double H[order], N = 0, M_2 = 0, M_3 = 0;
+          beams.shape.gauss_interpolation_at(strain_point(i), H);
+          for (int g = 0; g < order; ++g)
+            {
+              N += H[g] * elastic[g][0];
+              M_2 += H[g] * elastic[g][4];
+              M_3 += H[g] * elastic[g][5];
+            }
+          strains[i] = std::abs(N) / section.axial_stiffness() +
+            std::abs(M_2) * distances[0] / section.bending_stiffness_2() +
+            std::abs(M_3) * distances[1] / section.bending_stiffness_3();
+        }
+      const double *const at =
+        std::max_element(std::begin(strains), std::end(strains));
+      if (at == strains || at == strains + n_intervals)
+        return *at;
+      // The vertex of the parabola through it and its neighbours.
+      const double slope = at[1] - at[-1], bend = 2 * at[0] - at[1] - at[-1];
+      return bend > 0 ? *at + slope * slope / (8 * bend) : *at;
     }
+
+    const double square_at_points = largest_square(beams.shape);
   };
 } // namespace auxfem
 

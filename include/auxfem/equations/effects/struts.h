@@ -48,6 +48,13 @@ namespace auxfem
     std::vector<std::array<double, 3>> velocities;
   };
 
+  /** Strain that the outer fibres of a section may have. */
+  struct StrainLimit
+  {
+    double                strain;    ///< infinite: any
+    std::array<double, 2> distances; ///< of the fibres from axes 2 and 3 (m)
+  };
+
   /** Strain of an outer fibre, axial strain and those of bending, over what is
    * allowed. */
   struct StrutStrain
@@ -114,15 +121,15 @@ namespace auxfem
     virtual double axial_force(const State &state, unsigned int e) const = 0;
 
     /**
-     * The largest strain at a Gauss point of the struts counted by this rank
-     * over what its section may have, if it is more than @p least; else that, of
-     * no strut.
+     * The largest strain along the struts counted by this rank over what its
+     * section may have, if it is more than @p least; else that, of no strut.
+     * By the section forces of sample(), without damping.
      * @param results of the evaluation of @p state
-     * @param allowed strain by section; infinite where any is
+     * @param limits by section
      */
-    virtual StrutStrain largest_strain(const State               &state,
-                                       const EffectResults       &results,
-                                       const std::vector<double> &allowed,
+    virtual StrutStrain largest_strain(const State                    &state,
+                                       const EffectResults            &results,
+                                       const std::vector<StrainLimit> &limits,
                                        double least) const = 0;
   };
 } // namespace auxfem
