@@ -132,7 +132,13 @@ namespace auxfem
     exact.displacement = motion.displacement;
     exact.velocity     = motion.velocity;
     exact.acceleration = motion.acceleration;
-    exact.history      = motion.history;
+    // Springs between large rotations have internal variables that those
+    // between small ones lack; they follow from the rotations.
+    copy_common(
+      (small != nullptr ? *small : solver.equations()).layout().history,
+      motion.history,
+      solver.equations().layout().history,
+      exact.history);
     // It goes with the square of the motion.
     add_multiple(times, error, exact.displacement);
     if (exact.acceleration)

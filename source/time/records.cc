@@ -39,6 +39,24 @@ namespace auxfem
         records.back().items.size() * records.back().values_per_item;
   }
 
+  void copy_common(const RecordLayout        &from_layout,
+                   const std::vector<double> &from,
+                   const RecordLayout        &to_layout,
+                   std::vector<double>       &to)
+  {
+    for (const Record &source : from_layout.list())
+      for (const Record &target : to_layout.list())
+        if (source.name == target.name)
+          {
+            Assert(source.items == target.items &&
+                     source.values_per_item == target.values_per_item,
+                   dealii::ExcInternalError());
+            std::copy_n(from.begin() + source.first,
+                        source.items.size() * source.values_per_item,
+                        to.begin() + target.first);
+          }
+  }
+
   void Records::keep(const std::string        &name,
                      std::vector<unsigned int> items,
                      const unsigned int        values_per_item,

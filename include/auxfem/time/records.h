@@ -48,6 +48,13 @@ namespace auxfem
     std::vector<Record> records;
   };
 
+  /** Copies the values of the records that both layouts have, by their names,
+   * with the same items in both; the others of @p to stay as they are. */
+  void copy_common(const RecordLayout        &from_layout,
+                   const std::vector<double> &from,
+                   const RecordLayout        &to_layout,
+                   std::vector<double>       &to);
+
   /**
    * Records with their values: what a run that is resumed gets back beside the
    * State. Who remembers something from one step to the next keeps it here when
