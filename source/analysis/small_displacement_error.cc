@@ -69,14 +69,21 @@ namespace auxfem
     unsigned int number = 0, group = 0;
   };
 
-  SmallDisplacementEstimate::SmallMotion
-  SmallDisplacementEstimate::Line::motion(const Vector &displacement) const
+  dealii::Tensor<1, 3> SmallDisplacementEstimate::Line::relative_displacement(
+    const Vector &displacement) const
   {
     dealii::Tensor<1, 3> apart;
     for (unsigned int d = 0; d < 3; ++d)
       apart[d] = (unknowns[3 + d] >= 0 ? displacement[unknowns[3 + d]] : 0.) -
         (unknowns[d] >= 0 ? displacement[unknowns[d]] : 0.);
-    const double along = apart * direction;
+    return apart;
+  }
+
+  SmallDisplacementEstimate::SmallMotion
+  SmallDisplacementEstimate::Line::motion(const Vector &displacement) const
+  {
+    const dealii::Tensor<1, 3> apart = relative_displacement(displacement);
+    const double               along = apart * direction;
     return {(apart - along * direction).norm() / length, along / length};
   }
 
@@ -105,8 +112,6 @@ namespace auxfem
          ++e)
       {
         const DofNumbering::Element &element = numbering.elements()[e];
-        if (!element.is_owned)
-          continue;
         const Strut   &strut   = model.lattice.struts[element.interval.strut];
         const Section &section = model.sections[strut.section];
         Line           line;
@@ -141,14 +146,16 @@ namespace auxfem
                           element.interval.strut,
                           /*index=*/0,
                           PI * PI * bending / (length * length),
-                          section.axial_stiffness()});
+                          section.axial_stiffness(),
+                          element.is_owned});
       }
   }
 
   void SmallDisplacementEstimate::count_struts()
   {
     for (const Chord &chord : chords)
-      counted.push_back(chord.strut);
+      if (chord.is_counted)
+        counted.push_back(chord.strut);
     std::sort(counted.begin(), counted.end());
     counted.erase(std::unique(counted.begin(), counted.end()), counted.end());
     for (Chord &chord : chords)
@@ -220,6 +227,81 @@ namespace auxfem
                                           : 0.;
   }
 
+  double SmallDisplacementEstimate::axial_force(const Chord &chord,
+                                                const State &state) const
+  {
+    return chord.struts == nullptr
+      ? chord.axial_stiffness * chord.line.motion(state.displacement).strain
+      : chord.struts->axial_force(state, chord.element);
+  }
+
+  Vector SmallDisplacementEstimate::forces_by_turning(const State &state) const
+  {
+    Vector forces(state.displacement.size(), 0.);
+    for (const Chord &chord : chords)
+      {
+        const Line                &line = chord.line;
+        const dealii::Tensor<1, 3> apart =
+          line.relative_displacement(state.displacement);
+        const dealii::Tensor<1, 3> force = axial_force(chord, state) /
+          line.length * (apart - (apart * line.direction) * line.direction);
+        for (unsigned int i = 0; i < 6; ++i)
+          if (line.unknowns[i] >= 0)
+            forces[line.unknowns[i]] += i < 3 ? -force[i] : force[i - 3];
+      }
+    return forces;
+  }
+
+  bool SmallDisplacementEstimate::find_stiffness(const State &state)
+  {
+    if (stiffness)
+      return is_regular;
+    stiffness =
+      std::make_unique<TangentSolver>(equations, scene.solver, effort);
+    State             now        = state;
+    EvaluationResults results    = equations.make_results();
+    const Evaluation  evaluation = Evaluation::equilibrium(state, now);
+    stiffness->residual(evaluation, results);
+    stiffness->assemble(evaluation, results, {1, 0, 0});
+    is_regular = stiffness->factorize();
+    return is_regular;
+  }
+
+  SmallDisplacementError
+  SmallDisplacementEstimate::with_stiffness(const SmallDisplacementError &found,
+                                            const State                  &state)
+  {
+    const LatticeModel &model = equations.model();
+    const double largest      = largest_motion(model, state.displacement).first,
+                 elastic = state.energies.strain() + state.energies.stored();
+    if (largest == 0 || elastic <= 0 || !find_stiffness(state))
+      return found;
+    const UnknownLayout &layout = equations.unknowns().layout;
+    const Vector         forces = forces_by_turning(state);
+    // Displacements change by minus K^-1 times these, to first order.
+    Vector change(forces.size(), 0.);
+    for (unsigned int i = 0; i < layout.n_owned(); ++i)
+      if (equations.unknowns().kinds[i] != UnknownKind::prescribed)
+        change[i] = -forces[i];
+    if (!stiffness->solve(change))
+      return found;
+    double twice_energy = 0;
+    for (unsigned int i = 0; i < layout.n_owned(); ++i)
+      twice_energy -= forces[i] * change[i];
+    twice_energy = layout.sum(twice_energy);
+    // The forces change as the square root of their energy.
+    const double of_displacements =
+                   largest_motion(model, change).first / largest,
+                 of_forces =
+                   std::sqrt(std::max(0., twice_energy) / (2 * elastic));
+    SmallDisplacementError error = found;
+    error.second_order =
+      std::max(found.beyond_buckling,
+               std::min(found.second_order,
+                        std::max(of_displacements, of_forces)));
+    return error;
+  }
+
   SmallDisplacementError SmallDisplacementEstimate::at(const State &state) const
   {
     const Vector       &displacement = state.displacement;
@@ -228,10 +310,10 @@ namespace auxfem
     std::vector<double> compressions(counted.size(), 0.);
     for (const Chord &chord : chords)
       {
-        const auto [rotation, strain] = chord.line.motion(displacement);
-        const double force            = chord.struts == nullptr
-                     ? chord.axial_stiffness * strain
-                     : chord.struts->axial_force(state, chord.element);
+        if (!chord.is_counted)
+          continue;
+        const double rotation = chord.line.motion(displacement).rotation,
+                     force    = axial_force(chord, state);
         work += force * rotation * rotation * chord.line.length;
         axial_energy +=
           force * force * chord.line.length / (2 * chord.axial_stiffness);
@@ -262,6 +344,7 @@ namespace auxfem
     return {worst.error.rotation,
             std::max(worst.error.second_order,
                      of_all_struts(work, axial_energy, state)),
+            worst.error.second_order,
             worst.error.strain,
             location_of(worst),
             equations.unknowns().layout.largest(largest),

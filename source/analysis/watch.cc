@@ -48,7 +48,7 @@ namespace auxfem
       watches.push_back(make_stability_watch(scene, equations, work));
     if (!simulated.large_rotation &&
         !scene.effects.small_displacements_are_judged)
-      watches.push_back(make_small_displacement_watch(scene, equations));
+      watches.push_back(make_small_displacement_watch(scene, equations, work));
     if (has_inertia)
       {
         watches.push_back(make_step_watch(scene, equations));

@@ -1,10 +1,12 @@
 #ifndef auxfem_analysis_small_displacement_error_h
 #define auxfem_analysis_small_displacement_error_h
 
-#include <auxfem/equations/equations.h>
+#include <auxfem/analysis/tangent_solver.h>
 
 #include <array>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace auxfem
@@ -23,6 +25,8 @@ namespace auxfem
      * strut over its buckling load with hinged ends, if it is beyond that.
      */
     double second_order = 0;
+    /** The latter of both. */
+    double beyond_buckling = 0;
     /** Axial strain of a strut. */
     double strain = 0;
     /** `strut 3`, say; empty: nothing moves. */
@@ -67,6 +71,25 @@ namespace auxfem
      * SmallDisplacementError::compressions. Collective. */
     SmallDisplacementError at(const State &state) const;
 
+    /**
+     * The same with the effect of axial forces found by the stiffness of the
+     * whole structure, in place of that on the energy of bending. Where struts
+     * carry loads along their axes, bending is slight and axial forces change
+     * much of it, but neither displacements nor forces.
+     *
+     * Costs a solution, the first time a factorization. Returns @p found where
+     * there is no stiffness that has a solution, as of what moves freely.
+     * @param found of at() for @p state. Collective.
+     */
+    SmallDisplacementError with_stiffness(const SmallDisplacementError &found,
+                                          const State                  &state);
+
+    /** What with_stiffness() has done since the last call. */
+    Work take_effort()
+    {
+      return std::exchange(effort, Work());
+    }
+
     /** Those that this rank counts, sorted. */
     const std::vector<unsigned int> &struts() const
     {
@@ -84,12 +107,15 @@ namespace auxfem
     struct Line
     {
       SmallMotion motion(const Vector &displacement) const;
+      /** Of the second end against the first (m). */
+      dealii::Tensor<1, 3>
+      relative_displacement(const Vector &displacement) const;
 
       std::array<int, 6>   unknowns; ///< x, y, z of both; -1: none
       dealii::Tensor<1, 3> direction;
       double               length; ///< m
     };
-    /** An element of a strut counted by this rank. */
+    /** An element of a strut. */
     struct Chord
     {
       Line               line;
@@ -99,6 +125,7 @@ namespace auxfem
       std::size_t        index;           ///< of the strut in struts()
       double             buckling_force;  ///< pi^2 EI / L^2 (N)
       double             axial_stiffness; ///< EA (N)
+      bool               is_counted;      ///< by this rank
     };
     /** A connector along its line, counted by this rank. */
     struct Connector
@@ -109,6 +136,13 @@ namespace auxfem
     /** The part with the largest error. */
     struct Worst;
 
+    /** Mean along an element (N), positive in tension. */
+    double axial_force(const Chord &chord, const State &state) const;
+    /** What axial forces do on turned chords (N), by local unknown. */
+    Vector forces_by_turning(const State &state) const;
+    /** Factorizes the stiffness at @p state, once; returns whether it has a
+     * solution. */
+    bool find_stiffness(const State &state);
     void add_chords(const StrutGroup &group);
     void count_struts();
     void add_connectors(unsigned int group);
@@ -125,6 +159,10 @@ namespace auxfem
     std::vector<Chord>        chords;
     std::vector<unsigned int> counted;
     std::vector<Connector>    connectors;
+    Work                      effort;
+    /** From the first with_stiffness() on. */
+    std::unique_ptr<TangentSolver> stiffness;
+    bool                           is_regular = false;
   };
 } // namespace auxfem
 

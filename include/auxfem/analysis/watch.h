@@ -156,7 +156,9 @@ namespace auxfem
   /** Of displacements too large for the small-displacement form, in linear
    * scenes. */
   std::unique_ptr<Watch>
-  make_small_displacement_watch(const Scene &scene, const Equations &equations);
+  make_small_displacement_watch(const Scene     &scene,
+                                const Equations &equations,
+                                Work            &work);
 
   /** Of equilibria and motions that a disturbance would leave. */
   std::unique_ptr<Watch> make_stability_watch(const Scene     &scene,

@@ -18,8 +18,11 @@ namespace auxfem
     class SmallDisplacementWatch : public Watch
     {
     public:
-      SmallDisplacementWatch(const Scene &scene, const Equations &equations)
+      SmallDisplacementWatch(const Scene     &scene,
+                             const Equations &equations,
+                             Work            &work)
         : estimate(scene, equations)
+        , work(work)
         , looks(scene,
                 equations.model().simulated,
                 SmallDisplacementEstimate::distance_in_motion)
@@ -31,7 +34,15 @@ namespace auxfem
       {
         if (!looks.are_due(step.to.time))
           return;
-        const SmallDisplacementError found = estimate.at(step.to);
+        SmallDisplacementError found = estimate.at(step.to);
+        if (found.total() <= worst.total())
+          return;
+        if (found.total() > doubtful_displacement_error)
+          {
+            // An alarm has to be sure.
+            found = estimate.with_stiffness(found, step.to);
+            work.add_effort(estimate.take_effort());
+          }
         if (found.total() <= worst.total())
           return;
         worst = found;
@@ -86,16 +97,19 @@ namespace auxfem
       }
 
     private:
-      const SmallDisplacementEstimate estimate;
-      SpacedLooks                     looks;
-      SmallDisplacementError          worst;
-      double                          time = 0; ///< s, of it
+      SmallDisplacementEstimate estimate;
+      Work                     &work;
+      SpacedLooks               looks;
+      SmallDisplacementError    worst;
+      double                    time = 0; ///< s, of it
     };
   } // namespace
 
   std::unique_ptr<Watch>
-  make_small_displacement_watch(const Scene &scene, const Equations &equations)
+  make_small_displacement_watch(const Scene     &scene,
+                                const Equations &equations,
+                                Work            &work)
   {
-    return std::make_unique<SmallDisplacementWatch>(scene, equations);
+    return std::make_unique<SmallDisplacementWatch>(scene, equations, work);
   }
 } // namespace auxfem
