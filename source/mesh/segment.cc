@@ -1,6 +1,8 @@
 #include <auxfem/mesh/segment.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace auxfem
 {
@@ -9,6 +11,16 @@ namespace auxfem
     double cross(const dealii::Tensor<1, 3> &a, const dealii::Tensor<1, 3> &b)
     {
       return a[0] * b[1] - a[1] * b[0];
+    }
+
+    /** Largest coordinate in the plane (m). */
+    double largest_coordinate(const Segment &segment)
+    {
+      double largest = 0;
+      for (const dealii::Point<3> &point : {segment.begin, segment.end})
+        for (unsigned int d = 0; d < 2; ++d)
+          largest = std::max(largest, std::abs(point[d]));
+      return largest;
     }
 
     double in_segment(const double fraction)
@@ -24,12 +36,21 @@ namespace auxfem
                                b   = other.end - other.begin,
                                gap = other.begin - one.begin;
     const double determinant       = cross(a, b);
+    // Points are known to the round-off of their coordinates. Segments so
+    // nearly parallel that it moves their meeting point by more than this part
+    // of their lengths count as parallel, as those of one straight line.
+    constexpr double accuracy  = 1e-3;
+    const double     round_off = std::numeric_limits<double>::epsilon() *
+      std::max(largest_coordinate(one), largest_coordinate(other)) *
+      (a.norm() + b.norm() + gap.norm());
+    if (accuracy * std::abs(determinant) <= round_off)
+      return {};
     const double along_one = cross(gap, b), along_other = cross(gap, a);
     const auto   is_inside = [determinant](const double numerator) {
       return determinant > 0 ? 0 <= numerator && numerator <= determinant
                                : determinant <= numerator && numerator <= 0;
     };
-    if (determinant == 0 || !is_inside(along_one) || !is_inside(along_other))
+    if (!is_inside(along_one) || !is_inside(along_other))
       return {};
     return {{{along_one / determinant, along_other / determinant}}};
   }

@@ -145,3 +145,23 @@ TEST(CrossingWatchOnRanks, FindsTheSame)
       EXPECT_EQ(together[0].time, alone[0].time);
     }
 }
+
+TEST(CrossingWatch, StraightBarsOfATrussCrossNothing)
+{
+  const auto pounds = [](const double force) {
+    return text(4.4482216 * force);
+  };
+  for (unsigned int i = 1; i <= 15; ++i)
+    {
+      const auto found = findings_of(
+        SceneText()
+          .frame("0 0; 3.6576 0; 4.2672 0; 1.8288 2.4384", "0 3; 1 3; 2 3")
+          .section({1.33e8, 1.33e8, 8.6e3}, "0")
+          .section({6.67e7, 6.67e7, 8.6e3}, "1, 2")
+          .hinge("pins", "all")
+          .support("ground", "0, 1, 2", "pin")
+          .load("P", "3", {pounds(1e3 * i), pounds(-5e2 * i), "0"})
+          .time(1, 1, "static"));
+      EXPECT_EQ(verdict_text(found).find("cross"), std::string::npos) << i;
+    }
+}

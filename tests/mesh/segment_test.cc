@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 using namespace auxfem;
 using dealii::Point;
 
@@ -19,6 +21,28 @@ TEST(Segment, MeetsAnotherInThePlaneAtFractionsOfBoth)
   EXPECT_FALSE(meeting_point(one, {Point<3>(5, -1, 0), Point<3>(5, 3, 0)}));
   EXPECT_FALSE(meeting_point(one, {Point<3>(0, 1, 0), Point<3>(4, 1, 0)}));
   EXPECT_FALSE(meeting_point(one, one));
+}
+
+TEST(Segment, OfAStraightLineMeetsNoOtherOfIt)
+{
+  // Thirds of lines in all directions, far from the origin too.
+  std::mt19937                           generator(1);
+  std::uniform_real_distribution<double> any(-1, 1);
+  for (unsigned int i = 0; i < 20000; ++i)
+    {
+      const double   away = i % 2 == 0 ? 1 : 100;
+      const Point<3> begin(away * any(generator), away * any(generator), 0);
+      const dealii::Tensor<1, 3> third =
+        Point<3>(any(generator), any(generator), 0) / 3;
+      // As of points that are interpolated and displaced.
+      const auto at = [&](const unsigned int n) {
+        return begin + n * third + 1e-5 * n * third;
+      };
+      EXPECT_FALSE(meeting_point({at(0), at(1)}, {at(2), at(3)})) << i;
+    }
+  // Barely crossing ones do.
+  EXPECT_TRUE(meeting_point({Point<3>(0, 0, 0), Point<3>(1, 1e-9, 0)},
+                            {Point<3>(0, 1e-9, 0), Point<3>(1, 0, 0)}));
 }
 
 TEST(Segment, HasADistanceToAnother)
