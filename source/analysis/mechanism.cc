@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <sstream>
 
 namespace auxfem
 {
@@ -28,6 +30,133 @@ namespace auxfem
     double most_above_softest(const unsigned int n, const double n_unknowns)
     {
       return 2 * std::pow(1e6 * n_unknowns, 1. / (2 * n));
+    }
+
+    /**
+     * A part that takes more than this of the energy that its own stiffness
+     * has for so large a motion resists; one that a mechanism moves takes what
+     * round-off leaves.
+     */
+    constexpr double least_resistance = 1e-8;
+
+    /** A strut, or another part, and its stiffness (N/m). */
+    struct PartStiffness
+    {
+      double value;
+      int    strut; ///< -1: a connector or spring
+    };
+
+    /** Stiffness of a part in its stiffest direction, and whether it resists
+     * a mode. */
+    struct PartInMode
+    {
+      double stiffness = 0; ///< N/m
+      bool   resists   = false;
+    };
+
+    /** @param translation, rotation size of the mode (m, rad). */
+    PartInMode part_in_mode(const TangentMatrix &matrix,
+                            const std::size_t    block,
+                            const Vector        &mode,
+                            const double         translation,
+                            const double         rotation)
+    {
+      const TangentPattern &pattern = matrix.pattern();
+      const int *const      rows    = pattern.begin(block);
+      const unsigned int    n       = pattern.end(block) - rows;
+      const double *const   values  = matrix.values(block);
+      PartInMode            part;
+      double                energy = 0, most = 0;
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          if (rows[i] < 0)
+            continue;
+          const UnknownKind kind = pattern.unknowns().kinds[rows[i]];
+          if (kind == UnknownKind::multiplier)
+            return {};
+          const double motion =
+            pattern.unknowns().is_rotation[rows[i]] ? rotation : translation;
+          const double of_row = values[n * i + i] * motion * motion;
+          most += of_row;
+          part.stiffness =
+            std::max(part.stiffness, of_row / (translation * translation));
+          for (unsigned int j = 0; j < n; ++j)
+            if (rows[j] >= 0)
+              energy += mode[rows[i]] * values[n * i + j] * mode[rows[j]];
+        }
+      part.resists = most > 0 && energy > least_resistance * most;
+      return part;
+    }
+
+    /** The strut that a block of the tangent is of; -1: none. */
+    int strut_of_block(const DofNumbering &numbering, const std::size_t block)
+    {
+      return block < numbering.elements().size()
+        ? static_cast<int>(numbering.elements()[block].interval.strut)
+        : -1;
+    }
+
+    /** The largest of all ranks' @p factor times stiffness. Collective. */
+    PartStiffness extreme_of_all_ranks(const PartStiffness &mine,
+                                       const double         factor,
+                                       const UnknownLayout &layout)
+    {
+      const double largest = layout.largest(factor * mine.value);
+      return {largest / factor,
+              int(layout.largest(factor * mine.value == largest ? mine.strut
+                                                                : -1.))};
+    }
+
+    std::string describe(const PartStiffness &part)
+    {
+      std::ostringstream text;
+      text.precision(3);
+      text << (part.strut < 0 ? "a connector or spring"
+                              : "strut " + std::to_string(part.strut))
+           << " (" << part.value << " N/m)";
+      return text.str();
+    }
+
+    /**
+     * Refuses parts so much stiffer than those that resist the softest mode
+     * that these are lost in their round-off; returns where none does, as of a
+     * mechanism. Collective.
+     */
+    void refuse_stiffness_ratio(TangentSolver &solver, const Vector &mode)
+    {
+      const LatticeModel  &model  = solver.model();
+      const UnknownLayout &layout = model.numbering.layout();
+      const auto [moved, turned]  = largest_motion(model, mode);
+      const double length         = model.mean_strut_length,
+                   motion         = moved + length * turned;
+      constexpr double  nothing   = std::numeric_limits<double>::max();
+      PartStiffness     stiffest{0, -1}, softest_part{nothing, -1};
+      const std::size_t n_blocks = solver.matrix().pattern().n_blocks();
+      for (std::size_t block = 0; block < n_blocks && motion > 0; ++block)
+        {
+          const PartInMode part =
+            part_in_mode(solver.matrix(), block, mode, motion, motion / length);
+          const int strut = strut_of_block(model.numbering, block);
+          if (part.stiffness > stiffest.value)
+            stiffest = {part.stiffness, strut};
+          if (part.resists && part.stiffness < softest_part.value)
+            softest_part = {part.stiffness, strut};
+        }
+      stiffest     = extreme_of_all_ranks(stiffest, 1, layout);
+      softest_part = extreme_of_all_ranks(softest_part, -1, layout);
+      if (softest_part.value == nothing)
+        return;
+      std::ostringstream text;
+      text.precision(2);
+      text << "The stiffnesses of the structure are too far apart to compute "
+              "with: that of "
+           << describe(stiffest) << " is "
+           << stiffest.value / softest_part.value << " times that of "
+           << describe(softest_part)
+           << ", which is lost in the round-off of the former. Make what is "
+              "stiff rigid (Rigid parts), or check Young's moduli, sections, "
+              "stiffnesses and their units.";
+      throw InputError(text.str());
     }
 
     [[noreturn]] void tell_mechanism(const LatticeModel &model,
@@ -154,7 +283,10 @@ namespace auxfem
       shift[i] = softest * weight[i];
     solver.matrix().add_to_diagonal(shift);
     if (!resists_all_motions(solver, weight, shift, mode))
-      tell_mechanism(solver.model(), mode);
+      {
+        refuse_stiffness_ratio(solver, mode);
+        tell_mechanism(solver.model(), mode);
+      }
     return false;
   }
 } // namespace auxfem

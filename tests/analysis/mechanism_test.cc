@@ -179,3 +179,27 @@ TEST(Mechanism, ABodyInSpaceThatTurnsAboutItsHingeIsRefused)
                          std::nullopt),
             "");
 }
+
+TEST(Mechanism, IsNotTakenForStiffnessesTooFarApart)
+{
+  // A cantilever of two struts, the outer one 1e12 times as stiff.
+  const auto cantilever_of = [](const std::string &modulus) {
+    return SceneText()
+      .frame("0 0; 0.1 0; 0.2 0", "0 1; 1 2")
+      .circle("soft", "2 mm", {1, 1000})
+      .circle("stiff", "2 mm", {modulus, 1000})
+      .set("Sections/stiff/Struts", "1")
+      .support("foot", "0", "clamp")
+      .mesh(3)
+      .set("Time/Scheme", "static");
+  };
+  const std::string refusal = mechanism_of(cantilever_of("1e12"));
+  EXPECT_NE(refusal.find("too far apart"), std::string::npos) << refusal;
+  EXPECT_NE(refusal.find("1e+12 times"), std::string::npos) << refusal;
+  EXPECT_NE(refusal.find("strut 1 ("), std::string::npos) << refusal;
+  EXPECT_NE(refusal.find("strut 0 ("), std::string::npos) << refusal;
+  EXPECT_EQ(mechanism_of(cantilever_of("1e6")), "");
+  EXPECT_NE(mechanism_of(cantilever_of("1e12").remove("Supports"))
+              .find("without any resistance"),
+            std::string::npos);
+}
