@@ -84,7 +84,8 @@ namespace auxfem
     double size      = in_force_units(results);
     double reduction = std::numeric_limits<double>::infinity();
     // Prescribed unknowns may still have to move to their place.
-    bool is_in_place = scheme.is_dynamic() || supports_rest;
+    bool is_in_place = supports_rest ||
+      (scheme.is_dynamic() && prescribes_all(solver.model(), evaluation));
     // Where the residual has grown in the iteration before, too.
     bool grows = false;
     // Of the last iterate; large if its norm was not small.

@@ -56,16 +56,34 @@ namespace auxfem
       return rotation;
     }
 
-    /** @p material without what it has, in the global frame, about fixed axes. */
-    SpaceVector without_fixed(const SpaceVector         &material,
-                              const Quaternion          &rotation,
-                              const std::array<bool, 3> &fixed)
+    /** @p material with what it is to have, in the global frame, about fixed
+     * axes. */
+    SpaceVector with_fixed(const SpaceVector         &material,
+                           const Quaternion          &rotation,
+                           const std::array<bool, 3> &fixed,
+                           const SpaceVector         &about_axes)
     {
       SpaceVector spatial = rotated(rotation, material);
       for (unsigned int c = 0; c < 3; ++c)
         if (fixed[c])
-          spatial[c] = 0;
+          spatial[c] = about_axes[c];
       return rotated(conjugate(rotation), spatial);
+    }
+
+    /** By what angles (rad) a support that prescribes rotations about some axes
+     * turns them from one state to the other. */
+    SpaceVector turn_about_axes(const Support    &support,
+                                const Evaluation &evaluation)
+    {
+      SpaceVector turn;
+      if (evaluation.kind != Evaluation::Kind::rates)
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            const TimeFunction &angle = support.motion[first_rotation + c];
+            turn[c]                   = value_at_end(angle, evaluation) -
+              value_at_start(angle, evaluation);
+          }
+      return turn;
     }
 
     /** Moves a rotation as a whole as @p support does. */
@@ -110,42 +128,52 @@ namespace auxfem
           }
     }
 
-    /** By what spin (rad) a rotation has to turn back that is held about some
-     * axes. At a stage it is the angular velocity about these that vanishes: a
-     * rotation vector over several stages may not be held, as the other axes
-     * turn with the node. */
-    SpaceVector turned_about_held_axes(const NodeRotations &rotations,
-                                       const unsigned int   i,
-                                       const Evaluation    &evaluation)
+    /** By what spin (rad) a rotation is still to turn that is prescribed about
+     * some axes. At a stage its angular velocity about these is prescribed: a
+     * rotation vector over several stages may not be, as the other axes turn
+     * with the node. */
+    SpaceVector missing_about_axes(const Support       &support,
+                                   const NodeRotations &rotations,
+                                   const unsigned int   i,
+                                   const Evaluation    &evaluation)
     {
       const State &state = evaluation.to;
       if (evaluation.kind == Evaluation::Kind::stage)
         return evaluation.dt *
-          rotated(state.rotations[i], rotations.values(*state.velocity, i));
-      return rotations.spatial_increment(evaluation, i);
+          (SupportMotion(support, evaluation).rotation(1) -
+           rotated(state.rotations[i], rotations.values(*state.velocity, i)));
+      return turn_about_axes(support, evaluation) -
+        rotations.spatial_increment(evaluation, i);
     }
 
-    /** Holds a rotation about some axes. */
-    void hold(const NodeRotations       &rotations,
-              const unsigned int         i,
-              const std::array<bool, 3> &fixed,
-              const Evaluation          &evaluation)
+    /** Prescribes a rotation about some axes. */
+    void prescribe_about_axes(const NodeRotations               &rotations,
+                              const Support::PrescribedRotation &prescribed,
+                              const Support                     &support,
+                              const SupportMotion               &motion,
+                              const Evaluation                  &evaluation)
     {
-      const Quaternion &before = evaluation.from.rotations[i];
-      const SpaceVector increment =
-        without_fixed(rotations.material_increment(evaluation, i),
-                      before,
-                      fixed);
+      const unsigned int i      = prescribed.rotation;
+      const Quaternion  &before = evaluation.from.rotations[i];
+      const SpaceVector  increment =
+        with_fixed(rotations.material_increment(evaluation, i),
+                   before,
+                   prescribed.fixed,
+                   turn_about_axes(support, evaluation));
       rotations.set_material_increment(evaluation, i, increment);
       const Quaternion after = before * exponential(increment);
-      for (std::optional<Vector> *rate :
-           {&evaluation.to.velocity, &evaluation.to.acceleration})
-        if (*rate)
-          rotations.set_values(without_fixed(rotations.values(**rate, i),
-                                             after,
-                                             fixed),
+      const auto       set   = [&](std::optional<Vector> &rate,
+                           const unsigned int     derivative) {
+        if (rate)
+          rotations.set_values(with_fixed(rotations.values(*rate, i),
+                                          after,
+                                          prescribed.fixed,
+                                          motion.rotation(derivative)),
                                i,
-                               **rate);
+                               *rate);
+      };
+      set(evaluation.to.velocity, 1);
+      set(evaluation.to.acceleration, 2);
     }
   } // namespace
 
@@ -173,11 +201,26 @@ namespace auxfem
           if (prescribed.is_whole())
             prescribe(rotations, prescribed.rotation, moved, evaluation);
           else if (evaluation.kind != Evaluation::Kind::stage)
-            hold(rotations, prescribed.rotation, prescribed.fixed, evaluation);
+            prescribe_about_axes(rotations,
+                                 prescribed,
+                                 support,
+                                 moved,
+                                 evaluation);
       }
     rotations.follow(evaluation);
     if (evaluation.kind == Evaluation::Kind::between)
       set_mean_accelerations(model, evaluation);
+  }
+
+  bool prescribes_all(const LatticeModel &model, const Evaluation &evaluation)
+  {
+    if (evaluation.kind != Evaluation::Kind::stage)
+      return true;
+    for (const Support &support : model.supports)
+      for (const Support::PrescribedRotation &prescribed : support.rotations)
+        if (!prescribed.is_whole() && support.moves(prescribed))
+          return false;
+    return true;
   }
 
   void hold_still(const LatticeModel &model, const State &after, State &before)
@@ -216,17 +259,17 @@ namespace auxfem
               moved.jets[prescribed.component][1];
         for (const Support::PrescribedRotation &prescribed : support.rotations)
           {
-            if (!prescribed.is_whole())
-              continue;
-            const SpaceVector spin = rotated(exponential(moved.rotation(0)),
-                                             angular_motion(moved.rotation(0),
-                                                            moved.rotation(1),
-                                                            moved.rotation(2))
-                                               .velocity);
+            const SpaceVector         spin = prescribed.is_whole()
+                      ? rotated(exponential(moved.rotation(0)),
+                        angular_motion(moved.rotation(0),
+                                       moved.rotation(1),
+                                       moved.rotation(2))
+                          .velocity)
+                      : moved.rotation(1);
             const std::array<int, 3> &spins =
               model.numbering.rotations()[prescribed.rotation];
             for (unsigned int c = 0; c < 3; ++c)
-              if (layout.is_owned(spins[c]))
+              if (prescribed.fixed[c] && layout.is_owned(spins[c]))
                 derivative[spins[c]] = spin[c];
           }
       }
@@ -292,7 +335,7 @@ namespace auxfem
             const SpaceVector         missing = prescribed.is_whole()
                       ? rotation_vector(exponential(rotation_of(support, evaluation)) *
                                 conjugate(state.rotations[i]))
-                      : -turned_about_held_axes(rotations, i, evaluation);
+                      : missing_about_axes(support, rotations, i, evaluation);
             const std::array<int, 3> &spins   = numbering.rotations()[i];
             for (unsigned int c = 0; c < 3; ++c)
               if (prescribed.fixed[c] && numbering.layout().is_owned(spins[c]))

@@ -29,29 +29,6 @@ namespace auxfem
         support.fixed[c] = dimension == 3 || is_in_plane(c);
     }
 
-    /**
-     * Fixed zeros may be prescribed one by one, since without any rotation
-     * about an axis there is no order of rotations to agree on.
-     */
-    void check_rotations(const ParameterValues   &values,
-                         const SupportDefinition &support)
-    {
-      std::vector<std::string> free;
-      const Parameter         *moving = nullptr;
-      for (unsigned int c = 3; c < n_motion_components; ++c)
-        if (!support.fixed[c])
-          free.push_back(motion[c].name);
-        else if (!support.motion[c].is_zero())
-          moving = &motion[c];
-      if (!free.empty() && moving != nullptr)
-        values.refuse(
-          *moving,
-          "in space a rotation that is not zero needs all three rotations "
-          "prescribed, because rotations about some of the axes do not add up "
-          "to a rotation. Give " +
-            joined(free) + " as well, e.g. set " + free.front() + " = 0");
-    }
-
     void read_motion(ParameterValues &values, SupportDefinition &support)
     {
       for (unsigned int c = 0; c < n_motion_components; ++c)
@@ -68,8 +45,6 @@ namespace auxfem
         values.refuse("Type = prescribed, but everything is free. Give at "
                       "least one of the displacements and rotations, e.g. "
                       "Displacement x, or remove the support");
-      if (values.context.dimension == 3)
-        check_rotations(values, support);
     }
   } // namespace
 
@@ -77,24 +52,27 @@ namespace auxfem
 
   SubsectionSchema supports_schema()
   {
-    return {"Supports",
-            SubsectionSchema::Form::named_groups,
-            "Joints that are held or moved.",
-            {set_of_joints, support_type},
-            "Type",
-            {{"clamp", "Neither displacement nor rotation.", {}},
-             {"pin", "No displacement, free rotation.", {}},
-             {"roller x", "Free to move along x only and to rotate.", {}},
-             {"roller y", "Free to move along y only and to rotate.", {}},
-             {"roller z",
-              "Free to move along z only and to rotate; with Dimension = 3.",
-              {}},
-             {"prescribed",
-              "Each component free or with a given time history; in space "
-              "rotations that are not zero only all three together. With "
-              "inertia the support strikes at each corner of its motion, as "
-              "at the rows of a table.",
-              {motion.begin(), motion.end()}}}};
+    return {
+      "Supports",
+      SubsectionSchema::Form::named_groups,
+      "Joints that are held or moved.",
+      {set_of_joints, support_type},
+      "Type",
+      {{"clamp", "Neither displacement nor rotation.", {}},
+       {"pin", "No displacement, free rotation.", {}},
+       {"roller x", "Free to move along x only and to rotate.", {}},
+       {"roller y", "Free to move along y only and to rotate.", {}},
+       {"roller z",
+        "Free to move along z only and to rotate; with Dimension = 3.",
+        {}},
+       {"prescribed",
+        "Each component free or with a given time history. In space three "
+        "rotations are a rotation vector; one or two of them, with "
+        "the others free, give the angular velocity about fixed axes "
+        "as their derivative, which turns a shaft by this angle. With "
+        "inertia the support strikes at each corner of its motion, as at "
+        "the rows of a table.",
+        {motion.begin(), motion.end()}}}};
   }
 
 

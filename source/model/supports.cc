@@ -70,6 +70,23 @@ namespace auxfem
                        " Type = pin holds displacements only.");
     }
 
+    /** About some axes the angle is the integral of an angular velocity, which
+     * begins at rest. */
+    void refuse_turned_at_start(const SupportDefinition &definition)
+    {
+      const auto        first = definition.fixed.begin() + first_rotation;
+      const std::size_t n     = std::count(first, definition.fixed.end(), true);
+      for (unsigned int c = first_rotation; c < n_motion_components && n < 3;
+           ++c)
+        if (definition.fixed[c] && definition.motion[c].value(0) != 0)
+          throw InputError(
+            definition.path + "/Rotation " + "xyz"[c - first_rotation] +
+            ": a large rotation prescribed about some axes alone begins with "
+            "zero at t = 0. Let it grow, e.g. as 0.1 * t, give the rotations "
+            "about the other axes as well, or set Effects/Large rotation = "
+            "off.");
+    }
+
     void group_rotations(const DofNumbering &numbering, Support &support)
     {
       for (const Support::PrescribedUnknown &prescribed : support.unknowns)
@@ -89,12 +106,10 @@ namespace auxfem
 
   bool Support::moves(const PrescribedRotation &prescribed) const
   {
-    return prescribed.is_whole() &&
-      std::any_of(motion.begin() + first_rotation,
-                  motion.end(),
-                  [](const TimeFunction &component) {
-                    return !component.is_zero();
-                  });
+    for (unsigned int c = 0; c < 3; ++c)
+      if (prescribed.fixed[c] && !motion[first_rotation + c].is_zero())
+        return true;
+    return false;
   }
 
   bool Support::is_at_rest() const
@@ -149,7 +164,10 @@ namespace auxfem
                 support.unknowns.push_back({unknown, c});
             }
         if (large_rotations && lattice.dimension == 3)
-          group_rotations(numbering, support);
+          {
+            refuse_turned_at_start(definition);
+            group_rotations(numbering, support);
+          }
         supports.push_back(support);
       }
     return supports;

@@ -115,20 +115,12 @@ namespace
 
 
 
-  TEST(SceneInSpace, AMovingRotationNeedsAllThree)
+  TEST(SceneInSpace, OneRotationMayMove)
   {
-    const std::string start = "set Joints = all\nset Type = prescribed\n";
-    expect_parts(space_message("Supports",
-                               start +
-                                 "set Rotation x = 0\n"
-                                 "set Rotation z = 0.1*t"),
-                 {"Supports/name/Rotation z = 0.1*t",
-                  "needs all three rotations",
-                  "Give Rotation y as well, e.g. set Rotation y = 0"});
-    expect_parts(space_message("Supports", start + "set Rotation y = 1"),
-                 {"Supports/name/Rotation y = 1",
-                  "Give Rotation x, Rotation z as well"});
-    EXPECT_EQ(plane_message("Supports", start + "set Rotation z = 0.1*t"), "");
+    const SupportDefinition driven =
+      support("set Type = prescribed\nset Rotation z = 0.1*t");
+    EXPECT_EQ(driven.fixed, (Fixed{{false, false, false, false, false, true}}));
+    EXPECT_EQ(driven.motion[5].value(2), 0.2);
   }
 
 

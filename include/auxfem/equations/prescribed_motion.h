@@ -13,6 +13,10 @@ namespace auxfem
   void prescribe_motion(const LatticeModel &model,
                         const Evaluation   &evaluation);
 
+  /** Whether that leaves nothing to iterations: rotations about some axes alone
+   * move in stages with these. */
+  bool prescribes_all(const LatticeModel &model, const Evaluation &evaluation);
+
   /**
    * Gives unknowns that supports hold still the velocities in @p before that
    * they have in @p after, a state at the same time: nothing strikes them.

@@ -44,7 +44,7 @@ namespace auxfem
       return !motion[prescribed.component].is_zero();
     }
 
-    /** Whether a rotation is moved, not only held about some axes. */
+    /** Whether a rotation is moved, not only held. */
     bool moves(const PrescribedRotation &prescribed) const;
 
     /** Whether it holds everything at rest. */
