@@ -63,10 +63,10 @@ namespace auxfem
 
     /** Sets rotation_derivative and moment. */
     template <int order>
-    void make_up_for_shear(BeamShape<order> &shape)
+    void make_up_for_shear(BeamShape<order> &shape, const double shear)
     {
       const PointMatrix<order> curvatures =
-        curvatures_by_derivatives<order>(shape.shear_made_up_for);
+        curvatures_by_derivatives<order>(shear);
       for (int g = 0; g < order; ++g)
         {
           std::fill_n(shape.rotation_derivative[g], order + 1, 0.);
@@ -83,7 +83,7 @@ namespace auxfem
   } // namespace
 
   template <int order>
-  BeamShape<order>::BeamShape(const bool makes_up_for_shear)
+  BeamShape<order>::BeamShape(const double shear_made_up_for)
   {
     const dealii::FE_Q<1>   fe(order);
     const dealii::QGauss<1> reduced(order), full(order + 1);
@@ -104,8 +104,8 @@ namespace auxfem
           moment[g][h] = h == g ? 1. : 0.;
       }
     // Linear elements are stiffer as they are.
-    if (makes_up_for_shear && order > 1)
-      make_up_for_shear(*this);
+    if (shear_made_up_for > 0 && order > 1)
+      make_up_for_shear(*this, shear_made_up_for);
     for (int a = 0; a < n_nodes; ++a)
       {
         integral[a] = 0;

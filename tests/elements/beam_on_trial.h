@@ -42,7 +42,7 @@ namespace auxfem
                   const double curvature,
                   const bool   makes_up_for_shear = false)
         : jacobian(length / 2)
-        , shape(makes_up_for_shear)
+        , shape(makes_up_for_shear ? BeamShape<p>::most_shear : 0.)
       {
         for (int a = 0; a <= p; ++a)
           nodes[a] = axis(jacobian * (1 + shape.node[a]), angle, curvature);

@@ -146,7 +146,7 @@ TEST(BeamShape, BendsWithoutShearByAsMuchLessAsShearIsLeftToGive)
     using Shape = std::decay_t<decltype(with_shear)>;
     if (Shape::n_gauss_points == 1)
       return;
-    const Shape   shape(/*makes_up_for_shear=*/true);
+    const Shape   shape(Shape::most_shear);
     constexpr int p          = Shape::n_gauss_points;
     double        moments[p] = {}, energy = 0, on_derivatives = 0;
     for (int g = 0; g < p; ++g)
@@ -189,7 +189,7 @@ TEST(BeamShape, BendsWithoutShearByAsMuchLessAsShearIsLeftToGive)
     // Differences of polynomials leave the square of their step times their
     // third derivative.
     EXPECT_NEAR(energy,
-                square - Shape::shear_made_up_for / 3 * of_shear,
+                square - Shape::most_shear / 3 * of_shear,
                 1e-8 * square);
   });
 }

@@ -21,9 +21,10 @@ namespace auxfem
 
     /**
      * 12 EI / (kGA L^2) of an element of length L that is to bend as if it did
-     * not shear. Linear elements are too stiff in bending by just as much.
+     * not shear, at most. Linear elements are too stiff in bending by just as
+     * much.
      */
-    static constexpr double shear_made_up_for = order == 1 ? 1. : 5e-3;
+    static constexpr double most_shear = order == 1 ? 1. : 5e-3;
 
     double value[order][order + 1];      ///< N_a at the Gauss points
     double derivative[order][order + 1]; ///< dN_a/dxi at the Gauss points
@@ -39,9 +40,11 @@ namespace auxfem
     double integral[order + 1];        ///< integral of N_a over [-1, 1]
     double node[order + 1];            ///< nodes in [-1, 1]
 
-    /** @param makes_up_for_shear whether bending is to be stiffer by
-     * shear_made_up_for. */
-    explicit BeamShape(bool makes_up_for_shear = false);
+    /**
+     * @param shear_made_up_for 12 EI / (kGA L^2) that bending is to be stiffer
+     *   by, up to most_shear; 0: the struts shear
+     */
+    explicit BeamShape(double shear_made_up_for = 0);
 
     /** N_a at any @p xi in [-1, 1]. */
     void values_at(double xi, double *values) const;

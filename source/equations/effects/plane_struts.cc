@@ -225,6 +225,11 @@ namespace auxfem
         stiffness.shear = per_bending * stiffness.bending;
       }
 
+      static double least_bending(const Stiffness &stiffness)
+      {
+        return stiffness.bending;
+      }
+
       static double largest_stiffness(const Stiffness &stiffness)
       {
         return std::max(stiffness.axial, stiffness.shear);

@@ -268,6 +268,12 @@ namespace auxfem
         stiffness.elastic.shear_3 = per_bending * stiffness.elastic.bending_2;
       }
 
+      static double least_bending(const Stiffness &stiffness)
+      {
+        return std::min(stiffness.elastic.bending_2,
+                        stiffness.elastic.bending_3);
+      }
+
       static double largest_stiffness(const Stiffness &stiffness)
       {
         return std::max({stiffness.elastic.axial,

@@ -39,7 +39,8 @@ namespace auxfem
       , numbering(numbering)
       , group(group)
       , sections(sections)
-      , shape(!shear_flexibility)
+      , shear(shear_flexibility ? 0. : shear_to_make_up_for())
+      , shape(shear)
     {
       const unsigned int n_elements = group.end - group.begin;
       of_elements.reserve(n_elements);
@@ -48,10 +49,8 @@ namespace auxfem
                                numbering.elements()[group.begin + e].is_owned});
       batches_at_rest.reserve((n_elements + n_lanes - 1) / n_lanes);
       for_each_batch([&](const ElementBatch &batch) {
-        batches_at_rest.push_back(
-          in_lanes<AtRestInLanes>(batch.each([&](const unsigned int e) {
-            return make_at_rest(e, shear_flexibility);
-          })));
+        batches_at_rest.push_back(in_lanes<AtRestInLanes>(
+          batch.each([&](const unsigned int e) { return make_at_rest(e); })));
       });
     }
 
@@ -131,25 +130,55 @@ namespace auxfem
     const DofNumbering         &numbering;
     const DofNumbering::Group   group;
     const std::vector<Section> &sections;
-    const BeamShape<order>      shape;
+    /** 12 EI / (kGA L^2) that elements of struts without shear flexibility
+     * keep; 0: struts shear. */
+    const double           shear;
+    const BeamShape<order> shape;
 
   private:
+    /**
+     * As much as BeamShape allows, and so little that all struts of this order
+     * stay stable in tension: sections of a beam that shears turn over where
+     * the axial force exceeds the shear stiffness. Linear elements have no
+     * choice.
+     */
+    double shear_to_make_up_for() const
+    {
+      // Few materials are elastic beyond: an axial strain of 10 %.
+      constexpr double largest_strain = 0.1;
+      double           most           = BeamShape<order>::most_shear;
+      if (order == 1)
+        return most;
+      for (unsigned int s = 0; s < lattice.struts.size(); ++s)
+        {
+          const auto [strut_order, n_elements] = numbering.divisions()[s];
+          const Strut &strut                   = lattice.struts[s];
+          if (strut.is_rigid() || strut_order != order)
+            continue;
+          const double   length  = lattice.length(strut) / n_elements;
+          const Section &section = sections[strut.section];
+          most                   = std::min(most,
+                          12 * Beam::least_bending(Beam::stiffness(section)) /
+                            (largest_strain * section.axial_stiffness() *
+                             length * length));
+        }
+      return most;
+    }
+
     /**
      * Frames of the true axis; r0' is that of the interpolated axis, so the
      * strut is free of stress at rest.
      */
-    AtRest make_at_rest(const unsigned int e,
-                        const bool         shear_flexibility) const
+    AtRest make_at_rest(const unsigned int e) const
     {
       const StrutInterval &part = interval(e);
       AtRest               at_rest;
       at_rest.jacobian  = of_elements[e].length * (part.end - part.begin) / 2;
       at_rest.stiffness = Beam::stiffness(section(e));
-      if (!shear_flexibility)
+      if (shear > 0)
         Beam::hold_shear(at_rest.stiffness,
                          12 /
-                           (BeamShape<order>::shear_made_up_for * 4 *
-                            at_rest.jacobian * at_rest.jacobian));
+                           (shear * 4 * at_rest.jacobian * at_rest.jacobian));
       dealii::Point<3>     nodes[order + 1], position;
       dealii::Tensor<1, 3> tangent;
       for (int a = 0; a <= order; ++a)

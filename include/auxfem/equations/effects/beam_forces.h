@@ -29,11 +29,11 @@ namespace auxfem
    * same without damping, `AtRest`, which both have in common, and `Motion` (of
    * an element's nodes) of double, `AtRestOf<Lanes>` and `MotionOf<Lanes>` of
    * several elements; functions `frame`, `stiffness`, `hold_shear`,
-   * `largest_stiffness` for the element at rest, `motion`, `internal_force`,
-   * `tangent_motion`, `tangent` for its forces, `geometric_tangent`,
-   * `elastic_forces`, `viscous_forces` (of several motions of the same
-   * positions) at its Gauss points, and `rotation`, `axes` for output,
-   * `strain_product` for energies. With large rotations it has a type
+   * `least_bending`, `largest_stiffness` for the element at rest, `motion`,
+   * `internal_force`, `tangent_motion`, `tangent` for its forces,
+   * `geometric_tangent`, `elastic_forces`, `viscous_forces` (of several motions
+   * of the same positions) at its Gauss points, and `rotation`, `axes` for
+   * output, `strain_product` for energies. With large rotations it has a type
    * `StepStart`, what the iterations of a step have in common of several
    * elements, and functions `end_of_step`, `mean_force` and `mean_tangent`.
    *
