@@ -20,7 +20,8 @@ namespace auxfem
      */
     constexpr double part_between_pairs = 0.02;
 
-    const std::string branches_record = "path: bifurcations so far";
+    const std::string branches_record =
+      "path: bifurcations so far, load factor of an unstable branch";
 
     /** @p scene with what paths of equilibria are made of: viscous processes
      * have come to rest. */
@@ -59,7 +60,8 @@ namespace auxfem
         , point{{run.solution.state, run.equations.make_results()},
                 PathTangent::saved(run.model.numbering, checkpoint)}
         , lengths(path.resolution, 0)
-        , n_bifurcations(checkpoint.values(branches_record, 1)[0])
+        , n_bifurcations(checkpoint.values(branches_record, 2)[0])
+        , unstable_branch(checkpoint.values(branches_record, 2)[1])
       {
         lengths.resume(checkpoint);
         State evaluated = point.solution.state;
@@ -96,15 +98,30 @@ namespace auxfem
       /** What is to be said of where it has ended. */
       std::vector<Finding> findings() const
       {
+        std::vector<Finding> all;
+        if (unstable_branch != 0)
+          {
+            std::ostringstream text;
+            text
+              << "Path/Branch = stable: the branch that the path went to at "
+                 "load factor "
+              << unstable_branch
+              << " is unstable, too, as several directions become free there "
+                 "at once. Disturb the lattice by an imperfection, which "
+                 "chooses one of its branches.";
+            all.push_back(
+              {Verdict::doubtful, text.str(), point.arc_length(), ""});
+          }
         if (has_reached_end())
-          return {};
+          return all;
         std::ostringstream text;
         text << "The path ended after Path/Points = " << path.most_points
              << " points, at load factor " << point.load_factor()
              << ", before it came to Largest load factor"
              << (path.largest_displacement ? " or Largest displacement" : "")
              << ".";
-        return {{Verdict::doubtful, text.str(), point.arc_length(), ""}};
+        all.push_back({Verdict::doubtful, text.str(), point.arc_length(), ""});
+        return all;
       }
 
     private:
@@ -113,7 +130,7 @@ namespace auxfem
         Records taken = run.checkpoint(recorder);
         point.tangent.save(run.model.numbering, taken);
         lengths.save(taken);
-        taken.keep(branches_record, {double(n_bifurcations)});
+        taken.keep(branches_record, {double(n_bifurcations), unstable_branch});
         return taken;
       }
 
@@ -257,6 +274,7 @@ namespace auxfem
             if (step.point)
               {
                 lengths.begin_anew(report.dt);
+                leave_unstable_branches(singular, *step.point, report);
                 return std::move(*step.point);
               }
             why = step.why_failed;
@@ -265,6 +283,40 @@ namespace auxfem
           "No other branch was found at a bifurcation: " + why +
           ".\nAll points until then are in the output folder. Choose another "
           "Path/Branch, or disturb the lattice by an imperfection.");
+      }
+
+      /** Where several directions become free at once, the branch along one of
+       * them may be unstable in another: from @p reached along that, too. */
+      void leave_unstable_branches(const SingularPoint &singular,
+                                   PathPoint           &reached,
+                                   StepReport          &report)
+      {
+        const auto is_unstable = [&]() {
+          return path.branch == PathDefinition::Branch::stable &&
+            !stepper.is_neutral() &&
+            SingularPoint{singular.kind,
+                          singular.before,
+                          reached.position(),
+                          {}}
+              .destabilizes();
+        };
+        for (unsigned long i = 1; i < singular.multiplicity() && is_unstable();
+             ++i)
+          {
+            auto softest = stepper.softest();
+            if (!softest)
+              break;
+            PathStep further =
+              stepper.step(reached,
+                           PathTangent{std::move(softest->first), 0.},
+                           report.dt);
+            count(further, report);
+            if (!further.point)
+              break;
+            reached = std::move(*further.point);
+          }
+        if (unstable_branch == 0 && is_unstable())
+          unstable_branch = point.load_factor();
       }
 
       /** The step from here to @p next is done. */
@@ -310,6 +362,9 @@ namespace auxfem
       PathPoint             point; ///< the last one
       PathStepLength        lengths;
       unsigned int          n_bifurcations = 0;
+      /** Load factor at which the path went to a branch that is less stable
+       * than the one before; 0: nowhere. */
+      double unstable_branch = 0;
     };
 
     RunResult run_path(const Scene   &given,

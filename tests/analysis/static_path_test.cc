@@ -270,6 +270,44 @@ TEST(StaticPath, LeavesABranchToEitherSide)
   EXPECT_NEAR(to_one, -to_other, 1e-6);
 }
 
+TEST(StaticPath, GoesPastABifurcationInTwoDirections)
+{
+  // Two equal columns in the plane, and one of square section in space, which
+  // buckles to all sides alike, under 1.2 of pi^2 EI / (4 L^2).
+  const double EI = 210e9 * std::pow(0.01, 4) / 12, P = M_PI * M_PI * EI / 4;
+  for (const unsigned int dimension : {2, 3})
+    {
+      SCOPED_TRACE(dimension);
+      SceneText scene = static_scene().dimension(dimension);
+      if (dimension == 2)
+        scene.frame("0 0; 0 1; 3 0; 3 1", "0 1; 2 3")
+          .support("feet", "0, 2", "clamp")
+          .load("weight", "1, 3", {"0", text(-P) + " * t", "0"});
+      else
+        scene.frame("0 0 0; 0 1 0", "0 1")
+          .support("foot", "0", "clamp")
+          .load("weight", "1", {"0", text(-P) + " * t", "0"}, {"0", "0", "0"});
+      scene.rectangle("steel", 0.01, 0.01, {210e9, "", 0.3})
+        .mesh(4, 1)
+        .set("Path/Branch", "stable")
+        .set("Path/Largest load factor", 1.2)
+        .set("Path/Points", 200)
+        .time(1, 1);
+      const FollowedPath path(scene);
+      EXPECT_TRUE(path.result.findings.empty())
+        << verdict_text(path.result.findings);
+      ASSERT_EQ(path.singular_points.size(), 1u);
+      EXPECT_NEAR(path.singular_points[0].load_factor, 1, 1e-3);
+      EXPECT_EQ(path.singular_points[0].singular.multiplicity(), 2u);
+      // The elastica of a cantilever: 1 - (2 E(k) / K(k) - 1) with K^2 = 1.2
+      // pi^2 / 4 (Timoshenko & Gere 1961, sec. 2.7).
+      const auto &last = path.points.back();
+      EXPECT_NEAR(last.load_factor, 1.2, 1e-6);
+      for (unsigned int joint = 1; joint < last.motions.size(); joint += 2)
+        EXPECT_NEAR(-last.motions[joint][1], 0.3261, 0.003);
+    }
+}
+
 TEST(StaticPathOnRanks, IsTheSame)
 {
   const SceneText scene = static_scene()

@@ -4,6 +4,7 @@
 #include <auxfem/equations/prescribed_motion.h>
 #include <auxfem/parameters/errors.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace auxfem
@@ -169,6 +170,20 @@ namespace auxfem
       {mode.begin(), mode.begin() + equations.unknowns().layout.n_owned()});
     scale(1 / of_path.length(mode), mode);
     return std::pair(std::move(mode), 1 / *growth);
+  }
+
+  bool PathStepper::is_neutral()
+  {
+    constexpr double          round_off_of_stiffness = 1e-12;
+    const Vector             &weights                = of_path.weights();
+    const std::vector<double> springs = solver.matrix().diagonal();
+    double                    mine    = 0;
+    for (unsigned int i = 0; i < springs.size(); ++i)
+      if (space.is_free(i) && weights[i] > 0)
+        mine = std::max(mine, std::abs(springs[i]) / weights[i]);
+    const double largest = equations.unknowns().layout.largest(mine);
+    const auto   found   = softest();
+    return !found || found->second <= round_off_of_stiffness * largest;
   }
 
   std::optional<double> PathStepper::part_of_loads(const PathPoint &point)

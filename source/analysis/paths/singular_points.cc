@@ -92,6 +92,13 @@ namespace auxfem
         search(look, end);
       }
 
+      /** Whether a direction stays free all along the step. */
+      bool is_neutral()
+      {
+        return at(narrow * length) && stepper.is_neutral() && at(length) &&
+          stepper.is_neutral();
+      }
+
       static Look look_at(const PathPoint &point, const double length)
       {
         return {length, point.tangent.load_rate, point.position()};
@@ -240,8 +247,12 @@ namespace auxfem
                                                  const double     length)
   {
     SingularPointSearch search(stepper, from, length);
-    search.search(SingularPointSearch::look_at(from, 0.),
-                  SingularPointSearch::look_at(to, length));
+    const Look          begin = SingularPointSearch::look_at(from, 0.),
+               end            = SingularPointSearch::look_at(to, length);
+    if (!has_limit(begin, end) && n_changes(begin, end) > 0 &&
+        search.is_neutral())
+      return {};
+    search.search(begin, end);
     return std::move(search.found);
   }
 } // namespace auxfem

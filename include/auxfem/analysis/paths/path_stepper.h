@@ -80,6 +80,13 @@ namespace auxfem
     std::optional<std::pair<Vector, double>> softest();
 
     /**
+     * Whether the eigenvalue of softest() is round-off, below 1e-12 of the
+     * largest stiffness, so that its sign says nothing: as in the direction in
+     * which a buckled column with a round section goes round its axis.
+     */
+    bool is_neutral();
+
+    /**
      * How much of the loads at @p point, which was found last, works on the
      * null vector of the transposed stiffness: the cosine of the angle between
      * both, moments measured by the mean strut length. Zero where another
