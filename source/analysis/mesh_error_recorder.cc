@@ -33,29 +33,6 @@ namespace auxfem
       return {Verdict::doubtful, text.str(), time, ""};
     }
 
-    /** Angular frequencies (rad/s) of the first bending modes of the struts
-     * between clamped ends. */
-    std::vector<double> own_frequencies(const LatticeModel &model)
-    {
-      constexpr double    first_mode = 4.73004074; // times 1 / length
-      std::vector<double> frequencies;
-      for (unsigned int i = 0; i < model.lattice.struts.size(); ++i)
-        {
-          const Strut &strut = model.lattice.struts[i];
-          if (strut.is_rigid())
-            continue;
-          const Section &section     = model.sections[strut.section];
-          const double   mass        = section.mass_per_length();
-          const double   stiffness   = std::min(section.bending_stiffness_2(),
-                                            section.bending_stiffness_3());
-          const double   wave_number = first_mode / model.lattice.length(strut);
-          if (mass > 0)
-            frequencies.push_back(wave_number * wave_number *
-                                  std::sqrt(stiffness / mass));
-        }
-      return frequencies;
-    }
-
     /** Each stage of a step follows a motion by itself. */
     unsigned int parts_of_step(const Scene &scene)
     {
@@ -78,6 +55,27 @@ namespace auxfem
               ""};
     }
   } // namespace
+
+  std::vector<double> own_frequencies(const Lattice              &lattice,
+                                      const std::vector<Section> &sections)
+  {
+    std::vector<double> frequencies;
+    for (unsigned int i = 0; i < lattice.struts.size(); ++i)
+      {
+        const Strut &strut = lattice.struts[i];
+        if (strut.is_rigid())
+          continue;
+        const Section &section     = sections[strut.section];
+        const double   mass        = section.mass_per_length();
+        const double   stiffness   = std::min(section.bending_stiffness_2(),
+                                          section.bending_stiffness_3());
+        const double   wave_number = clamped_phase / lattice.length(strut);
+        if (mass > 0)
+          frequencies.push_back(wave_number * wave_number *
+                                std::sqrt(stiffness / mass));
+      }
+    return frequencies;
+  }
 
   MeshErrorRecorder::MeshErrorRecorder(const Scene       &scene,
                                        Recorder          &recorder,
@@ -129,7 +127,8 @@ namespace auxfem
     communicator        = equations.model().numbering.layout().communicator();
     estimate            = std::make_unique<MeshError>(scene, equations.model());
     if (equations.model().simulated.inertia)
-      frequencies = own_frequencies(equations.model());
+      frequencies =
+        own_frequencies(equations.model().lattice, equations.model().sections);
     seconds += cpu_seconds() - before;
     ForwardingRecorder::begin(equations);
   }

@@ -6,23 +6,28 @@ namespace auxfem
   namespace
   {
     const Integer  order     = {"Order",
-                                3,
+                                "default",
                                 1,
                                 largest_plane_order,
                                 "Polynomial order of the struts' elements; "
-                                     "with Dimension = 3 at most 4. auto: order and "
-                                     "number of elements are chosen strut by strut, "
-                                     "as few unknowns as the tolerance allows, after "
-                                     "a search run with order 2 and fewer steps.",
-                                {"auto"}};
+                                     "with Dimension = 3 at most 4. default: auto with "
+                                     "Analysis = modes, buckling or frequency "
+                                     "response, else 3. auto: order and number of "
+                                     "elements are chosen to meet the tolerance, in "
+                                     "simulations strut by strut with as few unknowns as "
+                                     "possible after a search run with order 2 and fewer "
+                                     "steps, else equal ones for all struts.",
+                                {"default", "auto"}};
     const Quantity tolerance = {
       "Tolerance",
       "1e-4",
       "1",
       Range::open(0, 1),
-      "With Order = auto: error that the elements may make in the motion of the "
-      "joints at any time, by estimate, in the energy norm and relative to the "
-      "largest motion."};
+      "With Order = auto: error that the elements may make, by estimate: in the "
+      "motion of the joints at any time, in the energy norm and relative to the "
+      "largest motion; of each natural frequency or buckling factor, relative "
+      "to it; of each column of a frequency response, relative to its largest "
+      "amplitude."};
     const Integer refinements = {
       "Global refinements",
       0,
@@ -44,13 +49,14 @@ namespace auxfem
 
 
 
-  DiscretizationParameters read_discretization(ParameterValues &values)
+  DiscretizationParameters read_discretization(const ParameterValues &values,
+                                               const bool is_chosen_by_default)
   {
     DiscretizationParameters discretization;
-    if (values.is_word(order))
-      discretization.tolerance = values[tolerance];
-    else
+    if (!values.is_word(order))
       discretization.order = values[order];
+    else if (is_chosen_by_default || !values.is_default(order))
+      discretization.tolerance = values[tolerance];
     discretization.refinements = values[refinements];
     return discretization;
   }

@@ -14,7 +14,7 @@ namespace auxfem
                        const FileRules      &rules,
                        const FolderContents &further)
     : scene(scene)
-    , equations(equations)
+    , notes(notes_on(scene, equations))
   {
     const UnknownLayout &layout = equations.unknowns().layout;
     const Counts         counts = count(equations);
@@ -26,7 +26,7 @@ namespace auxfem
       print(overview_text(scene,
                           counts,
                           equations.model().simulated.decisions,
-                          notes_on(scene, equations)) +
+                          notes) +
             '\n');
     });
   }
@@ -48,7 +48,6 @@ namespace auxfem
     Json json = json_of_run(scene, "completed", 0);
     add_verdict(json, findings);
     json.update(found);
-    const std::vector<std::string> notes = notes_on(scene, equations);
     if (!notes.empty())
       json["notes"] = notes;
     const std::string &folder = scene.output.directory;

@@ -347,8 +347,24 @@ namespace auxfem
                    const unsigned int              maximum,
                    const std::string              &sentence,
                    const std::vector<std::string> &words)
+    : Integer(name,
+              std::to_string(default_value),
+              minimum,
+              maximum,
+              sentence,
+              words)
+  {}
+
+
+
+  Integer::Integer(const std::string              &name,
+                   const std::string              &default_word,
+                   const unsigned int              minimum,
+                   const unsigned int              maximum,
+                   const std::string              &sentence,
+                   const std::vector<std::string> &words)
     : Parameter{name,
-                std::to_string(default_value),
+                default_word,
                 sentence,
                 Kind::integer,
                 "1",

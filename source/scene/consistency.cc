@@ -158,7 +158,8 @@ namespace auxfem
 
     void check_motions(const Scene &scene, Mistakes &mistakes)
     {
-      if (is_static(scene))
+      // Of a frequency response motions are amplitudes, which no time begins.
+      if (is_static(scene) || scene.analysis == Analysis::frequency_response)
         return;
       for (const SupportDefinition &support : scene.supports)
         for (unsigned int c = 0; c < n_motion_components; ++c)
@@ -286,7 +287,8 @@ namespace auxfem
                              name,
                              " needs inertia. Set Time/Scheme "
                              "= newmark and leave Effects/Inertia = auto"));
-      if (scene.discretization.tolerance)
+      if (scene.discretization.tolerance &&
+          !is_of_small_motions(scene.analysis))
         mistakes.add(message(scene,
                              "Discretization/Order = auto: with Analysis = ",
                              name,

@@ -15,6 +15,13 @@ namespace auxfem
       scene.context.constants = read_constants(values);
     }
 
+    /** After the analysis, which decides what Order = default is. */
+    void set_discretization(ParameterValues &values, Scene &scene)
+    {
+      scene.discretization =
+        read_discretization(values, is_of_small_motions(scene.analysis));
+    }
+
     void add_load(ParameterValues &values, Scene &scene)
     {
       const auto load = read_load(values);
@@ -84,8 +91,7 @@ namespace auxfem
        add<&Scene::initial_velocities, read_initial_velocity>},
       {plates_schema(), add_plate},
       {contact_schema(), set<&Scene::contact, read_contact>},
-      {discretization_schema(),
-       set<&Scene::discretization, read_discretization>},
+      {discretization_schema(), set_discretization},
       {effects_schema(), set<&Scene::effects, read_effects>},
       {time_schema(), set<&Scene::time, read_time>},
       {newton_schema(), set<&Scene::newton, read_newton>},

@@ -1,4 +1,5 @@
 #include <support/graphics_series.h>
+#include <support/scene_text.h>
 
 namespace
 {
@@ -49,6 +50,67 @@ namespace
     EXPECT_NEAR(largest, 0.05 * 0.1366, 0.01 * 0.1366);
     EXPECT_TRUE(std::filesystem::exists(path("out/mode_3_connectors.pvd")));
     EXPECT_FALSE(std::filesystem::exists(path("out/mode_4_solution.pvd")));
+  }
+
+  /** A steel bar of 1 m and 10 mm between clamps, without a mesh. */
+  SceneText clamped_bar(const std::string &displacement)
+  {
+    return SceneText()
+      .frame("0 0; 1 0", "0 1")
+      .rectangle("steel", "10 mm", "10 mm", {"210 GPa", 7850})
+      .support("A", "0", "clamp")
+      .prescribe("B", "1", {displacement, "0", "0"})
+      .set("Output/Graphics", "false")
+      .time(1, 1);
+  }
+
+  TEST_F(ModesProgram, ElementsMeetTheToleranceByDefault)
+  {
+    write("bar.prm",
+          clamped_bar("0").set("Analysis", "modes").set("Modes/Number", 4));
+    const ProgramRun run =
+      run_auxfem({path("bar.prm"), "--output", path("out")});
+    ASSERT_EQ(run.exit_code, 0) << run.errors;
+    expect_contains(run.output, {"Verdict: sound", "tolerance"});
+    const Table table(path("out/modes.csv"));
+    // (beta L)^2 sqrt(EI / rho A) of clamped beams. Shear and rotary inertia,
+    // which it leaves out, are about (h beta)^2 / 6 of it.
+    const double beta[] = {4.730041, 7.853205, 10.995608, 14.137165};
+    for (unsigned int i = 0; i < 4; ++i)
+      {
+        EXPECT_NEAR(table["angular_frequency"][i] /
+                      (beta[i] * beta[i] * std::sqrt(210e9 / 7850 / 12) * 0.01),
+                    1,
+                    std::pow(0.01 * beta[i], 2) / 3);
+        EXPECT_LT(table["mesh_error"][i], 1e-4);
+      }
+  }
+
+  TEST_F(ModesProgram, GivenElementsThatAreTooCoarseAreTold)
+  {
+    write(
+      "bar.prm",
+      clamped_bar("0").set("Analysis", "modes").set("Modes/Number", 2).mesh(3));
+    const ProgramRun run =
+      run_auxfem({path("bar.prm"), "--output", path("out")});
+    EXPECT_EQ(run.exit_code, 3) << run.errors;
+    expect_contains(run.output, {"not to be used", "Order = auto"});
+  }
+
+  TEST_F(ModesProgram, ElementsOfBucklingMeetTheToleranceByDefault)
+  {
+    write("bar.prm",
+          clamped_bar("-0.001 * t")
+            .set("Analysis", "buckling")
+            .set("Modes/Number", 4));
+    const ProgramRun run =
+      run_auxfem({path("bar.prm"), "--output", path("out")});
+    ASSERT_EQ(run.exit_code, 0) << run.errors;
+    const Table table(path("out/buckling.csv"));
+    // 4 pi^2 EI / L^2 by EA u / L; shear makes it less by 1e-3.
+    EXPECT_NEAR(table["factor"][0], 4 * M_PI * M_PI / 12 * 0.1, 2e-3 * 0.329);
+    for (unsigned int i = 0; i < 4; ++i)
+      EXPECT_LT(table["mesh_error"][i], 1e-4);
   }
 
   TEST_F(ModesProgram, LoadsChangeThem)

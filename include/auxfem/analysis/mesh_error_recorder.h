@@ -7,6 +7,15 @@
 
 namespace auxfem
 {
+  /** Wave number times length of the first bending mode between clamped ends.
+   */
+  inline constexpr double clamped_phase = 4.73004074;
+
+  /** Angular frequencies (rad/s) of the first bending modes of all elastic
+   * struts with a mass between clamped ends. */
+  std::vector<double> own_frequencies(const Lattice              &lattice,
+                                      const std::vector<Section> &sections);
+
   /**
    * Tells another recorder all that it is told, and estimates the error of the
    * elements at instants in equal distances over the run.

@@ -15,8 +15,8 @@ namespace auxfem
     unsigned int order = 3; ///< polynomial order 1..6, in space 1..4
     /** Global refinements: 2^n elements a strut. */
     unsigned int refinements = 0;
-    /** Error of the motion that elements are chosen for, strut by strut;
-     * nothing: all struts have common_division(). */
+    /** Error that elements are chosen for (1); nothing: they are those given
+     * here. */
     std::optional<double> tolerance = {};
     /** By strut, where they differ; empty: all have common_division(). */
     std::vector<StrutDivision> divisions = {};
@@ -30,8 +30,13 @@ namespace auxfem
   /** `Discretization`. */
   SubsectionSchema discretization_schema();
 
-  /** The values of that subsection. */
-  DiscretizationParameters read_discretization(ParameterValues &values);
+  /**
+   * The values of that subsection.
+   * @param is_chosen_by_default whether `Order = default` is `auto` in the
+   *   scene's analysis
+   */
+  DiscretizationParameters read_discretization(const ParameterValues &values,
+                                               bool is_chosen_by_default);
 } // namespace auxfem
 
 #endif

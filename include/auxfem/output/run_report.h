@@ -17,8 +17,8 @@ namespace auxfem
   class RunReport
   {
   public:
-    /** Makes the folder and prints the overview. @p scene, equations must outlive
-     * the object. Throws as RunFolder. Collective. */
+    /** Makes the folder and prints the overview. @p scene must outlive the
+     * object. Throws as RunFolder. Collective. */
     RunReport(const Scene          &scene,
               const Equations      &equations,
               const FileRules      &rules,
@@ -35,10 +35,10 @@ namespace auxfem
     ///@}
 
   private:
-    const Scene             &scene;
-    const Equations         &equations;
-    std::optional<RunFolder> files;   ///< on rank 0
-    std::optional<Console>   console; ///< on rank 0
+    const Scene                   &scene;
+    const std::vector<std::string> notes;
+    std::optional<RunFolder>       files;   ///< on rank 0
+    std::optional<Console>         console; ///< on rank 0
   };
 } // namespace auxfem
 

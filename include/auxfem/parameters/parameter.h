@@ -156,6 +156,14 @@ namespace auxfem
             const std::string              &sentence,
             const std::vector<std::string> &words = {});
 
+    /** With one of the words as the default. */
+    Integer(const std::string              &name,
+            const std::string              &default_word,
+            unsigned int                    minimum,
+            unsigned int                    maximum,
+            const std::string              &sentence,
+            const std::vector<std::string> &words);
+
     unsigned int value(const std::string &text) const;
   };
 

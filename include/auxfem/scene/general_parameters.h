@@ -22,6 +22,14 @@ namespace auxfem
     study ///< many simulations with other parameters
   };
 
+  /** Whether it looks at small motions about one state: modes, buckling,
+   * frequency response. */
+  constexpr bool is_of_small_motions(const Analysis analysis)
+  {
+    return analysis == Analysis::modes || analysis == Analysis::buckling ||
+      analysis == Analysis::frequency_response;
+  }
+
   /** The top level of the parameter file, outside all subsections. */
   SubsectionSchema general_schema();
 

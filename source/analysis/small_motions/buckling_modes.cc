@@ -105,18 +105,7 @@ namespace auxfem
       /** Those nearest to zero above it, after factorize(0). */
       Eigenpairs lowest(const unsigned int n)
       {
-        return nearest_eigenpairs({layout,
-                                   /*shift=*/0.,
-                                   [this](const double *x, double *y) {
-                                     multiply_change(x, y);
-                                   },
-                                   [this](double *x) { return solve_free(x); },
-                                   n_with_change(),
-                                   [this](const double *x, double *y) {
-                                     space.multiply(stiffness, x, y);
-                                   },
-                                   /*only_above=*/true},
-                                  n);
+        return nearest_eigenpairs(problem(), n);
       }
 
       /** Modes that there can be at most. Collective. */
@@ -183,6 +172,19 @@ namespace auxfem
         return mode;
       }
 
+      /** By size, of shapes near those of modes, after factorize(0). */
+      std::vector<double> improved_factors(const std::vector<Vector> &shapes)
+      {
+        const auto          products = iterated_products(problem(), shapes);
+        std::vector<double> factors;
+        if (products)
+          for (const double inverse :
+               ritz_values(products->by_mass, products->by_stiffness))
+            if (inverse > 0)
+              factors.push_back(1 / inverse);
+        return factors;
+      }
+
       /** BucklingModes::motion. */
       double motion_of_answer() const
       {
@@ -190,6 +192,19 @@ namespace auxfem
       }
 
     private:
+      ShiftedEigenproblem problem()
+      {
+        return {layout,
+                /*shift=*/0.,
+                [this](const double *x, double *y) { multiply_change(x, y); },
+                [this](double *x) { return solve_free(x); },
+                n_with_change(),
+                [this](const double *x, double *y) {
+                  space.multiply(stiffness, x, y);
+                },
+                /*only_above=*/true};
+      }
+
       void find_tangent(const State &at, TangentMatrix &matrix)
       {
         State            now        = at;
@@ -441,12 +456,32 @@ namespace auxfem
         found.motion = buckling.motion_of_answer();
         // All there are need no count.
         found.is_counted = can_count || (n_all && near.pairs.size() == *n_all);
+        found.n_possible = n_possible;
         for (unsigned int i = 0; i < n_modes; ++i)
           found.modes.push_back(buckling.mode(near.pairs[i]));
         return found;
       }
     fail_to_buckle(
       "the count of modes by the inertia of the stiffness is another than "
-      "the number that was found");
+      "the number that was found. Set Modes/Number to another value");
+  }
+
+  FinerValues finer_factors(TangentSolver             &solver,
+                            const State               &state,
+                            const BucklingLoads       &loads,
+                            const BucklingModes       &coarse,
+                            const std::vector<Vector> &shapes)
+  {
+    Buckling    buckling(solver, state, loads);
+    FinerValues finer;
+    finer.n_possible = buckling.n_with_change();
+    if (!buckling.factorize(0))
+      fail_to_buckle(solver.why());
+    finer.values           = buckling.improved_factors(shapes);
+    const CountLimit known = limit_below_last(finer.values, 0.);
+    if (coarse.is_counted && known.limit > 0)
+      if (const auto n = buckling.n_until(known.limit); n && *n > known.n_below)
+        finer.n_missing = *n - known.n_below;
+    return finer;
   }
 } // namespace auxfem

@@ -1,17 +1,24 @@
 #include <auxfem/analysis/lattice_run.h>
 #include <auxfem/analysis/small_motions/frequency_response.h>
 #include <auxfem/analysis/small_motions/harmonic_response.h>
+#include <auxfem/analysis/small_motions/mesh_choice.h>
 #include <auxfem/output/csv_table.h>
 #include <auxfem/output/first_rank.h>
 #include <auxfem/output/history.h>
 #include <auxfem/output/run_output.h>
 #include <auxfem/output/run_report.h>
+#include <auxfem/parameters/errors.h>
 #include <auxfem/time/interruption.h>
 
 #include <deal.II/base/numbers.h>
 
+#include <algorithm>
 #include <cmath>
+#include <complex>
 #include <iomanip>
+#include <limits>
+#include <memory>
+#include <set>
 #include <sstream>
 
 #include <nlohmann/json.hpp>
@@ -48,58 +55,117 @@ namespace auxfem
       return columns;
     }
 
-    /** Largest amplitudes so far, by quantity. */
+    using Rows = std::vector<std::vector<double>>;
+
+    /** Largest amplitudes, by quantity. */
     class Peaks
     {
     public:
-      explicit Peaks(const std::vector<Column> &quantities)
+      /** @param rows of the table */
+      Peaks(const std::vector<Column> &quantities, const Rows &rows)
         : quantities(quantities)
-        , amplitudes(quantities.size(), 0.)
-        , frequencies(quantities.size(), 0.)
-      {}
-
-      void add(const double frequency, const std::vector<double> &row)
       {
-        for (unsigned int i = 0; i < amplitudes.size(); ++i)
-          if (row[1 + 2 * i] > amplitudes[i])
-            {
-              amplitudes[i]  = row[1 + 2 * i];
-              frequencies[i] = frequency;
-            }
+        for (unsigned int i = 0; i < quantities.size(); ++i)
+          largest.push_back(
+            std::max_element(rows.begin(),
+                             rows.end(),
+                             [i](const auto &one, const auto &other) {
+                               return one[1 + 2 * i] < other[1 + 2 * i];
+                             }) -
+            rows.begin());
+        for (unsigned int i = 0; i < quantities.size(); ++i)
+          {
+            amplitudes.push_back(rows[largest[i]][1 + 2 * i]);
+            frequencies.push_back(rows[largest[i]][0]);
+          }
       }
 
-      std::string text() const
+      /** Rows in which they are. */
+      const std::vector<std::size_t> &rows() const
+      {
+        return largest;
+      }
+
+      double amplitude(const unsigned int quantity) const
+      {
+        return amplitudes[quantity];
+      }
+
+      /**
+       * Whether an amplitude is more than round-off of the others of its kind,
+       * displacements with rotations or forces with moments.
+       * @param length ties moments to forces (m)
+       */
+      bool is_significant(const unsigned int quantity,
+                          const double       length) const
+      {
+        constexpr double round_off = 1e-6;
+        double           others    = 0;
+        for (unsigned int i = 0; i < quantities.size(); ++i)
+          if (is_motion(i) == is_motion(quantity))
+            others = std::max(others, size(i, length));
+        return size(quantity, length) > round_off * others;
+      }
+
+      std::string text(const MeshErrors &errors) const
       {
         std::ostringstream text;
-        text << "  largest amplitudes";
+        text << "  largest amplitudes, errors of the elements";
         for (unsigned int i = 0; i < amplitudes.size(); ++i)
           text << '\n'
                << "  " << std::setw(20) << std::left << quantities[i].name
                << std::right << std::setprecision(5) << std::setw(14)
                << amplitudes[i] << ' ' << quantities[i].unit << " at "
-               << frequencies[i] << " Hz";
+               << frequencies[i] << " Hz, " << std::setprecision(2)
+               << error(errors, i);
         return text.str();
       }
 
-      Json json() const
+      Json json(const MeshErrors &errors) const
       {
         Json peaks = Json::array();
         for (unsigned int i = 0; i < amplitudes.size(); ++i)
           peaks.push_back({{"quantity", quantities[i].name},
                            {"amplitude", amplitudes[i]},
-                           {"frequency_hertz", frequencies[i]}});
+                           {"frequency_hertz", frequencies[i]},
+                           {"mesh_error", error(errors, i)}});
         return peaks;
       }
 
     private:
+      bool is_motion(const unsigned int quantity) const
+      {
+        return quantities[quantity].unit == "m" ||
+          quantities[quantity].unit == "rad";
+      }
+
+      double size(const unsigned int quantity, const double length) const
+      {
+        const std::string &unit = quantities[quantity].unit;
+        return amplitudes[quantity] *
+          (unit == "rad"     ? length
+             : unit == "N m" ? 1 / length
+                             : 1.);
+      }
+
+      static double error(const MeshErrors &errors, const unsigned int quantity)
+      {
+        return quantity < errors.relative.size()
+          ? errors.relative[quantity]
+          : std::numeric_limits<double>::quiet_NaN();
+      }
+
       const std::vector<Column> quantities;
+      std::vector<std::size_t>  largest;
       std::vector<double>       amplitudes, frequencies;
     };
 
-    std::vector<double> row_of(const double             frequency,
-                               const HarmonicVibration &vibration,
-                               const History           &history)
+    std::vector<double> row_at(const double      frequency,
+                               HarmonicResponse &response,
+                               const History    &history)
     {
+      const HarmonicVibration vibration =
+        response.at(2 * dealii::numbers::PI * frequency);
       const std::vector<double> real =
         history.sums(vibration.displacement.real, vibration.reaction.real);
       const std::vector<double> imaginary =
@@ -114,6 +180,108 @@ namespace auxfem
       row.push_back(vibration.residual);
       return row;
     }
+
+    /** The response with the elements of a scene. */
+    struct ResponseComputation
+    {
+      /** Sets up. Throws InputError for what is wrong with the scene. */
+      ResponseComputation(const Scene &given, const MPI_Comm communicator)
+        : scene(given)
+        , communicator(communicator)
+        , run(scene, communicator)
+        , history(scene, run.equations, communicator)
+      {
+        run.prepare();
+        if (scene.time.static_start)
+          run.start();
+        response.emplace(run.solver(), run.solution.state);
+      }
+
+      /** Writes the table, and compares with finer elements. */
+      void find_response()
+      {
+        std::optional<CsvTable> table;
+        on_first_rank(communicator, [&]() {
+          table.emplace(scene.output.directory + "/" + table_name,
+                        columns_of(history.sum_columns()));
+        });
+        for (const double frequency : scene.frequency_response.frequencies())
+          {
+            end_if_interrupted(communicator);
+            rows.push_back(row_at(frequency, *response, history));
+            on_first_rank(communicator, [&]() { table->append(rows.back()); });
+          }
+        try
+          {
+            compare();
+          }
+        catch (const Interrupted &)
+          {
+            throw;
+          }
+        catch (const ComputationError &error)
+          {
+            errors.why_unknown = error.what();
+          }
+      }
+
+      const Scene    scene;
+      const MPI_Comm communicator;
+      LatticeRun     run;
+      const History  history;
+      Rows           rows; ///< of the table
+      MeshErrors     errors;
+
+    private:
+      std::optional<HarmonicResponse> response;
+
+      /** At the largest amplitudes and at frequencies all over the band. */
+      void compare()
+      {
+        constexpr std::size_t     n_samples  = 8;
+        const std::vector<Column> quantities = history.sum_columns();
+        const Peaks               peaks(quantities, rows);
+        std::set<std::size_t>     compared(peaks.rows().begin(),
+                                       peaks.rows().end());
+        for (std::size_t i = 0; i <= n_samples; ++i)
+          compared.insert(i * (rows.size() - 1) / n_samples);
+        FinerRun         finer(run);
+        HarmonicResponse finer_response(finer.solver(), finer.state());
+        const History    of_finer(finer.lattice_run().scene,
+                               finer.lattice_run().equations,
+                               communicator);
+        errors.relative.assign(quantities.size(), 0.);
+        for (const std::size_t i : compared)
+          {
+            end_if_interrupted(communicator);
+            const std::vector<double> row =
+              row_at(rows[i][0], finer_response, of_finer);
+            for (unsigned int q = 0; q < quantities.size(); ++q)
+              if (peaks.is_significant(q, run.equations.unknowns().length))
+                errors.relative[q] =
+                  std::max(errors.relative[q],
+                           std::abs(std::polar(row[1 + 2 * q], row[2 + 2 * q]) -
+                                    std::polar(rows[i][1 + 2 * q],
+                                               rows[i][2 + 2 * q])) /
+                             peaks.amplitude(q));
+          }
+      }
+    };
+
+    /** @p scene with elements that carry the waves of the band, where it asks
+     * for a choice. */
+    Scene with_elements_for_band(Scene scene)
+    {
+      // Little damping makes errors larger by about so much.
+      constexpr double at_resonance = 0.1;
+      if (scene.discretization.tolerance)
+        choose_elements(phase_at(scene,
+                                 2 * dealii::numbers::PI *
+                                   scene.frequency_response.highest),
+                        at_resonance * *scene.discretization.tolerance,
+                        scene);
+      return scene;
+    }
   } // namespace
 
   FolderContents frequency_response_contents()
@@ -125,59 +293,59 @@ namespace auxfem
                                    const MPI_Comm   communicator,
                                    const FileRules &rules)
   {
-    const Scene scene = vibrating(given);
-    LatticeRun  run(scene, communicator);
+    const Scene base  = vibrating(given);
+    const Scene first = with_elements_for_band(base);
     // Mistakes it finds must not cost the results of an earlier run.
-    refuse_columns_of_nothing(scene, run.lattice);
-    run.prepare();
-    if (scene.time.static_start)
-      run.start();
-    HarmonicResponse          response(run.solver(), run.solution.state);
-    const History             history(scene, run.equations, communicator);
-    const std::vector<Column> quantities = history.sum_columns();
+    auto computation =
+      std::make_unique<ResponseComputation>(first, communicator);
     const SignalsWaitForStep  signals;
-    RunReport                 report(scene,
-                     run.equations,
+    RunReport                 report(base,
+                     computation->run.equations,
                      rules,
                      frequency_response_contents());
-    std::optional<CsvTable>   table;
-    const std::string        &folder = scene.output.directory;
+    const std::vector<Column> quantities = computation->history.sum_columns();
     on_first_rank(communicator, [&]() {
-      table.emplace(folder + "/" + table_name, columns_of(quantities));
-      write_column_reference(folder + "/frequency_response.units.csv",
+      write_column_reference(base.output.directory +
+                               "/frequency_response.units.csv",
                              columns_of(quantities));
     });
-
-    Peaks peaks(quantities);
-    for (const double frequency : scene.frequency_response.frequencies())
+    computation->find_response();
+    for (Scene scene = first; !are_accepted(scene, computation->errors) &&
+         refine_elements(first, computation->errors, scene);)
       {
-        end_if_interrupted(communicator);
-        const std::vector<double> row =
-          row_of(frequency,
-                 response.at(2 * dealii::numbers::PI * frequency),
-                 history);
-        peaks.add(frequency, row);
-        on_first_rank(communicator, [&]() { table->append(row); });
+        const Work before = computation->run.work();
+        computation.reset();
+        computation =
+          std::make_unique<ResponseComputation>(scene, communicator);
+        computation->run.add_effort(before);
+        computation->find_response();
       }
+    const Scene      &scene  = computation->scene;
+    const MeshErrors &errors = computation->errors;
+    const Work       &work   = computation->run.work();
+    const Peaks       peaks(quantities, computation->rows);
 
     RunResult result;
     result.exit_state = "completed";
-    result.work       = run.work();
+    result.work       = work;
+    result.findings   = findings_of_mesh(scene, errors, "amplitudes");
     on_first_rank(communicator, [&]() {
-      report.print(peaks.text());
-      std::ostringstream work;
-      work << "  " << run.work().factorizations << " factorizations, "
-           << run.work().linear_solutions << " solutions by "
-           << run.work().linear_solver;
-      report.print(work.str());
-      report.finish({{"largest_amplitudes", peaks.json()}}, result.findings);
+      report.print(peaks.text(errors));
+      report.print(mesh_text(scene, errors));
+      std::ostringstream text;
+      text << "  " << work.factorizations << " factorizations, "
+           << work.linear_solutions << " solutions by " << work.linear_solver;
+      report.print(text.str());
+      report.finish({{"largest_amplitudes", peaks.json(errors)},
+                     {"elements", json_of(scene, errors)}},
+                    result.findings);
     });
     return result;
   }
 
   void check_frequency_response(const Scene &given, const MPI_Comm communicator)
   {
-    const Scene scene = vibrating(given);
+    const Scene scene = with_elements_for_band(vibrating(given));
     LatticeRun  run(scene, communicator);
     refuse_columns_of_nothing(scene, run.lattice);
     run.prepare();

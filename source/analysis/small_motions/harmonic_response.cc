@@ -36,7 +36,8 @@ namespace auxfem
       throw InputError(
         "Analysis = frequency response: no load and no prescribed motion acts "
         "at Frequency response/Time of the loads. Set it to a time at which "
-        "there is one.");
+        "there is one; about a static equilibrium amplitudes are what differs "
+        "from t = 0, so that constants have none.");
   }
 
   HarmonicVibration HarmonicResponse::at(const double omega)

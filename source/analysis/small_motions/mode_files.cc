@@ -47,10 +47,17 @@ namespace auxfem
       return "mode_" + std::to_string(number) + "_";
     }
 
+    const Column mesh_error_column = {
+      "mesh_error",
+      "1",
+      "of the elements, by comparison with finer ones and relative to the "
+      "frequency or factor; nan: not known"};
+
     const std::vector<Column> buckling_columns = {
       {"mode", "", "number, by rising factor"},
       {"factor", "1", "of the loads with which the lattice buckles"},
-      {"residual", "1", "what is left of the equations of equilibrium"}};
+      {"residual", "1", "what is left of the equations of equilibrium"},
+      mesh_error_column};
 
     const std::vector<Column> relaxation_columns = {
       {"relaxation", "", "number, the slowest first"},
@@ -69,7 +76,8 @@ namespace auxfem
       {"damping_ratio",
        "1",
        "damping over the critical one; negative where it grows"},
-      {"residual", "1", "what is left of the equations of motion"}};
+      {"residual", "1", "what is left of the equations of motion"},
+      mesh_error_column};
 
     std::vector<Column> natural_columns()
     {
@@ -97,6 +105,7 @@ namespace auxfem
                          "kg",
                          "square of the participation"});
         }
+      all.push_back(mesh_error_column);
       return all;
     }
 
@@ -123,6 +132,7 @@ namespace auxfem
           values.push_back(participation);
           values.push_back(participation * participation);
         }
+      values.push_back(mode.mesh_error);
       return values;
     }
 
@@ -179,7 +189,8 @@ namespace auxfem
                         mode.s.imag(),
                         mode.s.real(),
                         mode.ratio(),
-                        mode.residual});
+                        mode.residual,
+                        mode.mesh_error});
       }
     write_table(folder, complex_table, complex_columns, rows);
   }
@@ -188,15 +199,18 @@ namespace auxfem
   {
     Rows rows;
     for (unsigned int i = 0; i < found.modes.size(); ++i)
-      rows.push_back(
-        {double(i + 1), found.modes[i].factor, found.modes[i].residual});
+      rows.push_back({double(i + 1),
+                      found.modes[i].factor,
+                      found.modes[i].residual,
+                      found.modes[i].mesh_error});
     write_table(folder, buckling_table, buckling_columns, rows);
   }
 
   std::string mode_table_text(const ComplexModes &found)
   {
     std::ostringstream text;
-    text << "  mode   frequency   growth rate   damping ratio    residual\n"
+    text << "  mode   frequency   growth rate   damping ratio    residual  "
+            "mesh error\n"
          << "                Hz           1/s";
     for (unsigned int i = 0; i < found.modes.size(); ++i)
       {
@@ -207,7 +221,7 @@ namespace auxfem
              << mode.s.imag() / (2 * PI) << std::setprecision(4)
              << std::setw(14) << mode.s.real() << std::setw(16) << mode.ratio()
              << std::scientific << std::setprecision(1) << std::setw(12)
-             << mode.residual;
+             << mode.residual << std::setw(12) << mode.mesh_error;
         if (mode.grows())
           text << (mode.swings() ? "   flutter" : "   divergence");
       }
@@ -242,12 +256,13 @@ namespace auxfem
   std::string mode_table_text(const BucklingModes &found)
   {
     std::ostringstream text;
-    text << "  mode   factor of loads    residual";
+    text << "  mode   factor of loads    residual  mesh error";
     for (unsigned int i = 0; i < found.modes.size(); ++i)
       text << '\n'
            << std::setw(6) << i + 1 << std::defaultfloat << std::setprecision(8)
            << std::setw(18) << found.modes[i].factor << std::scientific
-           << std::setprecision(1) << std::setw(12) << found.modes[i].residual;
+           << std::setprecision(1) << std::setw(12) << found.modes[i].residual
+           << std::setw(12) << found.modes[i].mesh_error;
     return text.str();
   }
 
@@ -260,9 +275,11 @@ namespace auxfem
                                          return mode.damped.has_value();
                                        });
     std::ostringstream text;
-    text << "  mode   frequency      period    residual   effective mass along "
-         << (dimension == 2 ? "x, y" : "x, y, z") << '\n'
-         << "                Hz           s                kg";
+    text
+      << "  mode   frequency      period    residual  mesh error   effective "
+         "mass along "
+      << (dimension == 2 ? "x, y" : "x, y, z") << '\n'
+      << "                Hz           s                            kg";
     for (unsigned int i = 0; i < found.modes.size(); ++i)
       {
         const NaturalMode &mode      = found.modes[i];
@@ -275,7 +292,7 @@ namespace auxfem
           text << std::setprecision(6) << std::setw(12) << frequency
                << std::setprecision(4) << std::setw(12) << 1 / frequency;
         text << std::setprecision(1) << std::scientific << std::setw(12)
-             << mode.residual << "   ";
+             << mode.residual << std::setw(12) << mode.mesh_error << "   ";
         for (unsigned int d = 0; d < dimension; ++d)
           text << ' ' << std::setprecision(2) << std::setw(10)
                << std::pow(mode.participation[d], 2);
@@ -300,6 +317,7 @@ namespace auxfem
            {"frequency_hertz", mode.angular_frequency() / (2 * PI)},
            {"growth_rate", mode.growth_rate()},
            {"residual", mode.residual},
+           {"mesh_error", mode.mesh_error},
            {"participation", mode.participation}});
         if (mode.damped)
           modes.back()["damped"] = {{"frequency_hertz",
@@ -317,7 +335,8 @@ namespace auxfem
                        {"growth_rate", mode.s.real()},
                        {"damping_ratio", mode.ratio()},
                        {"grows", mode.grows()},
-                       {"residual", mode.residual}});
+                       {"residual", mode.residual},
+                       {"mesh_error", mode.mesh_error}});
     return modes;
   }
 
@@ -334,7 +353,9 @@ namespace auxfem
   {
     Json modes = Json::array();
     for (const BucklingMode &mode : found.modes)
-      modes.push_back({{"factor", mode.factor}, {"residual", mode.residual}});
+      modes.push_back({{"factor", mode.factor},
+                       {"residual", mode.residual},
+                       {"mesh_error", mode.mesh_error}});
     return modes;
   }
 

@@ -1,5 +1,7 @@
 #include <auxfem/analysis/small_motions/mode_space.h>
 
+#include <deal.II/lac/lapack_full_matrix.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -121,6 +123,126 @@ namespace auxfem
           best   = i;
         }
     return best;
+  }
+
+  CountLimit limit_below_last(const std::vector<double> &values,
+                              const double               lowest)
+  {
+    // What is nearer may be in another order on finer elements.
+    constexpr double equal = 1e-3, beside = 1e-2;
+    for (std::size_t i = values.size(); i-- > 0;)
+      {
+        const double gap = values[i] - (i > 0 ? values[i - 1] : lowest);
+        if (gap > equal * (values[i] - lowest))
+          return {values[i] - beside * gap, i};
+      }
+    return {lowest, 0};
+  }
+
+  namespace
+  {
+    using Columns = std::vector<std::vector<double>>;
+
+    /** a.b of all pairs, made symmetric. */
+    dealii::FullMatrix<double>
+    products(const UnknownLayout &layout, const Columns &a, const Columns &b)
+    {
+      const unsigned int  n = a.size();
+      std::vector<double> mine(std::size_t(n) * n, 0.);
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          for (unsigned int k = 0; k < layout.n_owned(); ++k)
+            mine[i * n + j] += a[i][k] * b[j][k];
+      const std::vector<double>  sums = layout.sum(mine);
+      dealii::FullMatrix<double> result(n, n);
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          result(i, j) = (sums[i * n + j] + sums[j * n + i]) / 2;
+      return result;
+    }
+  } // namespace
+
+  std::optional<IteratedProducts>
+  iterated_products(const ShiftedEigenproblem &problem,
+                    const std::vector<Vector> &shapes)
+  {
+    const unsigned int n = problem.layout.n_owned();
+    Columns            inertia, iterated, of_iterated;
+    for (const Vector &shape : shapes)
+      {
+        inertia.emplace_back(n);
+        problem.multiply_mass(shape.data(), inertia.back().data());
+        iterated.push_back(inertia.back());
+        if (!problem.solve(iterated.back().data()))
+          return std::nullopt;
+        of_iterated.emplace_back(n);
+        problem.multiply_mass(iterated.back().data(),
+                              of_iterated.back().data());
+      }
+    return IteratedProducts{products(problem.layout, iterated, inertia),
+                            products(problem.layout, iterated, of_iterated)};
+  }
+
+  std::vector<double> ritz_values(const dealii::FullMatrix<double> &numerator,
+                                  const dealii::FullMatrix<double> &denominator)
+  {
+    constexpr double          dependent = 1e-10;
+    const unsigned int        n         = denominator.m();
+    std::vector<unsigned int> kept;
+    // Cholesky's method on unit lengths; vectors that depend on those before
+    // are left out.
+    dealii::FullMatrix<double> lower(n, n);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const unsigned int k    = kept.size();
+        double             rest = denominator(i, i);
+        for (unsigned int c = 0; c < k; ++c)
+          {
+            double entry = denominator(i, kept[c]);
+            for (unsigned int d = 0; d < c; ++d)
+              entry -= lower(k, d) * lower(c, d);
+            lower(k, c) = entry / lower(c, c);
+            rest -= lower(k, c) * lower(k, c);
+          }
+        if (!(rest > dependent * denominator(i, i)))
+          continue;
+        lower(k, k) = std::sqrt(rest);
+        kept.push_back(i);
+      }
+    // L^-1 S L^-T, row after row, then column after column.
+    const unsigned int               m = kept.size();
+    dealii::LAPACKFullMatrix<double> reduced(m);
+    for (unsigned int i = 0; i < m; ++i)
+      for (unsigned int j = 0; j < m; ++j)
+        {
+          double entry = numerator(kept[i], kept[j]);
+          for (unsigned int d = 0; d < i; ++d)
+            entry -= lower(i, d) * reduced(d, j);
+          reduced(i, j) = entry / lower(i, i);
+        }
+    for (unsigned int i = 0; i < m; ++i)
+      for (unsigned int j = 0; j < m; ++j)
+        {
+          double entry = reduced(i, j);
+          for (unsigned int d = 0; d < j; ++d)
+            entry -= lower(j, d) * reduced(i, d);
+          reduced(i, j) = entry / lower(j, j);
+        }
+    std::vector<double> values;
+    if (m == 0)
+      return values;
+    dealii::FullMatrix<double> vectors;
+    dealii::Vector<double>     found;
+    reduced.set_property(dealii::LAPACKSupport::symmetric);
+    const double bound = std::max(1., reduced.frobenius_norm());
+    reduced.compute_eigenvalues_symmetric(-2 * bound,
+                                          2 * bound,
+                                          0.,
+                                          found,
+                                          vectors);
+    values.assign(found.begin(), found.end());
+    std::sort(values.rbegin(), values.rend());
+    return values;
   }
 
   unsigned long n_below(const std::vector<Eigenpair> &pairs, const double limit)

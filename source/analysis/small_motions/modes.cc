@@ -2,6 +2,7 @@
 #include <auxfem/analysis/small_motions/complex_modes.h>
 #include <auxfem/analysis/small_motions/damped_modes.h>
 #include <auxfem/analysis/small_motions/dynamic_stiffness.h>
+#include <auxfem/analysis/small_motions/mode_errors.h>
 #include <auxfem/analysis/small_motions/mode_files.h>
 #include <auxfem/analysis/small_motions/modes.h>
 #include <auxfem/analysis/small_motions/relaxations.h>
@@ -38,17 +39,26 @@ namespace auxfem
 
     std::vector<Finding> findings(const NaturalModes &found)
     {
+      std::vector<Finding> all;
+      if (found.count_differs)
+        all.push_back({Verdict::doubtful,
+                       "The inertia of the stiffness counts another number of "
+                       "modes than were found: some may be missing. Set "
+                       "Modes/Number to another value.",
+                       0.,
+                       ""});
       unsigned long n_unstable = found.n_further_negative;
       for (const NaturalMode &mode : found.modes)
         if (mode.growth_rate() > 0 && mode.eigenvalue < found.shift)
           ++n_unstable;
       if (n_unstable == 0)
-        return {};
+        return all;
       std::ostringstream text;
       text << "The state is unstable: its stiffness has " << n_unstable
            << " negative mode" << (n_unstable == 1 ? "" : "s")
            << ". It does not vibrate but leaves this state.";
-      return {{Verdict::doubtful, text.str(), 0., ""}};
+      all.push_back({Verdict::doubtful, text.str(), 0., ""});
+      return all;
     }
 
     /** What is known of damped modes that are not in the table. */
@@ -259,6 +269,57 @@ namespace auxfem
         add_damped_modes(run.solver(), run.solution.state, found);
       return found;
     }
+
+    const char *values_name(const FoundModes &found)
+    {
+      return std::holds_alternative<BucklingModes>(found)
+        ? "buckling factors"
+        : "natural frequencies";
+    }
+
+    /** @p scene with elements that carry the waves of its modes, where it asks
+     * for a choice. */
+    Scene with_elements_for_modes(Scene scene)
+    {
+      // Good enough to know the frequencies that the next ones are made for.
+      constexpr double wanted = 0.01;
+      if (!scene.discretization.tolerance)
+        return scene;
+      choose_elements(scene.analysis == Analysis::buckling
+                        ? phase_of_buckling(scene, scene.modes.number)
+                        : phase_of_modes(scene, scene.modes.number),
+                      wanted,
+                      scene);
+      return scene;
+    }
+
+    /** Modes on the elements of a scene. */
+    struct ModeComputation
+    {
+      /** Sets up. Throws InputError for what is wrong with the scene. */
+      ModeComputation(const Scene &given, const MPI_Comm communicator)
+        : scene(given)
+        , run(scene, communicator)
+      {
+        run.prepare();
+      }
+
+      void find_modes()
+      {
+        if (scene.time.static_start)
+          run.start();
+        found = modes_of(run);
+        errors =
+          std::visit([this](
+                       auto &modes) { return estimate_errors(run, modes); },
+                     found);
+      }
+
+      const Scene scene;
+      LatticeRun  run;
+      FoundModes  found;
+      MeshErrors  errors;
+    };
   } // namespace
 
   Scene scene_of_modes(Scene scene)
@@ -280,17 +341,20 @@ namespace auxfem
     return scene;
   }
 
+  BucklingLoads buckling_loads(const Scene &scene)
+  {
+    return {scene.modes.load_time.value_or(scene.time.end_time),
+            scene.modes.reversed_loads};
+  }
+
   BucklingModes buckling_modes_of(LatticeRun &run, const std::string &purpose)
   {
-    const ModesDefinition &modes = run.scene.modes;
     try
       {
         return buckling_modes(run.solver(),
                               run.solution.state,
-                              {modes.load_time.value_or(
-                                 run.scene.time.end_time),
-                               modes.reversed_loads},
-                              modes.number);
+                              buckling_loads(run.scene),
+                              run.scene.modes.number);
       }
     catch (const InputError &error)
       {
@@ -315,16 +379,29 @@ namespace auxfem
                       const MPI_Comm   communicator,
                       const FileRules &rules)
   {
-    const Scene scene = scene_of_modes(given);
-    LatticeRun  run(scene, communicator);
+    const Scene base = scene_of_modes(given);
     // Mistakes it finds must not cost the results of an earlier run.
-    run.prepare();
+    auto computation =
+      std::make_unique<ModeComputation>(with_elements_for_modes(base),
+                                        communicator);
     const SignalsWaitForStep signals;
-    RunReport report(scene, run.equations, rules, mode_contents());
-    if (scene.time.static_start)
-      run.start();
-    const FoundModes found = modes_of(run);
-    const ToldModes  told_modes =
+    RunReport report(base, computation->run.equations, rules, mode_contents());
+    computation->find_modes();
+    const Scene first = computation->scene;
+    for (Scene scene = first; !are_accepted(scene, computation->errors) &&
+         refine_elements(first, computation->errors, scene);)
+      {
+        const Work before = computation->run.work();
+        computation.reset();
+        computation = std::make_unique<ModeComputation>(scene, communicator);
+        computation->run.add_effort(before);
+        computation->find_modes();
+      }
+    const Scene      &scene = computation->scene;
+    LatticeRun       &run   = computation->run;
+    const FoundModes &found = computation->found;
+    const MeshErrors &mesh  = computation->errors;
+    const ToldModes   told_modes =
       std::visit([&](const auto &modes) { return told(modes, run); }, found);
     std::optional<Relaxations> relaxing;
     if (scene.analysis == Analysis::modes && scene.modes.relaxations > 0)
@@ -334,6 +411,8 @@ namespace auxfem
     result.exit_state = "completed";
     result.work       = run.work();
     result.findings   = told_modes.findings;
+    for (Finding &finding : findings_of_mesh(scene, mesh, values_name(found)))
+      result.findings.push_back(std::move(finding));
 
     on_first_rank(communicator, [&]() {
       std::visit(
@@ -342,6 +421,7 @@ namespace auxfem
         },
         found);
       report.print(told_modes.table);
+      report.print(mesh_text(scene, mesh));
       report.print(told_modes.closing_words);
       if (relaxing)
         {
@@ -360,14 +440,16 @@ namespace auxfem
           on_first_rank(communicator, [&]() { report.claim_series(series); });
         }
     on_first_rank(communicator, [&]() {
-      report.finish(json_of(scene, told_modes, relaxing), result.findings);
+      Json summary        = json_of(scene, told_modes, relaxing);
+      summary["elements"] = json_of(scene, mesh);
+      report.finish(summary, result.findings);
     });
     return result;
   }
 
   void check_modes(const Scene &given, const MPI_Comm communicator)
   {
-    const Scene scene = scene_of_modes(given);
+    const Scene scene = with_elements_for_modes(scene_of_modes(given));
     LatticeRun  run(scene, communicator);
     run.prepare();
     print_overview(scene, run.equations);

@@ -71,13 +71,28 @@ namespace auxfem
       /** Those nearest to the shift of factorize(). */
       Eigenpairs nearest(const double shift, const unsigned int n)
       {
-        const ShiftedEigenproblem problem = {
-          layout,
-          shift,
-          [this](const double *x, double *y) { space.multiply(mass, x, y); },
-          [this](double *x) { return space.solve(x); },
-          n_with_mass()};
-        return nearest_eigenpairs(problem, n);
+        return nearest_eigenpairs(problem(shift), n);
+      }
+
+      /** By size, of shapes near those of @p coarse modes, after factorize() of
+       * their shift. */
+      std::vector<double>
+      improved_eigenvalues(const std::vector<Vector> &shapes,
+                           const NaturalModes        &coarse)
+      {
+        const auto products = iterated_products(problem(coarse.shift), shapes);
+        if (!products)
+          return {};
+        std::vector<double> values =
+          ritz_values(products->by_stiffness, products->by_mass);
+        std::reverse(values.begin(), values.end());
+        for (double &value : values)
+          {
+            value += coarse.shift;
+            if (std::abs(value) <= round_off * -coarse.shift)
+              value = 0;
+          }
+        return values;
       }
 
       /** How many finite eigenvalues there are, at most. Collective. */
@@ -143,6 +158,17 @@ namespace auxfem
       }
 
     private:
+      ShiftedEigenproblem problem(const double shift)
+      {
+        return {layout,
+                shift,
+                [this](const double *x, double *y) {
+                  space.multiply(mass, x, y);
+                },
+                [this](double *x) { return space.solve(x); },
+                n_with_mass()};
+      }
+
       /** x.M r in free rows. Collective. */
       double participation(const Vector &shape, const unsigned int d) const
       {
@@ -260,24 +286,48 @@ namespace auxfem
           fail(near.why.empty() ? "no motion has a mass" : near.why);
         const unsigned int n_modes =
           std::min<std::size_t>(wanted, near.pairs.size());
-        const bool can_count = n_below_shift && n_modes < near.pairs.size();
-        if (can_count &&
-            !are_all_found(vibration,
-                           near.pairs,
-                           n_modes,
-                           found.shift,
-                           *n_below_shift))
+        // All there are need no count, and may have no gap.
+        const bool are_all = near.pairs.size() == n_with_mass,
+                   can_count =
+                     !are_all && n_below_shift && n_modes < near.pairs.size();
+        found.count_differs = can_count &&
+          !are_all_found(vibration,
+                         near.pairs,
+                         n_modes,
+                         found.shift,
+                         *n_below_shift);
+        if (found.count_differs && attempt + 1 < n_attempts_to_find_all)
           continue;
-        // All there are need no count.
-        found.is_counted = can_count || n_asked == n_with_mass;
+        found.is_counted =
+          !found.count_differs && (can_count || n_asked == n_with_mass);
         for (unsigned int i = 0; i < n_modes; ++i)
           found.modes.push_back(vibration.mode(near.pairs[i], found.shift));
+        found.n_possible = n_with_mass;
         if (n_below_shift)
-          found.n_further_negative =
-            *n_below_shift - n_below(near.pairs, found.shift);
-        return found;
+          found.n_further_negative = *n_below_shift -
+            std::min(*n_below_shift, n_below(near.pairs, found.shift));
+        break;
       }
-    fail("the count of modes by the inertia of the stiffness is another than "
-         "the number that was found");
+    return found;
+  }
+
+  FinerValues finer_eigenvalues(TangentSolver             &solver,
+                                const State               &state,
+                                const NaturalModes        &coarse,
+                                const std::vector<Vector> &shapes)
+  {
+    Vibration   vibration(solver, state, StiffnessPart::whole);
+    FinerValues finer;
+    finer.n_possible = vibration.n_with_mass();
+    if (!vibration.factorize(coarse.shift))
+      fail(solver.why());
+    finer.values           = vibration.improved_eigenvalues(shapes, coarse);
+    const CountLimit known = limit_below_last(finer.values, coarse.shift);
+    if (coarse.is_counted && known.limit > coarse.shift &&
+        vibration.factorize(known.limit))
+      if (const auto n = vibration.n_below();
+          n && *n > known.n_below + coarse.n_further_negative)
+        finer.n_missing = *n - known.n_below - coarse.n_further_negative;
+    return finer;
   }
 } // namespace auxfem

@@ -71,6 +71,32 @@ namespace
   }
 } // namespace
 
+TEST(NaturalModes, OfMechanismsAreFoundHoweverManyAreAskedFor)
+{
+  // Rigid edges hinged to soft struts of order 1: ten motions are free.
+  SceneText cell;
+  cell.cells("star", 1, 1)
+    .set("Lattice/Opening angle", "89 deg")
+    .rectangle("s", "5 mm", "0.4 mm", {"20 MPa", 1100, 0.3})
+    .rigid_part("edge", "edges", "1 g")
+    .set("Rigid parts/edge/Parts", "single struts")
+    .support("foot", "bottom", "pin")
+    .mesh(1)
+    .time("50 ms", "5 ms");
+  const NaturalModes few = modes_of(cell, 12), all = modes_of(cell, 20);
+  EXPECT_TRUE(few.is_counted);
+  EXPECT_TRUE(all.is_counted);
+  EXPECT_FALSE(all.count_differs);
+  ASSERT_GE(all.modes.size(), 14u);
+  for (unsigned int i = 0; i < 12; ++i)
+    EXPECT_NEAR(all.modes[i].angular_frequency(),
+                few.modes[i].angular_frequency(),
+                1e-5 * few.modes[11].angular_frequency())
+      << i;
+  for (const NaturalMode &mode : all.modes)
+    EXPECT_LT(mode.residual, 1e-4);
+}
+
 TEST(NaturalModes, OfAPinnedTimoshenkoBeam)
 {
   const NaturalModes found = modes_of(bar()

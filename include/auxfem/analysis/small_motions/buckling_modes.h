@@ -1,8 +1,9 @@
 #ifndef auxfem_analysis_small_motions_buckling_modes_h
 #define auxfem_analysis_small_motions_buckling_modes_h
 
-#include <auxfem/analysis/tangent_solver.h>
+#include <auxfem/analysis/small_motions/mode_space.h>
 
+#include <limits>
 #include <vector>
 
 namespace auxfem
@@ -14,6 +15,8 @@ namespace auxfem
     double residual; ///< |K x + lambda K' x| over |lambda K' x|
     /** Of all local unknowns; rotations as vectors in the global frame. */
     Vector shape;
+    /** Relative error of the factor by the elements; NaN: not known. */
+    double mesh_error = std::numeric_limits<double>::quiet_NaN();
   };
 
   /** Modes by rising factor. */
@@ -24,6 +27,8 @@ namespace auxfem
      * others below the last; nothing where none is known (iterative solvers).
      */
     bool is_counted = false;
+    /** Factors that this mesh has at most. */
+    unsigned int n_possible = 0;
     /** How far the linear answer goes with the factor 1: rotation (rad) or
      * displacement over the mean length of struts, whichever is larger. */
     double motion = 0;
@@ -53,6 +58,14 @@ namespace auxfem
                                const State         &state,
                                const BucklingLoads &loads,
                                unsigned int         n);
+
+  /** Factors of finer elements near those of @p coarse, as
+   * finer_eigenvalues(). */
+  FinerValues finer_factors(TangentSolver             &solver,
+                            const State               &state,
+                            const BucklingLoads       &loads,
+                            const BucklingModes       &coarse,
+                            const std::vector<Vector> &shapes);
 } // namespace auxfem
 
 #endif

@@ -4,6 +4,7 @@
 #include <auxfem/analysis/small_motions/characteristic_equation.h>
 
 #include <complex>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -21,6 +22,8 @@ namespace auxfem
     /** Parts of x, of all local unknowns; rotations as vectors in the global
      * frame. */
     Vector real, imaginary;
+    /** Error of s by the elements, over |s|; NaN: not known. */
+    double mesh_error = std::numeric_limits<double>::quiet_NaN();
 
     /** Whether it grows: Re s > 0 by more than round-off. */
     bool grows() const;

@@ -4,6 +4,8 @@
 #include <auxfem/algebra/eigen_solver.h>
 #include <auxfem/analysis/tangent_solver.h>
 
+#include <deal.II/lac/full_matrix.h>
+
 #include <optional>
 #include <vector>
 
@@ -73,6 +75,54 @@ namespace auxfem
   unsigned int before_widest_gap(const std::vector<Eigenpair> &pairs,
                                  unsigned int                  n,
                                  double                        shift);
+
+  /** What finer elements make of the values of modes. */
+  struct FinerValues
+  {
+    /** By size; fewer than modes where these are none of the finer elements. */
+    std::vector<double> values;
+    /** How many finer elements have at most. */
+    unsigned int n_possible = 0;
+    /** Values below the last that are not among them, as far as is known. */
+    unsigned long n_missing = 0;
+  };
+
+  /** Where values below the last are to be counted, and how many of them there
+   * are. */
+  struct CountLimit
+  {
+    double        limit;
+    unsigned long n_below;
+  };
+
+  /** Just below the last of @p values, all of which are above @p lowest, and of
+   * those that are as good as equal to it. */
+  CountLimit limit_below_last(const std::vector<double> &values, double lowest);
+
+  /**
+   * The best values that combinations of some vectors give, y.S y / y.D y, by
+   * falling size; fewer than vectors where these depend on each other.
+   * @param numerator, denominator S and D, symmetric, D positive definite
+   */
+  std::vector<double>
+  ritz_values(const dealii::FullMatrix<double> &numerator,
+              const dealii::FullMatrix<double> &denominator);
+
+  /** Products of u_i = (K - sigma M)^-1 M x_i between each other. */
+  struct IteratedProducts
+  {
+    dealii::FullMatrix<double> by_stiffness; ///< u_i.(K - sigma M) u_j
+    dealii::FullMatrix<double> by_mass;      ///< u_i.M u_j
+  };
+
+  /**
+   * One inverse iteration of some @p shapes, of all local unknowns.
+   * @param problem of which `multiply_mass` and `solve` are used
+   * Nothing where solving fails. Collective.
+   */
+  std::optional<IteratedProducts>
+  iterated_products(const ShiftedEigenproblem &problem,
+                    const std::vector<Vector> &shapes);
 
   /** Eigenvalues below @p limit. */
   unsigned long n_below(const std::vector<Eigenpair> &pairs, double limit);

@@ -26,6 +26,9 @@ namespace auxfem
   /** @p scene as modes look at it: at t = 0 and at rest. */
   Scene scene_of_modes(Scene scene);
 
+  /** Which loads the scene asks to multiply. */
+  BucklingLoads buckling_loads(const Scene &scene);
+
   /**
    * Those that the scene of @p run asks for, which has started. Throws as
    * buckling_modes(), with messages that begin with @p purpose: the parameter

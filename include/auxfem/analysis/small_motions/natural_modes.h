@@ -1,10 +1,11 @@
 #ifndef auxfem_analysis_small_motions_natural_modes_h
 #define auxfem_analysis_small_motions_natural_modes_h
 
-#include <auxfem/analysis/tangent_solver.h>
+#include <auxfem/analysis/small_motions/mode_space.h>
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -40,6 +41,10 @@ namespace auxfem
     /** If asked for (add_damped_modes()) and found. */
     std::optional<Damped> damped = {};
 
+    /** Relative error of the frequency by the elements, of the damped one where
+     * that errs more; NaN: not known. */
+    double mesh_error = std::numeric_limits<double>::quiet_NaN();
+
     /** Angular frequency (rad/s); 0 of an unstable mode. */
     double angular_frequency() const
     {
@@ -63,6 +68,11 @@ namespace auxfem
      * others below the last; nothing where none is known (iterative solvers).
      */
     bool is_counted = false;
+    /** Whether that inertia tells another number below the last than was found.
+     */
+    bool count_differs = false;
+    /** Eigenvalues that this mesh can have at most. */
+    unsigned int n_possible = 0;
     /** More negative eigenvalues than are among the modes. */
     unsigned long n_further_negative = 0;
 
@@ -93,13 +103,26 @@ namespace auxfem
    * The @p n lowest natural modes of small vibrations about @p state, at rest
    * there, without damping: K is the stiffness of the equilibrium, with Maxwell
    * elements relaxed, M the mass matrix. Fewer where the mesh has not
-   * so many. Throws ComputationError if they are not
+   * so many. Throws ComputationError if none is
    * found, and InputError where K, whole, is not symmetric. Collective.
    */
   NaturalModes natural_modes(TangentSolver &solver,
                              const State   &state,
                              unsigned int   n,
                              StiffnessPart  part = StiffnessPart::whole);
+
+  /**
+   * Eigenvalues of finer elements near those of @p coarse: one inverse iteration
+   * of its modes together, whose error is that of the shapes, squared (Xu and
+   * Zhou 2001).
+   * @param solver, state of the finer elements
+   * @param shapes of the modes, of all local unknowns of the finer elements
+   * Throws ComputationError. Collective.
+   */
+  FinerValues finer_eigenvalues(TangentSolver             &solver,
+                                const State               &state,
+                                const NaturalModes        &coarse,
+                                const std::vector<Vector> &shapes);
 } // namespace auxfem
 
 #endif

@@ -1,0 +1,366 @@
+#include <auxfem/analysis/mesh_error_recorder.h>
+#include <auxfem/analysis/small_motions/mesh_choice.h>
+#include <auxfem/elements/strut_order.h>
+#include <auxfem/equations/held_struts.h>
+#include <auxfem/model/build_lattice.h>
+#include <auxfem/model/unknown_records.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <sstream>
+
+#include <nlohmann/json.hpp>
+
+namespace auxfem
+{
+  namespace
+  {
+    /** More than 64 elements a strut are not tried. */
+    constexpr unsigned int most_halvings = 6;
+
+    /** Part of the tolerance that new elements aim at, as their error is known
+     * by a rule only. */
+    constexpr double aim = 0.5;
+
+    /** Errors of elements that the user has given: what engineers accept of a
+     * frequency, and what is no result. The others follow the tolerance. */
+    constexpr double doubtful_error = 1e-2, unusable_error = 0.1;
+
+    /** Estimates are good to this factor. */
+    constexpr double safety = 2;
+
+    /** ((2 p)! / p!)^(1/p), to the power p. */
+    double factorials(const unsigned int order)
+    {
+      double product = 1;
+      for (unsigned int i = order + 1; i <= 2 * order; ++i)
+        product *= i;
+      return product;
+    }
+
+    /** Relative error of the square of the frequency of a wave with this phase
+     * along an element. */
+    double dispersion(const unsigned int order, const double phase)
+    {
+      return std::pow(std::pow(phase, order) / factorials(order), 2) /
+        (2 * order + 1);
+    }
+
+    /** The phase along an element with which waves have this error. */
+    double phase_with_dispersion(const unsigned int order, const double error)
+    {
+      return std::pow(std::sqrt(error * (2 * order + 1)) * factorials(order),
+                      1. / order);
+    }
+
+    /**
+     * The fewest unknowns with which waves have an error of @p wanted, among
+     * elements with more than @p n_inner_nodes a strut; false: there are none.
+     */
+    bool choose(const double       phase,
+                const double       wanted,
+                const unsigned int n_inner_nodes,
+                const unsigned int least_refinements,
+                Scene             &scene)
+    {
+      DiscretizationParameters &chosen = scene.discretization;
+      unsigned int              best   = invalid_index;
+      for (unsigned int refinements = least_refinements;
+           refinements <= std::max(least_refinements, most_halvings);
+           ++refinements)
+        for (unsigned int order = lowest_chosen_order;
+             order <= highest_strut_order(scene.context.dimension);
+             ++order)
+          {
+            const StrutDivision division{order, 1u << refinements};
+            const unsigned int  n = division.n_inner_nodes();
+            if (n > n_inner_nodes && n < best &&
+                dispersion(order, phase / division.n_elements) <= wanted)
+              {
+                best               = n;
+                chosen.order       = order;
+                chosen.refinements = refinements;
+              }
+          }
+      return best != invalid_index;
+    }
+
+    Scene with_finer_elements(Scene scene)
+    {
+      DiscretizationParameters &discretization = scene.discretization;
+      discretization.order =
+        std::min(discretization.order + 1,
+                 highest_strut_order(scene.context.dimension));
+      ++discretization.refinements;
+      return scene;
+    }
+
+    /** @p state with a displacement alone, which has no large rotations. */
+    State with_shape(State state, const Vector &shape)
+    {
+      state.displacement = shape;
+      state.rotations.clear();
+      state.velocity = state.acceleration = std::nullopt;
+      return state;
+    }
+
+    /** The first element of each strut of which this rank keeps all, by strut.
+     */
+    std::map<unsigned int, unsigned int>
+    first_elements(const DofNumbering &numbering)
+    {
+      std::map<unsigned int, unsigned int> numbers, first;
+      for (unsigned int e = 0; e < numbering.elements().size(); ++e)
+        {
+          const unsigned int strut = numbering.elements()[e].interval.strut;
+          if (++numbers[strut] == 1)
+            first[strut] = e;
+        }
+      for (const auto &[strut, number] : numbers)
+        if (number < numbering.divisions()[strut].n_elements)
+          first.erase(strut);
+      return first;
+    }
+
+    std::string percent(const double part)
+    {
+      std::ostringstream text;
+      text.precision(3);
+      text << 100 * part << " %";
+      return text.str();
+    }
+
+    std::string elements_text(const DiscretizationParameters &discretization)
+    {
+      const unsigned int n = discretization.common_division().n_elements;
+      return std::to_string(n) + (n == 1 ? " element" : " elements") +
+        " of order " + std::to_string(discretization.order) + " a strut";
+    }
+
+    std::string advice(const Scene &scene)
+    {
+      return scene.discretization.tolerance
+        ? "Raise Discretization/Global refinements, or Tolerance if this error "
+          "may stay."
+        : "Set Discretization/Order = auto, or raise Order or Global "
+          "refinements.";
+    }
+    Lattice designed_lattice(Scene scene)
+    {
+      scene.imperfections.clear();
+      return build_lattice(scene);
+    }
+
+    std::vector<double> own_frequencies(const Scene &scene)
+    {
+      std::vector<Section> sections;
+      for (const SectionDefinition &definition : scene.sections)
+        sections.push_back(definition.section);
+      std::vector<double> all =
+        auxfem::own_frequencies(designed_lattice(scene), sections);
+      all.erase(std::remove(all.begin(), all.end(), 0.), all.end());
+      return all;
+    }
+  } // namespace
+
+  double MeshErrors::largest() const
+  {
+    double largest =
+      why_unknown.empty() ? 0. : std::numeric_limits<double>::infinity();
+    for (const double error : relative)
+      largest = std::isfinite(error) ? std::max(largest, error)
+                                     : std::numeric_limits<double>::infinity();
+    return largest;
+  }
+
+  double phase_of_modes(const Scene &scene, const unsigned int n)
+  {
+    const std::vector<double> firsts = own_frequencies(scene);
+    if (firsts.empty())
+      return clamped_phase;
+    // Modes between clamps have the phases (j + 1/2) pi, to a percent.
+    const auto n_until = [&](const double omega) {
+      double sum = 0;
+      for (const double first : firsts)
+        if (omega >= first)
+          sum += std::floor((3 * std::sqrt(omega / first) - 1) / 2);
+      return sum;
+    };
+    double omega = *std::min_element(firsts.begin(), firsts.end());
+    while (n_until(omega) < n)
+      omega *= 1.1;
+    return phase_at(scene, omega);
+  }
+
+  double phase_of_buckling(const Scene &scene, const unsigned int n)
+  {
+    const Lattice      lattice = designed_lattice(scene);
+    const unsigned int n_struts =
+      std::count_if(lattice.struts.begin(),
+                    lattice.struts.end(),
+                    [](const Strut &strut) { return !strut.is_rigid(); });
+    const unsigned int of_each =
+      n_struts > 0 ? (n + n_struts - 1) / n_struts : 1;
+    return (of_each + 1) * dealii::numbers::PI;
+  }
+
+  double phase_at(const Scene &scene, const double omega)
+  {
+    const std::vector<double> firsts = own_frequencies(scene);
+    return firsts.empty() ? clamped_phase
+                          : clamped_phase *
+        std::sqrt(omega / *std::min_element(firsts.begin(), firsts.end()));
+  }
+
+  void choose_elements(const double phase, const double wanted, Scene &scene)
+  {
+    const unsigned int least = scene.discretization.refinements;
+    // Of waves that are shorter few are asked for.
+    constexpr unsigned int most_at_first = 3;
+    if (choose(phase, wanted, 0, scene.discretization.refinements, scene) &&
+        scene.discretization.refinements <= least + most_at_first)
+      return;
+    scene.discretization.order = highest_strut_order(scene.context.dimension);
+    scene.discretization.refinements = least + most_at_first;
+  }
+
+  bool
+  refine_elements(const Scene &first, const MeshErrors &errors, Scene &scene)
+  {
+    const DiscretizationParameters &now      = scene.discretization;
+    const StrutDivision             division = now.common_division();
+    // Where modes are missing, or errors are large, waves are not carried.
+    const double error = errors.n_missing > 0 || errors.has_too_few
+      ? 1.
+      : std::min(errors.largest(), 1.);
+    const double phase =
+      division.n_elements * phase_with_dispersion(division.order, error);
+    return choose(phase,
+                  aim * *now.tolerance,
+                  division.n_inner_nodes(),
+                  first.discretization.refinements,
+                  scene);
+  }
+
+  bool are_accepted(const Scene &scene, const MeshErrors &errors)
+  {
+    const auto &tolerance = scene.discretization.tolerance;
+    return !tolerance || !errors.why_unknown.empty() ||
+      (errors.largest() <= *tolerance && errors.n_missing == 0 &&
+       !errors.has_too_few);
+  }
+
+  std::vector<Finding> findings_of_mesh(const Scene       &scene,
+                                        const MeshErrors  &errors,
+                                        const std::string &values)
+  {
+    std::vector<Finding> findings;
+    const auto           add = [&](const Verdict verdict, std::string text) {
+      findings.push_back({verdict, std::move(text), 0., ""});
+    };
+    const std::string elements = elements_text(scene.discretization);
+    if (!errors.why_unknown.empty())
+      add(Verdict::doubtful,
+          "The error of the elements is not known: " + errors.why_unknown);
+    if (errors.n_missing > 0)
+      add(Verdict::not_to_be_used,
+          std::to_string(errors.n_missing) +
+            " further modes lie below the last with finer elements than " +
+            elements + ". " + advice(scene));
+    const double error = errors.largest();
+    if (!errors.why_unknown.empty())
+      return findings;
+    const double limit = scene.discretization.tolerance
+      ? safety * *scene.discretization.tolerance
+      : doubtful_error;
+    if (error > limit)
+      add(error > std::max(limit, unusable_error) ? Verdict::not_to_be_used
+                                                  : Verdict::doubtful,
+          std::isfinite(error) ? "With " + elements + " the " + values +
+              " err by up to " + percent(error) +
+              ", by comparison with finer elements. " + advice(scene)
+                               : "With " + elements + " some " + values +
+              " are not those of finer elements. " + advice(scene));
+    return findings;
+  }
+
+  std::string mesh_text(const Scene &scene, const MeshErrors &errors)
+  {
+    std::ostringstream text;
+    text.precision(2);
+    text << "  " << elements_text(scene.discretization);
+    if (std::isfinite(errors.largest()))
+      text << ": largest error " << errors.largest()
+           << ", by comparison with finer elements";
+    if (scene.discretization.tolerance)
+      text << "; tolerance " << *scene.discretization.tolerance;
+    return text.str();
+  }
+
+  Json json_of(const Scene &scene, const MeshErrors &errors)
+  {
+    Json json = {{"order", scene.discretization.order},
+                 {"elements_per_strut",
+                  scene.discretization.common_division().n_elements},
+                 {"largest_error", errors.largest()},
+                 {"missing_modes", errors.n_missing}};
+    if (scene.discretization.tolerance)
+      json["tolerance"] = *scene.discretization.tolerance;
+    return json;
+  }
+
+  FinerRun::FinerRun(LatticeRun &coarse)
+    : coarse(coarse)
+    , scene(with_finer_elements(coarse.scene))
+    , run(scene, coarse.model.numbering.layout().communicator())
+  {
+    run.start();
+  }
+
+  FinerRun::~FinerRun()
+  {
+    coarse.add_effort(run.work());
+  }
+
+  Vector FinerRun::prolongated(const Vector &shape) const
+  {
+    const DofNumbering &from = coarse.model.numbering,
+                       &to   = run.model.numbering;
+    State given              = with_shape(coarse.solution.state, shape);
+    State finer =
+      with_shape(run.solution.state,
+                 Vector(run.solution.state.displacement.size(), 0.));
+    const std::map<unsigned int, unsigned int> coarse_elements =
+                                                 first_elements(from),
+                                               finer_elements =
+                                                 first_elements(to);
+    for (const unsigned int strut : owned_struts(to))
+      // Elements of order 1 have no inner nodes that bring them to this rank.
+      if (const auto first = coarse_elements.find(strut);
+          first != coarse_elements.end())
+        set_motion_of_strut(
+          to,
+          finer_elements.at(strut),
+          interpolated(motion_of_strut(from, given, first->second),
+                       to.divisions()[strut]),
+          finer);
+    // Joints, rigid parts and hinges have equal serial numbers on all meshes.
+    const Unknowns &coarse_unknowns = coarse.equations.unknowns(),
+                   &finer_unknowns  = run.equations.unknowns();
+    const UnknownRecords coarse_numbers(from, coarse_unknowns.layout),
+      finer_numbers(to, finer_unknowns.layout);
+    std::map<unsigned int, double> values;
+    for (unsigned int i = 0; i < coarse_unknowns.layout.n_local(); ++i)
+      if (!coarse_unknowns.strut[i])
+        values[coarse_numbers.serial_number(i)] = shape[i];
+    for (unsigned int i = 0; i < finer_unknowns.layout.n_owned(); ++i)
+      if (!finer_unknowns.strut[i])
+        finer.displacement[i] = values.at(finer_numbers.serial_number(i));
+    finer_unknowns.layout.update_ghosts(finer.displacement.data());
+    return finer.displacement;
+  }
+} // namespace auxfem

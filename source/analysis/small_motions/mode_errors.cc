@@ -1,0 +1,173 @@
+#include <auxfem/analysis/small_motions/mode_errors.h>
+#include <auxfem/analysis/small_motions/modes.h>
+#include <auxfem/parameters/errors.h>
+#include <auxfem/time/interruption.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace auxfem
+{
+  namespace
+  {
+    using Complex = std::complex<double>;
+
+    /** What @p compare finds out, or why it cannot. */
+    template <class Compare>
+    MeshErrors compared(LatticeRun &run, const Compare &compare)
+    {
+      try
+        {
+          FinerRun finer(run);
+          return compare(finer);
+        }
+      catch (const Interrupted &)
+        {
+          throw;
+        }
+      catch (const ComputationError &error)
+        {
+          MeshErrors unknown;
+          unknown.why_unknown = error.what();
+          return unknown;
+        }
+    }
+
+    template <class Mode>
+    std::vector<Vector> prolongated_shapes(const FinerRun          &finer,
+                                           const std::vector<Mode> &modes)
+    {
+      std::vector<Vector> shapes;
+      for (const Mode &mode : modes)
+        shapes.push_back(finer.prolongated(mode.shape));
+      return shapes;
+    }
+
+    /** Half the difference over the mean: so of eigenvalues for that of
+     * frequencies. 0 where both are. */
+    double half_difference(const double one, const double other)
+    {
+      const double sum = std::abs(one) + std::abs(other);
+      return sum > 0 ? std::abs(one - other) / sum : 0.;
+    }
+
+    /**
+     * Enters errors of modes.
+     * @param values of the modes
+     * @param part of the relative difference of values that is the error
+     */
+    template <class Modes>
+    MeshErrors compare_values(const std::vector<double> &values,
+                              const FinerValues         &finer,
+                              const double               part,
+                              const unsigned int         n_asked,
+                              Modes                     &found)
+    {
+      MeshErrors errors;
+      for (std::size_t i = 0; i < values.size(); ++i)
+        {
+          if (i < finer.values.size())
+            found.modes[i].mesh_error =
+              2 * part * half_difference(values[i], finer.values[i]);
+          errors.relative.push_back(found.modes[i].mesh_error);
+        }
+      errors.has_too_few =
+        values.size() < n_asked && finer.n_possible > found.n_possible;
+      errors.n_missing = finer.n_missing;
+      return errors;
+    }
+
+    /** By how much the root of finer elements near @p s differs, over |s|; NaN
+     * where none is found. */
+    double root_error(CharacteristicEquation &finer,
+                      const Complex           s,
+                      const unsigned int      number)
+    {
+      const auto root = finer.refine(s, number);
+      return root ? std::abs(root->s - s) / std::abs(s)
+                  : std::numeric_limits<double>::quiet_NaN();
+    }
+
+    /** Enters errors of damped modes where these are larger. */
+    void
+    compare_damped(FinerRun &finer, NaturalModes &found, MeshErrors &errors)
+    {
+      if (!CharacteristicEquation::is_within_reach(finer.solver()))
+        return;
+      CharacteristicEquation equation(finer.solver(),
+                                      finer.state(),
+                                      Damping::all);
+      const auto             error_of = [&](const NaturalMode::Damped &damped) {
+        return root_error(equation,
+                          {damped.growth, damped.angular_frequency},
+                          errors.relative.size());
+      };
+      for (std::size_t i = 0; i < found.modes.size(); ++i)
+        if (NaturalMode &mode = found.modes[i]; mode.damped)
+          if (const double error = error_of(*mode.damped);
+              !(error <= mode.mesh_error))
+            errors.relative[i] = mode.mesh_error = error;
+      for (const NaturalMode::Damped &damped : found.further_damped)
+        errors.relative.push_back(error_of(damped));
+    }
+  } // namespace
+
+  MeshErrors estimate_errors(LatticeRun &run, NaturalModes &found)
+  {
+    return compared(run, [&](FinerRun &finer) {
+      std::vector<double> values;
+      for (const NaturalMode &mode : found.modes)
+        values.push_back(mode.eigenvalue);
+      MeshErrors errors =
+        compare_values(values,
+                       finer_eigenvalues(finer.solver(),
+                                         finer.state(),
+                                         found,
+                                         prolongated_shapes(finer,
+                                                            found.modes)),
+                       0.5,
+                       run.scene.modes.number,
+                       found);
+      if (run.scene.modes.damped)
+        compare_damped(finer, found, errors);
+      return errors;
+    });
+  }
+
+  MeshErrors estimate_errors(LatticeRun &run, ComplexModes &found)
+  {
+    return compared(run, [&](FinerRun &finer) {
+      CharacteristicEquation equation(finer.solver(),
+                                      finer.state(),
+                                      run.scene.modes.damped ? Damping::all
+                                                             : Damping::none);
+      MeshErrors             errors;
+      for (ComplexMode &mode : found.modes)
+        {
+          mode.mesh_error =
+            root_error(equation, mode.s, errors.relative.size());
+          errors.relative.push_back(mode.mesh_error);
+        }
+      return errors;
+    });
+  }
+
+  MeshErrors estimate_errors(LatticeRun &run, BucklingModes &found)
+  {
+    return compared(run, [&](FinerRun &finer) {
+      std::vector<double> values;
+      for (const BucklingMode &mode : found.modes)
+        values.push_back(mode.factor);
+      return compare_values(values,
+                            finer_factors(finer.solver(),
+                                          finer.state(),
+                                          buckling_loads(run.scene),
+                                          found,
+                                          prolongated_shapes(finer,
+                                                             found.modes)),
+                            1.,
+                            run.scene.modes.number,
+                            found);
+    });
+  }
+} // namespace auxfem
