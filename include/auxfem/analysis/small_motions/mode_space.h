@@ -2,9 +2,8 @@
 #define auxfem_analysis_small_motions_mode_space_h
 
 #include <auxfem/algebra/eigen_solver.h>
+#include <auxfem/algebra/ritz_values.h>
 #include <auxfem/analysis/tangent_solver.h>
-
-#include <deal.II/lac/full_matrix.h>
 
 #include <optional>
 #include <vector>
@@ -98,15 +97,6 @@ namespace auxfem
   /** Just below the last of @p values, all of which are above @p lowest, and of
    * those that are as good as equal to it. */
   CountLimit limit_below_last(const std::vector<double> &values, double lowest);
-
-  /**
-   * The best values that combinations of some vectors give, y.S y / y.D y, by
-   * falling size; fewer than vectors where these depend on each other.
-   * @param numerator, denominator S and D, symmetric, D positive definite
-   */
-  std::vector<double>
-  ritz_values(const dealii::FullMatrix<double> &numerator,
-              const dealii::FullMatrix<double> &denominator);
 
   /** Products of u_i = (K - sigma M)^-1 M x_i between each other. */
   struct IteratedProducts
