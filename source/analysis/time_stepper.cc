@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 
 namespace auxfem
@@ -475,9 +476,8 @@ namespace auxfem
   {
     const auto         jump = ends.jump_at(state.time);
     std::ostringstream message;
-    message.precision(3);
     message
-      << "The step from t = " << state.time << " s"
+      << "The step from t = " << state.time << " s" << std::setprecision(3)
       << (jump && *jump != StepEnd::Jump::none
             ? ", where a load or a prescribed motion jumps,"
             : "")

@@ -6,7 +6,6 @@
 #include <deal.II/base/utilities.h>
 
 #include <cmath>
-#include <regex>
 #include <sstream>
 
 namespace auxfem
@@ -52,15 +51,28 @@ namespace auxfem
 
   std::optional<TableText> table_text(const std::string &text)
   {
-    static const std::regex form(
-      R"(\s*((?:(.*?)\s*\*\s*)?(smooth\s+)?table:)\s*(.*?)\s*)");
-    std::smatch parts;
-    if (!std::regex_match(text, parts, form))
+    const std::string table = "table:", smooth = "smooth";
+    const std::size_t at = text.find(table);
+    if (at == std::string::npos)
       return {};
-    return TableText{parts[1],
-                     parts[2],
-                     parts[3].matched ? TableKind::smooth : TableKind::linear,
-                     parts[4]};
+    const std::size_t file = at + table.size();
+    TableText         parts{trim(text.substr(0, file)),
+                    trim(text.substr(0, at)),
+                    TableKind::linear,
+                    trim(text.substr(file))};
+    std::string      &scale = parts.scale;
+    if (scale.size() >= smooth.size() &&
+        scale.compare(scale.size() - smooth.size(), smooth.size(), smooth) == 0)
+      {
+        parts.kind = TableKind::smooth;
+        scale      = trim(scale.substr(0, scale.size() - smooth.size()));
+      }
+    if (scale.empty())
+      return parts;
+    if (scale.back() != '*')
+      return {};
+    scale = trim(scale.substr(0, scale.size() - 1));
+    return scale.empty() ? std::nullopt : std::optional(parts);
   }
 
   TimeFunction::TimeFunction(const std::string  &text,

@@ -51,7 +51,7 @@ namespace auxfem
       double previous = course.value(0), largest = std::abs(previous), rate = 0;
       for (unsigned long i = 1; i <= n; ++i)
         {
-          const double value = course.value(i * interval);
+          const double value = course.value_before(i * interval);
           largest            = std::max(largest, std::abs(value));
           rate     = std::max(rate, std::abs(value - previous) / interval);
           previous = value;
@@ -68,7 +68,8 @@ namespace auxfem
       double              so_far = std::abs(course.value(0));
       for (std::size_t i = 1; i <= growths.size(); ++i)
         {
-          so_far = std::max(so_far, std::abs(course.value(i * interval)));
+          so_far =
+            std::max(so_far, std::abs(course.value_before(i * interval)));
           largest.push_back(so_far);
         }
       for (std::size_t i = 0; i < growths.size(); ++i)

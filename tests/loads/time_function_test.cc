@@ -377,7 +377,8 @@ TEST_F(TableFolder, AScaleMultipliesTheValues)
   EXPECT_DOUBLE_EQ(value("0.001 *"), 0.003);
   EXPECT_DOUBLE_EQ(value("-m/2 * "), -6);
   EXPECT_DOUBLE_EQ(value("2 * m * smooth"), 24);
-  for (const std::string scale : {"2 elephants *", "2", "t *", "linear"})
+  for (const std::string scale :
+       {"2 elephants *", "2", "t *", "*", "linear", "unsmooth"})
     {
       const std::string message = input_error_of([&] { value(scale); });
       EXPECT_NE(message.find("Loads/top/Force y"), std::string::npos)
