@@ -59,17 +59,19 @@ namespace auxfem
       throw InputError(path +
                        "/Columns at: the cell has no set of joints "
                        "named \"" +
-                       name + "\"" + did_you_mean(name, known) +
-                       "\nAllowed: " + list + ", several joined by +.");
+                       name + "\"" + did_you_mean(name, known) + "\nAllowed: " +
+                       list + ", several joined by + or commas.");
     }
 
     Indices select(const UnitCell    &cell,
                    const std::string &names,
                    const std::string &path)
     {
-      const auto sets = named_joints(cell);
-      Indices    selected;
-      for (const auto &name : dealii::Utilities::split_string_list(names, '+'))
+      const auto  sets = named_joints(cell);
+      Indices     selected;
+      std::string joined = names;
+      std::replace(joined.begin(), joined.end(), ',', '+');
+      for (const auto &name : dealii::Utilities::split_string_list(joined, '+'))
         {
           const auto set = sets.find(name);
           if (set == sets.end())

@@ -71,6 +71,7 @@ TEST(Extrude, ColumnsOnlyAtTheJointsNamed)
                          2 * 6 * 8);
   // A side of the cell: stub ends, shared along x.
   expect_columns_along_z(layers(cell, {{3, 2, 2}}, "left + right"), 2 * 4);
+  expect_columns_along_z(layers(cell, {{3, 2, 2}}, "left, right"), 2 * 4);
 }
 
 TEST(Extrude, FacesAreSets)

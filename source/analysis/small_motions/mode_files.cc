@@ -219,9 +219,10 @@ namespace auxfem
              << std::setw(6) << i + 1 << std::defaultfloat
              << std::setprecision(6) << std::setw(12)
              << mode.s.imag() / (2 * PI) << std::setprecision(4)
-             << std::setw(14) << mode.s.real() << std::setw(16) << mode.ratio()
-             << std::scientific << std::setprecision(1) << std::setw(12)
-             << mode.residual << std::setw(12) << mode.mesh_error;
+             << std::setw(14) << rounded_text(mode.s.real(), 4) << std::setw(16)
+             << rounded_text(mode.ratio(), 4) << std::scientific
+             << std::setprecision(1) << std::setw(12) << mode.residual
+             << std::setw(12) << mode.mesh_error;
         if (mode.grows())
           text << (mode.swings() ? "   flutter" : "   divergence");
       }
