@@ -158,13 +158,15 @@ namespace auxfem
     const SimulatedEffects &simulated = structure.simulated;
     if (!structure.lattice.rigid_parts.empty())
       {
-        auto of_parts =
-          make_rigid_part_constraints(structure.bodies,
-                                      {structure.lattice,
-                                       structure.numbering,
-                                       simulated.large_rotation,
-                                       simulated.gravity ? scene.gravity
-                                                         : SpaceVector()});
+        std::array<TimeFunction, 3> gravity;
+        if (simulated.gravity)
+          for (unsigned int c = 0; c < gravity.size(); ++c)
+            gravity[c] = proportional(scene.gravity.acceleration[c], scene);
+        auto of_parts = make_rigid_part_constraints(structure.bodies,
+                                                    {structure.lattice,
+                                                     structure.numbering,
+                                                     simulated.large_rotation,
+                                                     gravity});
         reporting_effects.rigid_parts = of_parts.get();
         reporting_effects.constraints.push_back(of_parts.get());
         effects.push_back(std::move(of_parts));

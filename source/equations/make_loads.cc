@@ -8,19 +8,11 @@
 #include <auxfem/parameters/errors.h>
 
 #include <algorithm>
-#include <cstdio>
 
 namespace auxfem
 {
   namespace
   {
-    TimeFunction constant(const double value, const SceneContext &context)
-    {
-      char text[32];
-      std::snprintf(text, sizeof(text), "%.17g", value);
-      return TimeFunction(text, "constant", context);
-    }
-
     /** Entry of the energy ledger for the work of the load @p name. */
     EnergyEntry work_of(const std::string &name)
     {
@@ -121,14 +113,14 @@ namespace auxfem
         const std::vector<bool> all(lattice.struts.size(), true);
         for (unsigned int c = 0; c < lattice.dimension; ++c)
           {
-            if (scene.gravity[c] == 0)
+            const TimeFunction &acceleration = scene.gravity.acceleration[c];
+            if (acceleration.is_zero())
               continue;
-            AppliedLoad load{
-              proportional(constant(scene.gravity[c], scene.context), scene),
-              {EnergyKind::work,
-               "gravity_work",
-               "work of the weight since the start"},
-              {}};
+            AppliedLoad load{proportional(acceleration, scene),
+                             {EnergyKind::work,
+                              "gravity_work",
+                              "work of the weight since the start"},
+                             {}};
             add_along_struts(
               c,
               all,

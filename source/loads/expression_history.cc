@@ -94,6 +94,11 @@ namespace auxfem
           }
       }
 
+      bool is_constant() const override
+      {
+        return expression.is_constant();
+      }
+
       bool is_zero() const
       {
         return expression.is_constant() && expression.value() == 0;

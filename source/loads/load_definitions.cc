@@ -2,6 +2,8 @@
 #include <auxfem/loads/motion_parameters.h>
 #include <auxfem/mesh/set_definition.h>
 
+#include <algorithm>
+
 namespace auxfem
 {
   namespace
@@ -76,8 +78,8 @@ namespace auxfem
 
     // Gravity
 
-    const auto acceleration = for_axes<Quantity>(
-      {"Acceleration", "0", "m/s2", Range::any(), "Acceleration of free fall"});
+    const auto acceleration = for_axes<TimeExpression>(
+      {"Acceleration", "0", "m/s2", "Acceleration of free fall"});
 
     // Initial velocities
 
@@ -153,22 +155,39 @@ namespace auxfem
   {
     return {"Gravity",
             SubsectionSchema::Form::fixed,
-            "Weight of struts and masses, e.g. Acceleration y = -9.81.",
+            "Weight of struts and masses, e.g. Acceleration y = -9.81, or "
+            "-9.81 * min(t, 1) where it is raised in steps.",
             with({}, acceleration)};
   }
 
 
 
-  dealii::Tensor<1, 3> read_gravity(ParameterValues &values)
+  GravityDefinition read_gravity(ParameterValues &values)
   {
-    dealii::Tensor<1, 3> gravity;
+    GravityDefinition gravity;
     require_space(values, acceleration[2]);
     for (unsigned int c = 0; c < acceleration.size(); ++c)
-      gravity[c] = values[acceleration[c]];
+      gravity.acceleration[c] = read_time_function(values, acceleration[c]);
     return gravity;
   }
 
+  bool GravityDefinition::is_zero() const
+  {
+    return std::all_of(acceleration.begin(),
+                       acceleration.end(),
+                       [](const TimeFunction &along) {
+                         return along.is_zero();
+                       });
+  }
 
+  std::vector<TimeFunction> GravityDefinition::courses() const
+  {
+    std::vector<TimeFunction> all;
+    for (const TimeFunction &along : acceleration)
+      if (!along.is_constant())
+        all.push_back(along);
+    return all;
+  }
 
   SubsectionSchema initial_velocities_schema()
   {

@@ -179,4 +179,9 @@ namespace auxfem
              checked(jet.first, t, "the first derivative"),
              checked(jet.second, t, "the second derivative")}};
   }
+
+  bool TimeFunction::is_constant() const
+  {
+    return !history || history->is_constant();
+  }
 } // namespace auxfem

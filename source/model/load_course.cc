@@ -128,7 +128,7 @@ namespace auxfem
   LoadsToCome::LoadsToCome(const Scene &scene)
     : interval(scene.time.end_time / most_looks)
   {
-    if (scene.gravity.norm() > 0 || !scene.initial_velocities.empty())
+    if (!scene.gravity.is_zero() || !scene.initial_velocities.empty())
       return;
     constexpr double unbounded = std::numeric_limits<double>::infinity();
     growths.assign(most_looks, unbounded);
@@ -158,7 +158,7 @@ namespace auxfem
     const std::vector<TimeFunction> courses  = courses_of(scene);
     const double                    resolved = resolved_frequency(scene);
     const bool                      falls =
-      courses.empty() && scene.gravity.norm() > 0 && !scene.time.static_start;
+      courses.empty() && !scene.gravity.is_zero() && !scene.time.static_start;
     if (falls || !scene.initial_velocities.empty())
       return {resolved, true};
     double rate = 0;

@@ -183,7 +183,7 @@ namespace auxfem
     {
       const bool statics = is_static(scene);
       const bool weight =
-        scene.gravity.norm() > 0 && scene.effects.gravity != Switch::off;
+        !scene.gravity.is_zero() && scene.effects.gravity != Switch::off;
       if (statics && !weight)
         return;
       for (const SectionDefinition &section : scene.sections)

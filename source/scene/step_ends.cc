@@ -19,6 +19,7 @@ namespace auxfem
         add(load.components);
       for (const LineLoadDefinition &load : scene.line_loads)
         add(load.components);
+      add(scene.gravity.courses());
       return functions;
     }
 

@@ -284,7 +284,7 @@ end
     expect_close(scene.joint_loads[0].components[rotation_z].value(0), 2);
     ASSERT_EQ(scene.line_loads.size(), 1u);
     expect_close(scene.line_loads[0].components[0].value(0), 3000);
-    expect_close(scene.gravity[1], -9.81);
+    expect_close(scene.gravity.acceleration[1].value(0), -9.81);
     ASSERT_EQ(scene.initial_velocities.size(), 1u);
     expect_close(scene.initial_velocities[0].velocity[1], -10);
     expect_close(scene.initial_velocities[0].velocity[rotation_z], PI);

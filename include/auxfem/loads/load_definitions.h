@@ -66,11 +66,23 @@ namespace auxfem
   std::variant<JointLoadDefinition, LineLoadDefinition>
   read_load(ParameterValues &values);
 
+  /** `Gravity`: the acceleration of free fall. */
+  struct GravityDefinition
+  {
+    std::array<TimeFunction, 3> acceleration; ///< along x, y, z (m/s2)
+
+    /** Whether there is none at any time. */
+    bool is_zero() const;
+
+    /** Those components that change in time. */
+    std::vector<TimeFunction> courses() const;
+  };
+
   /** `Gravity`. */
   SubsectionSchema gravity_schema();
 
-  /** The acceleration of free fall (m/s2). */
-  dealii::Tensor<1, 3> read_gravity(ParameterValues &values);
+  /** Its values. */
+  GravityDefinition read_gravity(ParameterValues &values);
 
   /** `Initial velocities/NAME`: velocity of a set of joints at t = 0. */
   struct InitialVelocityDefinition

@@ -140,6 +140,9 @@ namespace auxfem
       return !history;
     }
 
+    /** True if it is the same at all times by construction, as is_zero(). */
+    bool is_constant() const;
+
   private:
     /** @p result, which is @p what of the function at @p t. */
     double checked(double result, double t, const std::string &what = "") const;

@@ -50,6 +50,12 @@ namespace auxfem
       return {};
     }
 
+    /** Whether it does not depend on time at all. */
+    virtual bool is_constant() const
+    {
+      return false;
+    }
+
     /** Path and text of the parameter, for messages. */
     std::string origin;
   };

@@ -55,7 +55,7 @@ namespace auxfem
     std::vector<JointLoadDefinition>       joint_loads;
     std::vector<LineLoadDefinition>        line_loads;
     std::vector<InitialVelocityDefinition> initial_velocities;
-    dealii::Tensor<1, 3>                   gravity; ///< m/s2
+    GravityDefinition                      gravity;
     /** What holds, moves and loads their joints is among `supports`, `masses`
      * and `initial_velocities`. */
     std::vector<PlateDefinition> plates;

@@ -75,7 +75,8 @@ namespace auxfem
         }
       if (!(forces > 0))
         return std::nullopt;
-      const double weight = total_mass(scene, lattice) * scene.gravity.norm();
+      const double weight = total_mass(scene, lattice) *
+        largest_length(scene.gravity.acceleration, scene.time.end_time);
       return EffectMeasure{std::min(1., weight / forces), "the loads"};
     }
   } // namespace
@@ -86,9 +87,9 @@ namespace auxfem
             &EffectSwitches::gravity,
             &SimulatedEffects::gravity,
             [](const Scene &scene) -> EffectCause {
-              return {scene.gravity.norm() > 0,
-                      scene.gravity.norm() > 0 ? "an acceleration is given"
-                                               : "no acceleration given"};
+              return {!scene.gravity.is_zero(),
+                      scene.gravity.is_zero() ? "no acceleration given"
+                                              : "an acceleration is given"};
             },
             measure_gravity};
   }

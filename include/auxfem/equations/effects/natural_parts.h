@@ -272,7 +272,7 @@ namespace auxfem
     const Lattice                      &lattice;
     const DofNumbering                 &numbering;
     const bool                          large_rotation;
-    const SpaceVector                   gravity;
+    const std::array<TimeFunction, 3>   gravity;
 
     std::vector<Base>  bases; ///< one a body
     std::vector<Joint> joints;

@@ -2,6 +2,7 @@
 #define auxfem_equations_effects_rigid_part_group_h
 
 #include <auxfem/equations/constraints.h>
+#include <auxfem/loads/time_function.h>
 #include <auxfem/model/rigid_bodies.h>
 
 #include <memory>
@@ -34,8 +35,9 @@ namespace auxfem
     const DofNumbering &numbering;
     /** False: the constraints are linearized about rest. */
     bool large_rotation;
-    /** For the reported forces (m/s2), zero if it is left out. */
-    SpaceVector gravity;
+    /** Acceleration along x, y, z for the reported forces (m/s2), zero if it
+     * is left out. */
+    std::array<TimeFunction, 3> gravity;
   };
 
   /** The constraints that keep rigid parts of one kind rigid. */
