@@ -1,6 +1,7 @@
 #include <auxfem/analysis/dense_output.h>
 #include <auxfem/equations/prescribed_motion.h>
 
+#include <algorithm>
 #include <array>
 
 namespace auxfem
@@ -77,6 +78,10 @@ namespace auxfem
       return TimeLimit{*event, TimeSide::after};
     }
 
+    /** Part of the forces at the ends of a step by which those at an
+     * interpolated motion may be out of equilibrium. */
+    constexpr double largest_force_error = 0.01;
+
     double part_of(const Evaluation &between, const State &end)
     {
       return between.dt / (end.time - between.from.time);
@@ -151,6 +156,8 @@ namespace auxfem
         const Evaluation instant = Evaluation::rates(before, between.state);
         solver.residual(instant, between.results);
         equations.accept(instant, between.results);
+        if (!is_equilibrium(from, to, between))
+          interpolate_forces(from, to, between);
         recorder.between(between);
       }
     if (next && *next <= end + nearness)
@@ -174,6 +181,32 @@ namespace auxfem
     for (std::size_t i = 0; i < rates.energy_sums.size(); ++i)
       rates.energy_sums[i] -= end.state.energy_sums[i];
     return rates;
+  }
+
+  bool DenseOutput::is_equilibrium(const Solution &from,
+                                   const Solution &to,
+                                   const Solution &between) const
+  {
+    const EvaluationResults &results = between.results;
+    const double moment = results.moment / equations.model().mean_strut_length;
+    return between.state.acceleration &&
+      std::max(results.force, moment) <= largest_force_error *
+        std::max(from.results.force_scale, to.results.force_scale);
+  }
+
+  void DenseOutput::interpolate_forces(const Solution &from,
+                                       const Solution &to,
+                                       Solution       &between) const
+  {
+    State       &state = between.state;
+    const double part =
+      (state.time - from.state.time) / (to.state.time - from.state.time);
+    chords(from.state.residual, to.state.residual, part, state.residual);
+    chords(from.state.energies.amounts(),
+           to.state.energies.amounts(),
+           part,
+           state.energies.amounts());
+    between.forces_within = {&from, &to, part};
   }
 
   void DenseOutput::move(const Evaluation &between, const State &end) const

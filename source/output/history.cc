@@ -262,16 +262,19 @@ namespace auxfem
   {
     for (const ConnectorGroup &group : equations.reporting().connectors)
       {
-        double force = 0, extension = 0;
-        for (unsigned int i = 0; i < group.forces->n_reported(); ++i)
-          {
-            const ConnectorReport report =
-              group.report(i, solution.state, solution.results);
-            force += report.force;
-            extension += report.extension;
-          }
-        row[column++] = force;
-        row[column++] = extension;
+        const auto sum = [&group](const Solution &at,
+                                  double ConnectorReport::*value) {
+          double total = 0;
+          for (unsigned int i = 0; i < group.forces->n_reported(); ++i)
+            total += group.report(i, at.state, at.results).*value;
+          return total;
+        };
+        const auto &within = solution.forces_within;
+        row[column++]      = within
+               ? within->chord(sum(*within->from, &ConnectorReport::force),
+                          sum(*within->to, &ConnectorReport::force))
+               : sum(solution, &ConnectorReport::force);
+        row[column++]      = sum(solution, &ConnectorReport::extension);
       }
     return column;
   }
@@ -283,9 +286,25 @@ namespace auxfem
     if (plates == nullptr)
       return column;
     const unsigned int dimension = equations.model().lattice.dimension;
-    for (const PlateReport &report :
-         plates->reports(equations.plate_results(solution.results),
-                         solution.state))
+    const auto         reports   = [&](const Solution &at) {
+      return plates->reports(equations.plate_results(at.results), at.state);
+    };
+    std::vector<PlateReport> now = reports(solution);
+    if (const auto &within = solution.forces_within)
+      {
+        const std::vector<PlateReport> before = reports(*within->from),
+                                       after  = reports(*within->to);
+        for (unsigned int i = 0; i < now.size(); ++i)
+          {
+            for (unsigned int c = 0; c < dimension; ++c)
+              now[i].force[c] =
+                within->chord(before[i].force[c], after[i].force[c]);
+            now[i].largest_penetration =
+              within->chord(before[i].largest_penetration,
+                            after[i].largest_penetration);
+          }
+      }
+    for (const PlateReport &report : now)
       {
         for (unsigned int c = 0; c < dimension; ++c)
           row[column++] = report.displacement[c];

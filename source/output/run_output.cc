@@ -234,7 +234,7 @@ namespace auxfem
         if (row_times.has(solution.state.time))
           write_row(solution);
         if (graphics_times.has(solution.state.time))
-          write_graphics(solution);
+          write_frame(solution);
       }
 
       void step(const Solution &solution, const StepReport &report) override
@@ -327,6 +327,18 @@ namespace auxfem
         // What cannot be written is not tried again at the end of the run.
         last_row = solution.state.time;
         on_first_rank(communicator, [&]() { table->append(row); });
+      }
+
+      /** A frame whose forces do not fit its motion moves to the nearest end of
+       * the step. */
+      void write_frame(const Solution &solution)
+      {
+        const auto     &within = solution.forces_within;
+        const Solution &fits   = !within ? solution
+            : within->part < 0.5         ? *within->from
+                                         : *within->to;
+        if (last_graphics != fits.state.time)
+          write_graphics(fits);
       }
 
       void write_graphics(const Solution &solution)

@@ -16,8 +16,10 @@ namespace auxfem
    * Norsett & G. Wanner, Solving Ordinary Differential Equations I, section
    * II.6), rotations in space by their vector since the start of the step.
    * Internal variables, work and dissipation are cubic where the scheme has
-   * stages, else linear, as all is without inertia. So nothing is of lower
-   * order than the scheme, up to order 4; motions are up to order 5.
+   * stages, else linear, as all is without inertia. Forces are those at that
+   * motion; where these are out of equilibrium, as those of struts that are
+   * stiff for the step, forces and energies are linear between the ends of the
+   * step. Else nothing is of lower order than the scheme, up to order 4.
    */
   class DenseOutput
   {
@@ -54,6 +56,14 @@ namespace auxfem
     };
 
     Rates rates(const Solution &end, std::optional<TimeLimit> event) const;
+    /** Whether forces at the motion of @p between, within the step, balance. */
+    bool is_equilibrium(const Solution &from,
+                        const Solution &to,
+                        const Solution &between) const;
+    /** Reactions and energies of @p between by those of the ends. */
+    void interpolate_forces(const Solution &from,
+                            const Solution &to,
+                            Solution       &between) const;
     /** Displacements with their rates, and rotations, at between.time. */
     void move(const Evaluation &between, const State &end) const;
     void rotate(const Evaluation &between, const State &end) const;
