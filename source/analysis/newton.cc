@@ -18,6 +18,14 @@ namespace auxfem
     constexpr double half_revolution = dealii::numbers::PI;
 
     /**
+     * Largest turn of a section in an iteration (rad) from an unstressed
+     * lattice that resists the loads by tension only: the tangent of a straight
+     * cable predicts far more. From larger motions than that of the equilibrium
+     * Newton's method converges.
+     */
+    constexpr double largest_turn_of_slack = 0.1;
+
+    /**
      * Mean forces have a singularity where a step turns a section by half a
      * turn (rad); long before that they mean nothing.
      */
@@ -77,6 +85,7 @@ namespace auxfem
     exactness = is_linear || has_failed || !parameters.keep_factorization
       ? Exactness::exact
       : Exactness::approximate;
+    is_slack  = allows_slack && evaluation.from.largest_force == 0;
     // Unless it gets to the end.
     has_failed = true;
     may_touch  = solver.equations().may_touch();
@@ -150,6 +159,8 @@ namespace auxfem
         if (!result.reason.empty())
           return result;
         is_in_place = true;
+        if (result.iterations == 0 && !scheme.is_dynamic())
+          first_increment = way;
         ++result.iterations;
         if (added == nullptr && result.iterations == 1 &&
             is_sure(evaluation, size, force))
@@ -252,6 +263,15 @@ namespace auxfem
     return true;
   }
 
+  bool Newton::allow_slack(const State &start)
+  {
+    // Supports on their way would not come to their place.
+    if (allows_slack || is_linear || !supports_rest || start.largest_force > 0)
+      return false;
+    allows_slack = true;
+    return true;
+  }
+
   void Newton::take_factorization(const Evaluation     &evaluation,
                                   const TangentFactors &factors)
   {
@@ -278,9 +298,14 @@ namespace auxfem
     if (!solver.solve(increment) ||
         (added != nullptr && !added->complete(solver, evaluation, increment)))
       return solver.why();
-    if (!is_linear &&
-        !(largest_motion(model, increment).second <= half_revolution))
-      return "an iteration turned a section by more than half a turn";
+    if (!is_linear)
+      {
+        const double turn = largest_motion(model, increment).second;
+        if (is_slack && turn > largest_turn_of_slack)
+          scale(largest_turn_of_slack / turn, increment);
+        else if (!(turn <= half_revolution))
+          return "an iteration turned a section by more than half a turn";
+      }
     if (!scheme.is_dynamic() || may_touch)
       way = increment;
     rotations.rotate(evaluation, increment);

@@ -7,6 +7,7 @@
 #include <auxfem/time/interruption.h>
 #include <auxfem/time/static.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <utility>
@@ -48,8 +49,11 @@ namespace auxfem
         , path(run.scene.path)
         , stepper(run.solver(), run.scene.newton)
         , point(stepper.start(run.solution, path.reversed_loads))
+        // A straight cable has a tangent of hardly any load.
         , lengths(path.resolution,
-                  path.first_increment / std::abs(point.tangent.load_rate))
+                  std::min(path.first_increment /
+                             std::abs(point.tangent.load_rate),
+                           run.model.mean_strut_length))
       {}
 
       /** Goes on with a run that has been resumed from @p checkpoint. */

@@ -14,8 +14,6 @@ namespace auxfem
 {
   namespace
   {
-    const std::string rates_record = "mass matrix";
-
     /** Of @p now, which follows on @p before or is the same. */
     void raise_largest_energy(const State &before, State &now)
     {
@@ -46,6 +44,9 @@ namespace auxfem
       error.emplace(equations, scene);
     if (scheme.stages() != nullptr)
       stages.emplace(equations, scheme);
+    if (!scheme.is_dynamic() && !equations.is_linear())
+      jumps = watches_of_scene.add(
+        std::make_unique<EquilibriumJumps>(equations.model(), scene));
   }
 
   std::vector<Finding> TimeStepper::findings() const
@@ -55,72 +56,6 @@ namespace auxfem
       for (const Finding &finding : error->findings())
         all.push_back(finding);
     return all;
-  }
-
-  void TimeStepper::save(Records &records) const
-  {
-    equations.save(records);
-    control->save(records);
-    if (error)
-      error->save(records);
-    watches_of_scene.save(records);
-    if (stages)
-      stages->save(records);
-    solvers->newton.save(records);
-    if (solvers->rates)
-      solvers->rates->solver.save(rates_record,
-                                  /*with_factorization=*/false,
-                                  records);
-  }
-
-  void TimeStepper::resume(Solution &solution, const Records &records)
-  {
-    take_ghosts(equations.resume(solution.state, records));
-    control->resume(records);
-    if (error)
-      error->resume(records);
-    watches_of_scene.resume(records);
-    if (stages)
-      stages->resume(records);
-    solvers->newton.resume(records);
-    if (solvers->rates)
-      solvers->rates->solver.resume(rates_record, records);
-    trial.state     = solution.state;
-    State evaluated = solution.state;
-    solvers->tangent.residual(Evaluation::rates(solution.state, evaluated),
-                              solution.results);
-  }
-
-  void TimeStepper::start(Solution &solution)
-  {
-    State &state = solution.state;
-    update_couplings(state);
-    if (parameters.static_start)
-      find_static_equilibrium(state);
-    if (!scheme.is_dynamic())
-      {
-        account_for_rates(solution, State(state), nullptr, 0.);
-        watches_of_scene.start(state);
-        return;
-      }
-    ConsistentRates rates(solvers->tangent);
-    const State     before = rates.start(state, parameters.step);
-    if (scheme.keeps_massless_in_equilibrium())
-      rates.keep_massless(state);
-    account_for_rates(solution, before, &rates, 0.);
-    watches_of_scene.start(state);
-    solvers->newton.drop_factorization();
-  }
-
-  void TimeStepper::begin_with_factorization(const State &rest)
-  {
-    State now = rest;
-    if (parameters.static_start)
-      solvers->newton.take_factorization(Evaluation::equilibrium(rest, now),
-                                         Equilibrium().factors(rest, 0.));
-    else
-      solvers->newton.take_factorization(evaluation_of(rest, parameters.step),
-                                         scheme.factors(rest, parameters.step));
   }
 
   void TimeStepper::account_for_rates(Solution              &solution,
@@ -148,42 +83,13 @@ namespace auxfem
     raise_largest_energy(state, state);
   }
 
-  void TimeStepper::find_static_equilibrium(State &state)
-  {
-    const Equilibrium search;
-    trial.state                 = state;
-    const Evaluation evaluation = Evaluation::equilibrium(state, trial.state);
-    search.predict(state, /*dt=*/0., trial.state);
-    rotations.follow(evaluation);
-    const Newton::Result result =
-      solvers->newton.solve(search, evaluation, trial.results);
-    solvers->newton.drop_factorization();
-    work.iterations += result.iterations;
-    if (!result.converged)
-      throw ComputationError(
-        "No static equilibrium was found under the loads of t = 0: " +
-        result.reason +
-        ". Start from rest, or raise the load in steps with "
-        "`Scheme = static` to see where it is lost.");
-    if (const std::string why = why_not_acceptable(evaluation); !why.empty())
-      throw ComputationError(
-        "No static equilibrium was found under the loads of t = 0 in one go: " +
-        why +
-        ". Start from rest, or raise the load in steps with `Scheme = "
-        "static`.");
-    if (state.velocity)
-      {
-        *trial.state.velocity = *state.velocity;
-        rotations.make_material(trial.state, *trial.state.velocity);
-      }
-    state = trial.state;
-  }
-
   StepReport TimeStepper::advance(Solution &solution, Recorder &recorder)
   {
     State     &state = solution.state;
     StepReport report;
-    report.dt        = parameters.step;
+    report.dt = parameters.step;
+    if (jumps)
+      jumps->begin_step();
     const double end = parameters.time_at(state.step + 1);
     while (state.time < end)
       {
@@ -232,7 +138,9 @@ namespace auxfem
   {
     while (true)
       {
-        const PlannedStep planned = control->plan(solution.state.time, target);
+        const PlannedStep planned =
+          control->plan(solution.state.time,
+                        jumps ? jumps->target(target) : target);
         if (try_step(solution, planned, report, recorder))
           {
             ++report.substeps;
@@ -241,8 +149,12 @@ namespace auxfem
           }
         ++report.retries;
         ++work.retries;
-        if (!control->rejected(rejected_error))
+        if (control->rejected(rejected_error))
+          continue;
+        if (!(jumps && jumps->allow_jumps()) &&
+            !solvers->newton.allow_slack(solution.state))
           give_up(solution.state, planned.dt);
+        control = make_step_control(parameters);
       }
   }
 
@@ -326,6 +238,8 @@ namespace auxfem
     if (stages)
       stages->accept();
     raise_largest_energy(solution.state, trial.state);
+    if (jumps && jumps->is_jump())
+      watches_of_scene.expect_jump();
     watches_of_scene.step(step, trial.results, solvers->tangent);
     trial.state.step = solution.state.step;
     std::swap(solution, trial);
@@ -396,6 +310,13 @@ namespace auxfem
     if (creates_energy(step))
       return reject(
         "the step would create energy (more than Time/Largest energy error)");
+    if (jumps)
+      if (const std::string why = jumps->rejection_reason(
+            step,
+            solvers->newton.predicted_increment(),
+            watches_of_scene.changes_stability(step, solvers->tangent));
+          !why.empty())
+        return reject(why);
     const double error_of_step = error ? relative_error(step) : 0;
     if (control->may_be_accepted(error_of_step))
       return true;
@@ -424,6 +345,9 @@ namespace auxfem
       guess_ahead(rule, step, equations.model());
     if (equations.is_linear())
       go_on_as_before(rule, step);
+    Vector increment;
+    if (jumps && jumps->guess(step, rotations, increment))
+      rule.correct(step.from, increment, step.dt, step.to);
     rotations.follow(step);
     if (scheme.is_dynamic())
       prescribe_motion(equations.model(), step);

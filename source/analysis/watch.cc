@@ -21,6 +21,13 @@ namespace auxfem
     {
       return equations.model().simulated.contact && scene.contact.friction > 0;
     }
+    bool is_free_in_space(const Scene &scene, const Equations &equations)
+    {
+      const LatticeModel &model = equations.model();
+      return model.lattice.dimension == 3 && model.simulated.large_rotation &&
+        model.supports.empty() && model.lattice.rigid_parts.empty() &&
+        scene.plates.empty();
+    }
   } // namespace
 
   std::string shorter_step_text(const double          scene_step,
@@ -40,7 +47,7 @@ namespace auxfem
     const SimulatedEffects &simulated   = equations.model().simulated;
     const bool              has_inertia = simulated.inertia;
     const bool              has_struts  = !equations.reporting().struts.empty();
-    watches.push_back(make_energy_watch(equations));
+    watches.push_back(make_energy_watch(scene, equations));
     // What is linear is as stable as at the start, where mechanisms are
     // refused.
     // A path counts what is unstable itself.
@@ -54,6 +61,9 @@ namespace auxfem
         watches.push_back(make_step_watch(scene, equations));
         watches.push_back(make_load_step_watch(scene));
       }
+    if (has_inertia && scene.time.relative_tolerance &&
+        is_free_in_space(scene, equations))
+      watches.push_back(make_spin_watch(scene, equations));
     // Time of elastic statics is but a parameter.
     if (!has_inertia &&
         (simulated.connector_viscosity || simulated.strut_damping ||
@@ -102,6 +112,14 @@ namespace auxfem
   {
     for (const auto &watch : watches)
       watch->step(step, results, solver);
+  }
+
+  bool Watches::changes_stability(const Evaluation &step, TangentSolver &solver)
+  {
+    bool one_does = false;
+    for (const auto &watch : watches)
+      one_does = watch->changes_stability(step, solver) || one_does;
+    return one_does;
   }
 
   std::vector<Finding> Watches::findings() const

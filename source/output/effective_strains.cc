@@ -205,7 +205,7 @@ namespace auxfem
       axes.add(initial, nonzero(initial.velocity));
     for (const LineLoadDefinition &load : scene.line_loads)
       axes.add(acting(load.components));
-    axes.add(nonzero(scene.gravity));
+    axes.add(acting(scene.gravity.acceleration));
     return axes.only_or(1);
   }
 

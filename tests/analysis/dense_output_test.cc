@@ -199,7 +199,7 @@ TEST(DenseOutput, ForcesOfStiffStrutsAreThoseOfTheSteps)
           // The rod starts without strains and rings about its mean stretch.
           EXPECT_LE(std::hypot(x[i], y[i]), 2.1 * force) << scheme << ' ' << i;
           EXPECT_LE(stored[i], 4.5 * strain) << scheme << ' ' << i;
-          EXPECT_NEAR(balance[i], 0, 1e-4 * kinetic[0]) << scheme << ' ' << i;
+          EXPECT_NEAR(balance[i], 0, 1e-3 * kinetic[0]) << scheme << ' ' << i;
         }
     }
 }

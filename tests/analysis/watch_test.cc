@@ -199,6 +199,20 @@ TEST(LoadStepWatch, KnowsWhatStepsMissOfAPulse)
     findings_of(pushed_mass(three_steps), {"Time/Scheme=esdirk"}).empty());
 }
 
+TEST(LoadStepWatch, KnowsWholePeriodsWithinSteps)
+{
+  // Zero at all ends of steps, as its impulse over each.
+  for (const char *load : {"sin(20 * pi * t)", "sin(60 * pi * t)"})
+    for (const char *scheme : {"newmark", "energy-momentum"})
+      {
+        const auto found = findings_of(pushed_mass(load),
+                                       {std::string("Time/Scheme=") + scheme});
+        ASSERT_GE(found.size(), 1u) << load << ' ' << scheme;
+        EXPECT_EQ(found[0].verdict, Verdict::doubtful);
+        expect_contains(found[0].text, {"Loads/push/Force x", "within steps"});
+      }
+}
+
 // Steps end at kinks and jumps.
 TEST(LoadStepWatch, PassesLoadsOfStraightLines)
 {
@@ -243,6 +257,19 @@ TEST(StabilityWatch, SaysWhenAColumnBucklesInMotion)
   EXPECT_NE(pressed[0].text.find("disturbance"), std::string::npos);
   const auto below = findings_of(column, with("-4 * min(1, 10 * t)"));
   EXPECT_TRUE(below.empty()) << verdict_text(below);
+}
+
+TEST(StabilityWatch, LooksAtMotionsOfFewStepsToo)
+{
+  // A disturbance grows as exp(13 t / s), here over 2 s in 40 iterations.
+  const std::vector<std::string> few   = {"Time/Scheme=newmark",
+                                          "Time/Time step=50 ms",
+                                          "Time/End time=2",
+                                          "Loads/press/Force x=-40 * min(1, t)"};
+  const auto                     found = findings_of(column, few);
+  ASSERT_GE(found.size(), 1u);
+  EXPECT_EQ(found[0].verdict, Verdict::doubtful);
+  expect_contains(found[0].text, {"Stability is lost", "disturbance"});
 }
 
 TEST(StabilityWatch, LooksAtLoadsThatFollowTheJointToo)
@@ -354,4 +381,31 @@ TEST(StrainWatch, KnowsTheStrainOfABarAndItsOuterFibres)
   };
   EXPECT_EQ(verdict_of(bent(0.49)), Verdict::sound);
   EXPECT_EQ(verdict_of(bent(0.51)), Verdict::doubtful);
+}
+
+TEST(SpinWatch, KnowsAxesAboutWhichDisturbancesGrow)
+{
+  // A T that spins about its axis of the middle moment of inertia (x) and of
+  // the largest (z): bars of 2 m along y and of 1 m along x.
+  const auto spin = [](const std::string &axis) {
+    return findings_of(
+      SceneText()
+        .dimension(3)
+        .frame("0 -1 0; 0 0 0; 0 1 0; 1 0 0", "0 1; 1 2; 1 3")
+        .circle("bar", 0.05, {200e9, 7800, 0.3})
+        .add("Initial velocities/spin",
+             "Joints = all | Angular velocity " + axis + " = 10")
+        .mesh(2)
+        .time(2, 0.05, "esdirk")
+        .set("Time/Relative tolerance", "1e-4"));
+  };
+  const auto grows = [](const Finding &finding) {
+    return finding.text.find("spins about an axis") != std::string::npos;
+  };
+  const auto middle = spin("x"), largest = spin("z");
+  const auto found = std::find_if(middle.begin(), middle.end(), grows);
+  ASSERT_NE(found, middle.end()) << verdict_text(middle);
+  EXPECT_EQ(found->verdict, Verdict::doubtful);
+  EXPECT_TRUE(std::none_of(largest.begin(), largest.end(), grows))
+    << verdict_text(largest);
 }

@@ -88,6 +88,21 @@ namespace auxfem
       kept.reset();
     }
 
+    /**
+     * No static step from @p start has a solution. If it is without forces,
+     * increments from there are shortened to small turns from now on: a
+     * straight cable resists by tension only, and its tangent predicts any
+     * motion. Returns whether another attempt is worth while.
+     */
+    bool allow_slack(const State &start);
+
+    /** First increment of the last static step, along the tangent at its start
+     * (m, rad). */
+    const Vector &predicted_increment() const
+    {
+      return first_increment;
+    }
+
     /** Keeps the factorization with its solver, and what it belongs to. */
     void save(Records &records) const;
     void resume(const Records &records);
@@ -161,6 +176,7 @@ namespace auxfem
     /** The last one that line search may shorten, rotations in space as spins.
      */
     Vector              way;
+    Vector              first_increment;
     std::optional<Kept> kept;
     /** What the run that is resumed had kept, if it is to be assembled again.
      */
@@ -170,6 +186,8 @@ namespace auxfem
     bool has_failed = false;
     /** Whether forces of contact may begin in the step. */
     bool may_touch = false;
+    /** Whether increments are shortened, and whether they are in this step. */
+    bool allows_slack = false, is_slack = false;
   };
 } // namespace auxfem
 

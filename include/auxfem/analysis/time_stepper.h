@@ -3,6 +3,7 @@
 
 #include <auxfem/analysis/consistent_rates.h>
 #include <auxfem/analysis/dense_output.h>
+#include <auxfem/analysis/equilibrium_jumps.h>
 #include <auxfem/analysis/newton.h>
 #include <auxfem/analysis/stages.h>
 #include <auxfem/analysis/step_error.h>
@@ -192,7 +193,9 @@ namespace auxfem
     std::optional<StepError> error;
     const StepEnds           ends;
     Watches                  watches_of_scene;
-    std::string              last_failure;
+    /** One of the watches; only of nonlinear equilibria. */
+    EquilibriumJumps *jumps = nullptr;
+    std::string       last_failure;
     /** Of the last step, over the one that is allowed; 0: it failed for another
      * reason, or did not. */
     double rejected_error = 0;

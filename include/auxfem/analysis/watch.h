@@ -33,6 +33,22 @@ namespace auxfem
                       const EvaluationResults &results,
                       TangentSolver           &solver) = 0;
 
+    /**
+     * Whether the ends of a static step, solved but not yet accepted, have
+     * different numbers of negative modes.
+     * @param solver as step()
+     */
+    virtual bool changes_stability(const Evaluation & /*step*/,
+                                   TangentSolver & /*solver*/)
+    {
+      return false;
+    }
+
+    /** The next step leads to another equilibrium than the connected one, which
+     * is known: the energy that is set free is no error. */
+    virtual void expect_jump()
+    {}
+
     /** What it makes of the run so far; the same on all ranks. */
     virtual std::vector<Finding> findings() const = 0;
 
@@ -68,16 +84,30 @@ namespace auxfem
      * what they do. */
     Watches(const Scene &scene, const Equations &equations, Work &work);
 
-    /** One more, which looks at what the others do not. Before start(). */
-    void add(std::unique_ptr<Watch> watch)
+    /** One more, which looks at what the others do not; returns it. Before
+     * start(). */
+    template <class Added>
+    Added *add(std::unique_ptr<Added> watch)
     {
+      Added *const added = watch.get();
       watches.push_back(std::move(watch));
+      return added;
     }
 
     void start(const State &state);
     void step(const Evaluation        &step,
               const EvaluationResults &results,
               TangentSolver           &solver);
+
+    /** Whether one says so. */
+    bool changes_stability(const Evaluation &step, TangentSolver &solver);
+
+    /** Says so to all. */
+    void expect_jump()
+    {
+      for (const auto &watch : watches)
+        watch->expect_jump();
+    }
 
     /** Of all, the worst first. */
     std::vector<Finding> findings() const;
@@ -96,7 +126,8 @@ namespace auxfem
   ///@{
   /** Of energy that is not accounted for, or that a scheme with inertia gives
    * or takes. */
-  std::unique_ptr<Watch> make_energy_watch(const Equations &equations);
+  std::unique_ptr<Watch> make_energy_watch(const Scene     &scene,
+                                           const Equations &equations);
 
   /** Of steps that are long for the motion that they follow. With inertia. */
   std::unique_ptr<Watch> make_step_watch(const Scene     &scene,
@@ -159,6 +190,11 @@ namespace auxfem
   make_small_displacement_watch(const Scene     &scene,
                                 const Equations &equations,
                                 Work            &work);
+
+  /** Of free lattices in space whose spin makes errors grow beyond the
+   * tolerance that the steps follow. Without rigid parts. */
+  std::unique_ptr<Watch> make_spin_watch(const Scene     &scene,
+                                         const Equations &equations);
 
   /** Of equilibria and motions that a disturbance would leave. */
   std::unique_ptr<Watch> make_stability_watch(const Scene     &scene,

@@ -1,18 +1,37 @@
 #include <auxfem/analysis/watch.h>
 #include <auxfem/output/energy_judgement.h>
+#include <auxfem/scene/step_ends.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace auxfem
 {
   namespace
   {
+    bool has_loads_at_start(const Scene &scene)
+    {
+      std::vector<TimeFunction> functions = functions_of_time(scene);
+      functions.insert(functions.end(),
+                       scene.gravity.acceleration.begin(),
+                       scene.gravity.acceleration.end());
+      return std::any_of(functions.begin(),
+                         functions.end(),
+                         [](const TimeFunction &function) {
+                           return function.value_after(0) != 0;
+                         });
+    }
+
     class EnergyWatch : public Watch
     {
     public:
-      EnergyWatch(const Equations &equations, const EnergyJudgement::Kind kind)
+      EnergyWatch(const Scene                &scene,
+                  const Equations            &equations,
+                  const EnergyJudgement::Kind kind)
         : equations(equations)
         , judgement(kind)
+        , starts_with_loads(kind == EnergyJudgement::Kind::static_steps &&
+                            has_loads_at_start(scene))
       {}
 
       void start(const State &state) override
@@ -25,10 +44,19 @@ namespace auxfem
                 TangentSolver & /*solver*/) override
       {
         const Energies &energies = step.to.energies;
+        // What loads do that are there at once depends on how they are raised.
+        if (expects_jump || (starts_with_loads && step.from.largest_force == 0))
+          judgement.start(energies);
+        expects_jump = false;
         judgement.add(energies,
                       step.to.time,
                       judgement.is_off(energies) ? round_off(step, results)
                                                  : 0.);
+      }
+
+      void expect_jump() override
+      {
+        expects_jump = true;
       }
 
       std::vector<Finding> findings() const override
@@ -63,13 +91,17 @@ namespace auxfem
 
       const Equations &equations;
       EnergyJudgement  judgement;
+      const bool       starts_with_loads; ///< in statics
+      bool             expects_jump = false;
     };
   } // namespace
 
-  std::unique_ptr<Watch> make_energy_watch(const Equations &equations)
+  std::unique_ptr<Watch> make_energy_watch(const Scene     &scene,
+                                           const Equations &equations)
   {
     using Kind = EnergyJudgement::Kind;
-    return std::make_unique<EnergyWatch>(equations,
+    return std::make_unique<EnergyWatch>(scene,
+                                         equations,
                                          equations.model().simulated.inertia
                                            ? Kind::motion
                                            : equations.layout().path

@@ -3,6 +3,7 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
+#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -24,9 +25,11 @@ namespace auxfem
     };
 
     /**
-     * Of loads that change within steps: by the trapezoidal rule that a step
-     * takes them by, against Gauss' of three points. What another scheme misses
-     * is that of the vibration of which the rule would miss so much.
+     * Of loads that change within steps: their distance from the straight line
+     * between the ends of a step, by Gauss' rule. Amounts are summed, as the
+     * impulse of a whole period within a step is zero. What another scheme
+     * misses is that of the vibration of which the trapezoidal rule would miss
+     * so much.
      */
     class LoadStepWatch : public Watch
     {
@@ -45,22 +48,22 @@ namespace auxfem
                 const EvaluationResults & /*results*/,
                 TangentSolver & /*solver*/) override
       {
-        const double begin = step.from.time, end = step.to.time;
+        const double             begin = step.from.time, end = step.to.time;
+        const dealii::QGauss<1> &points = rules[step.from.step % rules.size()];
         for (Impulse &impulse : impulses)
           {
-            const TimeFunction &load = *impulse.load;
-            const double        mean =
-              (load.value_after(begin) + load.value_before(end)) / 2;
-            double exact = 0, amount = 0;
+            const TimeFunction &load  = *impulse.load;
+            const double        first = load.value_after(begin),
+                         last         = load.value_before(end);
             for (unsigned int q = 0; q < points.size(); ++q)
               {
-                const double value =
-                  load.value(begin + (end - begin) * points.point(q)[0]);
-                exact += points.weight(q) * value;
-                amount += points.weight(q) * std::abs(value);
+                const double part  = points.point(q)[0],
+                             dt    = (end - begin) * points.weight(q),
+                             value = load.value(begin + (end - begin) * part);
+                impulse.missed +=
+                  dt * std::abs(value - first - part * (last - first));
+                impulse.whole += dt * std::abs(value);
               }
-            impulse.missed += (end - begin) * std::abs(mean - exact);
-            impulse.whole += (end - begin) * amount;
           }
         time = end;
       }
@@ -118,11 +121,13 @@ namespace auxfem
         return {Verdict::doubtful, text.str(), time, ""};
       }
 
-      const double            scene_step; ///< s
-      const ImplicitScheme   &scheme;
-      std::vector<Impulse>    impulses;
-      double                  time = 0; ///< s
-      const dealii::QGauss<1> points{3};
+      const double          scene_step; ///< s
+      const ImplicitScheme &scheme;
+      std::vector<Impulse>  impulses;
+      double                time = 0; ///< s
+      /** In turn, so that no periodic load hides between their points. */
+      const std::array<dealii::QGauss<1>, 3> rules = {
+        {dealii::QGauss<1>(3), dealii::QGauss<1>(4), dealii::QGauss<1>(5)}};
     };
   } // namespace
 

@@ -166,14 +166,25 @@ namespace auxfem
         , first(scene)
       {}
 
-      void step(const Evaluation &step,
-                const EvaluationResults & /*results*/,
-                TangentSolver &newtons) override
+      bool changes_stability(const Evaluation &step,
+                             TangentSolver    &newtons) override
       {
         const std::optional<NegativeModes> on_the_way =
           newtons.new_negative_modes();
-        last = on_the_way && on_the_way->n == 0 ? 0 : look_at(step);
-        most = std::max(most, last);
+        now =
+          on_the_way && on_the_way->n == 0 ? NegativeModes() : look_at(step);
+        return now.n != last;
+      }
+
+      void step(const Evaluation &step,
+                const EvaluationResults & /*results*/,
+                TangentSolver & /*newtons*/) override
+      {
+        last     = now.n;
+        most     = std::max(most, last);
+        is_least = is_least || now.is_least;
+        if (last > 0 && !first)
+          note_loss(step);
       }
 
       std::vector<Finding> findings() const override
@@ -209,28 +220,40 @@ namespace auxfem
       }
 
     private:
-      /** Negative modes at step.to. */
-      unsigned long look_at(const Evaluation &step)
+      static constexpr TangentFactors stiffness = {1., 0., 0.};
+
+      /** Calls @p check with the evaluation of the equilibrium at step.to. */
+      template <class Check>
+      auto at_end(const Evaluation &step, const Check &check)
       {
-        constexpr TangentFactors stiffness = {1., 0., 0.};
-        State                    end       = step.to;
-        const Evaluation         again =
+        State            end = step.to;
+        const Evaluation again =
           Evaluation::static_step(step.from, end, step.dt);
         aside.evaluate(again);
-        auto modes = aside.negative_modes(again, stiffness);
+        return check(again);
+      }
+
+      /** Negative modes at step.to. */
+      NegativeModes look_at(const Evaluation &step)
+      {
+        const auto modes = at_end(step, [this](const Evaluation &end) {
+          return aside.negative_modes(end, stiffness);
+        });
         // At an equilibrium the stiffness is not symmetric only where loads do
         // not keep their direction.
-        if (!modes)
-          modes = aside.negative_modes_by_determinant();
-        is_least = is_least || modes->is_least;
-        if (modes->n > 0 && !first)
-          first.note(end.time,
-                     aside.location_of_softest_mode(again, stiffness));
-        return modes->n;
+        return modes ? *modes : aside.negative_modes_by_determinant();
+      }
+
+      void note_loss(const Evaluation &step)
+      {
+        first.note(step.to.time, at_end(step, [this](const Evaluation &end) {
+                     return aside.location_of_softest_mode(end, stiffness);
+                   }));
       }
 
       TangentAside  aside;
       FirstLoss     first;
+      NegativeModes now; ///< of the step last solved
       unsigned long most = 0, last = 0;
       bool          is_least = false; ///< as NegativeModes
     };
@@ -255,7 +278,8 @@ namespace auxfem
                 TangentSolver & /*solver*/) override
       {
         const bool is_last = step.to.time >= end_time;
-        if (work.iterations < next_look && !is_last)
+        if (work.iterations < next_look &&
+            step.to.time < last_look + end_time / n_looks && !is_last)
           return;
         const double rate = growth_rate(step);
         exponent += std::min(rate, last_rate) * (step.to.time - last_look);
@@ -301,8 +325,10 @@ namespace auxfem
     private:
       /** A disturbance of a 1e-5th part becomes as large as the motion. */
       static constexpr double doubtful_exponent = 11.5;
-      /** Newton's iterations between two looks: a look costs as much as about
-       * nine. */
+      /** In a run at least: growth between two looks is not seen in full. */
+      static constexpr unsigned int n_looks = 20;
+      /** Newton's iterations between two looks, at most: a look costs as much
+       * as about nine. */
       static constexpr unsigned long iterations_while_stable   = 600,
                                      iterations_while_unstable = 50;
 

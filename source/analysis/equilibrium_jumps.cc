@@ -1,0 +1,179 @@
+#include <auxfem/analysis/equilibrium_jumps.h>
+#include <auxfem/model/unknown_names.h>
+#include <auxfem/scene/time_function_notes.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace auxfem
+{
+  namespace
+  {
+    const std::string jump_record = "equilibrium jumps";
+
+    /** Distance from the tangent's prediction over that prediction or, near a
+     * limit point where the tangent predicts any motion, over that of the step
+     * before. The last long steps to a limit point reach it and are halved. */
+    constexpr double largest_deviation = 2;
+
+    /** Part of all motion so far below which a deviation is no jump. */
+    constexpr double negligible_motion = 1e-3;
+
+    /** Part of the scene's step: a connected motion has shrunk by the same
+     * factor there, a jump has not. */
+    constexpr double shortest_part = 1. / 64;
+
+    /** Part of the motion of the longest step that a jump keeps in the
+     * shortest; a connected path, with the root of the load at a limit point,
+     * keeps less. */
+    constexpr double unshrunk_motion = 0.25;
+
+    /** Part of the prediction kept in half a step that shows loads to jump. */
+    constexpr double unshrunk_prediction = 0.75;
+  } // namespace
+
+  EquilibriumJumps::EquilibriumJumps(const LatticeModel &model,
+                                     const Scene        &scene)
+    : model(model)
+    , scene(scene)
+  {}
+
+  std::string EquilibriumJumps::rejection_reason(const Evaluation &step,
+                                                 const Vector     &predicted,
+                                                 const bool changes_stability)
+  {
+    candidate.reset();
+    const auto largest = [this](const Vector &vector) {
+      return largest_motion(model, vector).first;
+    };
+    const State &from   = step.from;
+    Vector       motion = step.to.displacement;
+    add_multiple(-1., from.displacement, motion);
+    const double size = largest(motion), by_tangent = largest(predicted);
+    Vector       difference = motion;
+    add_multiple(-1., predicted, difference);
+    const double deviation = largest(difference);
+    double       expected  = by_tangent;
+    if (from.before)
+      {
+        Vector before = from.displacement;
+        add_multiple(-1., from.before->displacement, before);
+        expected =
+          std::min(expected, step.dt / from.before->dt * largest(before));
+      }
+    const bool is_far = deviation > largest_deviation * expected &&
+      deviation > negligible_motion * largest(step.to.displacement);
+    if (!is_far && !changes_stability)
+      return "";
+    const bool follows_load_jump = last_attempt &&
+      last_attempt->time == from.time &&
+      by_tangent > unshrunk_prediction * last_attempt->predicted;
+    const bool is_shortest =
+      step.dt <= (1 + 1e-9) * shortest_part * scene.time.step;
+    if (!allows_jumps && !is_shortest && !follows_load_jump)
+      {
+        largest_size = std::max(size, largest_size);
+        last_attempt = {from.time, by_tangent};
+        if (is_far)
+          beyond = step.to;
+        return is_far ? "the equilibrium lies far from the predicted one"
+                      : "the stability changes within the step";
+      }
+    if (is_far && !follows_load_jump &&
+        (allows_jumps || size > unshrunk_motion * largest_size))
+      {
+        std::vector<double> sizes(model.numbering.layout().n_owned(), 0.);
+        for (unsigned int i = 0; i < sizes.size(); ++i)
+          if (!model.numbering.unknowns().is_rotation[i])
+            sizes[i] = std::abs(motion[i]);
+        candidate = {from.time,
+                     step.to.time,
+                     size,
+                     describe_largest(model.numbering, sizes)};
+      }
+    return "";
+  }
+
+  bool EquilibriumJumps::allow_jumps()
+  {
+    if (!beyond || allows_jumps)
+      return false;
+    allows_jumps = true;
+    return true;
+  }
+
+  double EquilibriumJumps::target(const double time) const
+  {
+    return allows_jumps && beyond ? std::min(time, beyond->time) : time;
+  }
+
+  bool EquilibriumJumps::guess(const Evaluation    &step,
+                               const NodeRotations &rotations,
+                               Vector              &increment) const
+  {
+    if (!allows_jumps || !beyond || beyond->time != step.to.time)
+      return false;
+    increment = beyond->displacement;
+    add_multiple(-1., step.to.displacement, increment);
+    for (unsigned int i = 0; i < beyond->rotations.size(); ++i)
+      rotations.set_values(rotation_vector(beyond->rotations[i] *
+                                           conjugate(step.to.rotations[i])),
+                           i,
+                           increment);
+    rotations.rotate(step, increment);
+    return true;
+  }
+
+  void EquilibriumJumps::step(const Evaluation & /*step*/,
+                              const EvaluationResults & /*results*/,
+                              TangentSolver & /*solver*/)
+  {
+    if (allows_jumps)
+      beyond.reset();
+    if (!candidate)
+      return;
+    ++n_jumps;
+    if (!first)
+      first = candidate;
+  }
+
+  std::vector<Finding> EquilibriumJumps::findings() const
+  {
+    if (!first)
+      return {};
+    std::ostringstream text;
+    text.precision(3);
+    const std::string loads = load_values_text(scene, first->time);
+    text << "The equilibrium jumps between t = " << first->time << " s and "
+         << first->end << " s" << (loads.empty() ? "" : " (" + loads + ")")
+         << " by " << first->size << " m, most at the " << first->location;
+    if (n_jumps > 1)
+      text << ", and " << n_jumps - 1 << " more times later";
+    text
+      << ". No shorter step follows a connected path: it ends in a limit "
+         "point (snap-through), and the new equilibrium is one of several. "
+         "Compute with inertia, prescribe a motion in place of the force, or "
+         "follow the path with `Analysis = static path`.";
+    return {{Verdict::doubtful, text.str(), first->time, first->location}};
+  }
+
+  void EquilibriumJumps::save(Records &records) const
+  {
+    const Jump jump = first.value_or(Jump());
+    records.keep(jump_record,
+                 {double(n_jumps), jump.time, jump.end, jump.size});
+    records.keep_text(jump_record + ": location", jump.location);
+  }
+
+  void EquilibriumJumps::resume(const Records &records)
+  {
+    const std::vector<double> values = records.values(jump_record, 4);
+    n_jumps                          = values[0];
+    if (n_jumps > 0)
+      first = {values[1],
+               values[2],
+               values[3],
+               records.text(jump_record + ": location")};
+  }
+} // namespace auxfem
