@@ -26,9 +26,14 @@ namespace auxfem
   Eigenpairs nearest_eigenpairs(const ShiftedEigenproblem &problem,
                                 const unsigned int         n)
   {
-    Eigenpairs found = problem.n_finite < 4 * n_krylov_directions(n)
-      ? dense_eigenpairs(problem, n)
-      : krylov_eigenpairs(problem, n);
+    // Mechanisms have more equal eigenvalues than a Krylov space tells apart.
+    constexpr unsigned int most_dense = 1500; // unknowns, some seconds
+    const bool are_few = problem.n_finite < 4 * n_krylov_directions(n);
+    Eigenpairs found =
+      are_few ? dense_eigenpairs(problem, n) : krylov_eigenpairs(problem, n);
+    if (!are_few && !found.why.empty() &&
+        problem.layout.n_global() <= most_dense)
+      found = dense_eigenpairs(problem, n);
     std::sort(found.pairs.begin(),
               found.pairs.end(),
               [](const Eigenpair &one, const Eigenpair &other) {
