@@ -12,13 +12,15 @@ namespace auxfem
      * positions in a scene are often rounded to seven digits. */
     constexpr double in_line = 1e-6;
 
-    bool has_moment(const JointLoadDefinition &load)
+    /** A force that follows its joint turns with it. */
+    bool turns(const JointLoadDefinition &load)
     {
-      return std::any_of(load.components.begin() + first_rotation,
-                         load.components.end(),
-                         [](const TimeFunction &component) {
-                           return !component.is_zero();
-                         });
+      return load.follows_joint ||
+        std::any_of(load.components.begin() + first_rotation,
+                    load.components.end(),
+                    [](const TimeFunction &component) {
+                      return !component.is_zero();
+                    });
     }
 
     /** Joints whose rotation something may act on beside the struts there. */
@@ -37,7 +39,7 @@ namespace auxfem
                joints_of(support, lattice, scene.context))
             is_held[joint] = true;
       for (const JointLoadDefinition &load : scene.joint_loads)
-        if (has_moment(load))
+        if (turns(load))
           for (const unsigned int joint :
                joints_of(load, lattice, scene.context))
             is_held[joint] = true;
@@ -83,7 +85,7 @@ namespace auxfem
           {
             chain.push_back(end.strut);
             const StrutEnd other = {end.strut, 1 - end.end};
-            if (is_ball_hinge(other))
+            if (is_free_end(other))
               return chain;
             const unsigned int joint =
               lattice.struts[end.strut].joints[other.end];
@@ -107,6 +109,16 @@ namespace auxfem
       bool is_ball_hinge(const StrutEnd &end) const
       {
         return is_released(end) && !is_coupled[end.strut][end.end];
+      }
+
+      /** Or one that ends alone at a joint that nothing turns or holds, as on a
+       * support of type pin. */
+      bool is_free_end(const StrutEnd &end) const
+      {
+        const unsigned int joint = lattice.struts[end.strut].joints[end.end];
+        return is_ball_hinge(end) ||
+          (!is_released(end) && !is_held[joint] &&
+           rigid_ends[joint].size() == 1);
       }
 
       bool is_straight(const unsigned int strut) const

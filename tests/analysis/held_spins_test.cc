@@ -94,6 +94,10 @@ TEST(HeldSpins, TrussOfBallHingesMovesAsItsBarsStretch)
       EXPECT_NEAR(run.motion(3, 1), 0, 1e-12);
       EXPECT_NEAR(run.motion(3, 2), -2e4 / K.up, error * 2e4 / K.up);
     }
+  // Feet that turn in their supports need no hinges.
+  SceneRun run(loaded(tripod()).hinge("pins", "3").linear());
+  run.run();
+  EXPECT_NEAR(run.motion(3, 0), 1e4 / K.across, 1e-9 * 1e4 / K.across);
 }
 
 TEST(HeldSpins, AreToldOnce)
@@ -212,5 +216,13 @@ TEST(HeldSpins, AreThoseOfStraightBarsThatNothingTurns)
   EXPECT_EQ(n_free_spins(
               straight_bar(2).set("Lattice/Joints", "0 0 0; 0.5 0.1 0; 1 0 0")),
             0u);
-  EXPECT_EQ(n_free_spins(straight_bar(1).hinge("pins", "0")), 0u);
+  // One end is released, the other turns in its support.
+  const SceneText on_pin =
+    straight_bar(1).hinge("pins", "0").support("end", "1", "pin");
+  EXPECT_EQ(n_free_spins(on_pin), 1u);
+  EXPECT_EQ(n_free_spins(SceneText(on_pin).support("end", "1", "clamp")), 0u);
+  EXPECT_EQ(
+    n_free_spins(
+      SceneText(on_pin).load("turn", "1", {"0", "0", "0"}, {"1", "0", "0"})),
+    0u);
 }

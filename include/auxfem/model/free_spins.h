@@ -16,9 +16,10 @@ namespace auxfem
 
   /**
    * The bars between ball hinges: straight elastic struts in space released by
-   * a hinge at both ends, or several in line that are rigidly connected with
-   * each other alone and so released at both outer ends. No load can turn them
-   * about their own axis. None in the plane.
+   * a hinge at both ends, or at one and alone at a joint that may turn at the
+   * other; or several in line, rigidly connected with each other alone, with
+   * such outer ends. No load can turn them about their own axis. None in the
+   * plane.
    * @param releases of @p lattice
    */
   std::vector<FreeSpin> free_spins(const Scene                     &scene,
