@@ -252,56 +252,6 @@ namespace auxfem
     return forces;
   }
 
-  bool SmallDisplacementEstimate::find_stiffness(const State &state)
-  {
-    if (stiffness)
-      return is_regular;
-    stiffness =
-      std::make_unique<TangentSolver>(equations, scene.solver, effort);
-    State             now        = state;
-    EvaluationResults results    = equations.make_results();
-    const Evaluation  evaluation = Evaluation::equilibrium(state, now);
-    stiffness->residual(evaluation, results);
-    stiffness->assemble(evaluation, results, {1, 0, 0});
-    is_regular = stiffness->factorize();
-    return is_regular;
-  }
-
-  SmallDisplacementError
-  SmallDisplacementEstimate::with_stiffness(const SmallDisplacementError &found,
-                                            const State                  &state)
-  {
-    const LatticeModel &model = equations.model();
-    const double largest      = largest_motion(model, state.displacement).first,
-                 elastic = state.energies.strain() + state.energies.stored();
-    if (largest == 0 || elastic <= 0 || !find_stiffness(state))
-      return found;
-    const UnknownLayout &layout = equations.unknowns().layout;
-    const Vector         forces = forces_by_turning(state);
-    // Displacements change by minus K^-1 times these, to first order.
-    Vector change(forces.size(), 0.);
-    for (unsigned int i = 0; i < layout.n_owned(); ++i)
-      if (equations.unknowns().kinds[i] != UnknownKind::prescribed)
-        change[i] = -forces[i];
-    if (!stiffness->solve(change))
-      return found;
-    double twice_energy = 0;
-    for (unsigned int i = 0; i < layout.n_owned(); ++i)
-      twice_energy -= forces[i] * change[i];
-    twice_energy = layout.sum(twice_energy);
-    // The forces change as the square root of their energy.
-    const double of_displacements =
-                   largest_motion(model, change).first / largest,
-                 of_forces =
-                   std::sqrt(std::max(0., twice_energy) / (2 * elastic));
-    SmallDisplacementError error = found;
-    error.second_order =
-      std::max(found.beyond_buckling,
-               std::min(found.second_order,
-                        std::max(of_displacements, of_forces)));
-    return error;
-  }
-
   SmallDisplacementError SmallDisplacementEstimate::at(const State &state) const
   {
     const Vector       &displacement = state.displacement;
@@ -344,7 +294,6 @@ namespace auxfem
     return {worst.error.rotation,
             std::max(worst.error.second_order,
                      of_all_struts(work, axial_energy, state)),
-            worst.error.second_order,
             worst.error.strain,
             location_of(worst),
             equations.unknowns().layout.largest(largest),

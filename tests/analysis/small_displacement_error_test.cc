@@ -245,6 +245,8 @@ TEST(SmallDisplacementWatch, KnowsThatFramesOfStretchedBarsAreNotSoftened)
       .time(1, 1, "static");
   };
   for (const SpaceTexts &force : {SpaceTexts{"1e3*t", "0", "-2e3*t"},
+                                  // One bar beyond its load with hinged ends.
+                                  SpaceTexts{"2e3*t", "0", "-4e3*t"},
                                   SpaceTexts{"0", "0", "2e3*t"},
                                   SpaceTexts{"1e3*t", "0", "4e3*t"}})
     {
@@ -256,6 +258,10 @@ TEST(SmallDisplacementWatch, KnowsThatFramesOfStretchedBarsAreNotSoftened)
         findings_of(text.str(), {"Effects/Large rotation=off"});
       EXPECT_TRUE(found.empty()) << verdict_text(found);
     }
+  // There it buckles.
+  EXPECT_EQ(verdict_of(findings_of(tripod({"6e3*t", "0", "-12e3*t"}).str(),
+                                   {"Effects/Large rotation=off"})),
+            Verdict::not_to_be_used);
 }
 
 TEST(SmallDisplacementWatch, TellsLoadsThatCarryTransversely)

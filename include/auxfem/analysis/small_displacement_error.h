@@ -1,12 +1,10 @@
 #ifndef auxfem_analysis_small_displacement_error_h
 #define auxfem_analysis_small_displacement_error_h
 
-#include <auxfem/analysis/tangent_solver.h>
+#include <auxfem/equations/equations.h>
 
 #include <array>
-#include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace auxfem
@@ -25,8 +23,6 @@ namespace auxfem
      * strut over its buckling load with hinged ends, if it is beyond that.
      */
     double second_order = 0;
-    /** The latter of both. */
-    double beyond_buckling = 0;
     /** Axial strain of a strut. */
     double strain = 0;
     /** `strut 3`, say; empty: nothing moves. */
@@ -71,24 +67,8 @@ namespace auxfem
      * SmallDisplacementError::compressions. Collective. */
     SmallDisplacementError at(const State &state) const;
 
-    /**
-     * The same with the effect of axial forces found by the stiffness of the
-     * whole structure, in place of that on the energy of bending. Where struts
-     * carry loads along their axes, bending is slight and axial forces change
-     * much of it, but neither displacements nor forces.
-     *
-     * Costs a solution, the first time a factorization. Returns @p found where
-     * there is no stiffness that has a solution, as of what moves freely.
-     * @param found of at() for @p state. Collective.
-     */
-    SmallDisplacementError with_stiffness(const SmallDisplacementError &found,
-                                          const State                  &state);
-
-    /** What with_stiffness() has done since the last call. */
-    Work take_effort()
-    {
-      return std::exchange(effort, Work());
-    }
+    /** What axial forces do on turned chords (N), by local unknown. */
+    Vector forces_by_turning(const State &state) const;
 
     /** Those that this rank counts, sorted. */
     const std::vector<unsigned int> &struts() const
@@ -138,14 +118,9 @@ namespace auxfem
 
     /** Mean along an element (N), positive in tension. */
     double axial_force(const Chord &chord, const State &state) const;
-    /** What axial forces do on turned chords (N), by local unknown. */
-    Vector forces_by_turning(const State &state) const;
-    /** Factorizes the stiffness at @p state, once; returns whether it has a
-     * solution. */
-    bool find_stiffness(const State &state);
-    void add_chords(const StrutGroup &group);
-    void count_struts();
-    void add_connectors(unsigned int group);
+    void   add_chords(const StrutGroup &group);
+    void   count_struts();
+    void   add_connectors(unsigned int group);
     /** The largest of both ends of an element (rad). */
     double node_rotation(const Chord &chord, const Vector &displacement) const;
     /** Work of axial forces over the energy of bending, in all struts. */
@@ -159,10 +134,6 @@ namespace auxfem
     std::vector<Chord>        chords;
     std::vector<unsigned int> counted;
     std::vector<Connector>    connectors;
-    Work                      effort;
-    /** From the first with_stiffness() on. */
-    std::unique_ptr<TangentSolver> stiffness;
-    bool                           is_regular = false;
   };
 } // namespace auxfem
 

@@ -1,8 +1,10 @@
+#include <auxfem/analysis/second_order_effect.h>
 #include <auxfem/analysis/small_displacement_error.h>
 #include <auxfem/analysis/spaced_looks.h>
 #include <auxfem/analysis/watch.h>
 #include <auxfem/parameters/rounded_text.h>
 
+#include <algorithm>
 #include <sstream>
 
 namespace auxfem
@@ -14,6 +16,10 @@ namespace auxfem
     constexpr double doubtful_displacement_error = 0.05,
                      ruinous_displacement_error  = 0.25;
 
+    /** Growth of the estimate after which the effect of axial forces is found
+     * anew, for the price of a factorization. */
+    constexpr double growth_between_checks = 1.1;
+
     /** Of linear scenes. */
     class SmallDisplacementWatch : public Watch
     {
@@ -22,6 +28,8 @@ namespace auxfem
                              const Equations &equations,
                              Work            &work)
         : estimate(scene, equations)
+        , second_order(scene, equations)
+        , end_time(scene.time.end_time)
         , work(work)
         , looks(scene,
                 equations.model().simulated,
@@ -39,9 +47,11 @@ namespace auxfem
           return;
         if (found.total() > doubtful_displacement_error)
           {
-            // An alarm has to be sure.
-            found = estimate.with_stiffness(found, step.to);
-            work.add_effort(estimate.take_effort());
+            if (found.total() <= growth_between_checks * checked &&
+                step.to.time < end_time)
+              return;
+            checked = found.total();
+            make_sure(step.to, found);
           }
         if (found.total() <= worst.total())
           return;
@@ -79,7 +89,8 @@ namespace auxfem
                       worst.second_order,
                       worst.strain,
                       time,
-                      looks.save()});
+                      looks.save(),
+                      checked});
         records.keep_text(small_displacement_record + ": location",
                           worst.location);
       }
@@ -87,21 +98,41 @@ namespace auxfem
       void resume(const Records &records) override
       {
         const std::vector<double> values =
-          records.values(small_displacement_record, 5);
+          records.values(small_displacement_record, 6);
         worst.rotation     = values[0];
         worst.second_order = values[1];
         worst.strain       = values[2];
         worst.location = records.text(small_displacement_record + ": location");
         time           = values[3];
         looks.resume(values[4]);
+        checked = values[5];
       }
 
     private:
-      SmallDisplacementEstimate estimate;
-      Work                     &work;
-      SpacedLooks               looks;
-      SmallDisplacementError    worst;
-      double                    time = 0; ///< s, of it
+      /**
+       * Puts the effect of axial forces on the whole structure in place of that
+       * on the energy of bending and of the buckling of single struts. Where
+       * struts carry loads along their axes, bending is slight and axial forces
+       * change much of it, but neither displacements nor forces.
+       */
+      void make_sure(const State &state, SmallDisplacementError &error)
+      {
+        const std::optional<double> effect =
+          second_order.at(state, estimate.forces_by_turning(state));
+        work.add_effort(second_order.take_effort());
+        if (effect)
+          error.second_order = std::min(error.second_order, *effect);
+      }
+
+      const SmallDisplacementEstimate estimate;
+      SecondOrderEffect               second_order;
+      const double                    end_time; ///< s
+      Work                           &work;
+      SpacedLooks                     looks;
+      SmallDisplacementError          worst;
+      double                          time = 0; ///< s, of it
+      /** Estimate with which the effect of axial forces was found last. */
+      double checked = 0;
     };
   } // namespace
 
