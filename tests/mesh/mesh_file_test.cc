@@ -400,6 +400,13 @@ TEST(MeshFileCell, BinaryFilesAreReadToTheLastDigit)
       read(file, AUXFEM_TEST_DATA_DIRECTORY, "set Length unit = 1 mm"));
 }
 
+TEST(MeshFileCell, KnowsItsOwnFormatByTheBeginning)
+{
+  EXPECT_EQ(lattice_of(mesh({"1 0 0 0", "2 1 0 0"}, {"1 1 2 0 1 1 2"}), "txt")
+              .struts.size(),
+            1u);
+}
+
 TEST(MeshFileCell, ReadsAFrameOfAbaqus)
 {
   const auto lattice =

@@ -308,7 +308,8 @@ namespace
     expect_refusal(refused, {"a?]0;title?.prm"});
     EXPECT_EQ(refused.errors.find_first_of("\x1b\x07"), std::string::npos);
 
-    write("scene.prm", "set Title = " + escape + "\n" + data_text("star.prm"));
+    write("scene.prm",
+          replaced(data_text("star.prm"), "Small star lattice", escape));
     const ProgramRun run = run_auxfem(
       {"scene.prm", "--output", "out", "--set", "Time/End time=40 us"});
     EXPECT_EQ(run.exit_code, 0) << run.errors;

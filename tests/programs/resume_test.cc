@@ -34,7 +34,8 @@ namespace
         fs::create_symlink(kept, file);
         const bool        is_folder = fs::is_directory(kept);
         const std::string before    = is_folder ? "" : read_text(kept);
-        const ProgramRun  run       = run_auxfem(go_on());
+        const ProgramRun  run =
+          run_auxfem(go_on({"--set", "Time/End time=2 ms"}));
         EXPECT_EQ(run.exit_code, 1) << name << run.output;
         expect_contains(run.errors, {name, "link"});
         if (!is_folder)

@@ -262,6 +262,9 @@ namespace auxfem
         strut_of_nodes;
     };
 
+    /** Beginning of gmsh's format, whatever the name of the file. */
+    const std::string msh_begin = "$MeshFormat";
+
     std::string ending_of(const std::string &file)
     {
       std::string ending = std::filesystem::path(file).extension().string();
@@ -298,20 +301,20 @@ namespace auxfem
       // Only this one content is checked and read, even if the file changes.
       const std::string content   = read_input_file(file);
       const bool        is_script = ending == ".geo";
-      if (ending != ".msh" && ending != ".inp" && !is_script &&
-          !gmsh_reads(ending))
-        refuse_file(
-          values,
-          file +
-            " has none of the endings of mesh files: .msh, .inp, .vtk, "
-            ".unv, .mesh, or .geo for scripts of gmsh.\nSave the "
-            "mesh in gmsh's format .msh, version 2.2 or 4.1.");
-      if (ending == ".msh")
+      if (ending == ".msh" ||
+          content.compare(0, msh_begin.size(), msh_begin) == 0)
         return read_msh(content);
       if (ending == ".inp")
         return read_abaqus(content);
-      if (!is_script)
+      if (gmsh_reads(ending))
         return read_with_gmsh(content, ending, values[time_limit]);
+      if (!is_script)
+        refuse_file(
+          values,
+          file + " does not begin with " + msh_begin +
+            " and has none of the endings of other mesh files: .inp, .vtk, "
+            ".unv, .mesh, or .geo for scripts of gmsh.\nSave the mesh in "
+            "gmsh's format .msh, version 2.2 or 4.1.");
       if (!values[run_script])
         refuse_script(file, values);
       return run_gmsh_script(file, values[time_limit]);
@@ -337,14 +340,13 @@ namespace auxfem
         }
       catch (const MeshMistake &mistake)
         {
-          refuse_file(values,
-                      (ending == ".msh"
-                         ? "the mesh file " + file + " is damaged"
-                         : ending == ".inp" ? "cannot read " + file
-                                            : "gmsh cannot read " + file) +
-                        ":\n  " + mistake.text + "\nCorrect the file" +
-                        (ending == ".inp" ? "."
-                                          : ", or write it anew with gmsh."));
+          refuse_file(
+            values,
+            (gmsh_reads(ending) || ending == ".geo" ? "gmsh cannot read " + file
+               : ending == ".inp"                   ? "cannot read " + file
+                                  : "the mesh file " + file + " is damaged") +
+              ":\n  " + mistake.text + "\nCorrect the file" +
+              (ending == ".inp" ? "." : ", or write it anew with gmsh."));
         }
       if (mesh.lines.empty())
         refuse_file(
