@@ -86,3 +86,34 @@ TEST(WaveWatchOnRanks, FindsTheSame)
   EXPECT_EQ(together[0].text, alone[0].text);
   EXPECT_EQ(together[0].time, alone[0].time);
 }
+
+TEST(WaveWatch, SaysNothingOfARodThatFrictionHolds)
+{
+  // 20 N on it, 4 N along it, of 10 N that friction bears: its strains decide,
+  // and it hardly moves. The end creeps by v0 0.4 / sqrt(1 - 0.4^2).
+  for (const double step : {2e-4, 1e-4, 5e-5})
+    {
+      const SceneText scene =
+        SceneText()
+          .frame("0 0; 0.2 0", "0 1")
+          .rectangle("rod", 0.01, 0.01, {2e9, 1000})
+          .add("Loads/press",
+               "Joints = 0, 1 | Force y = -10 * (1 - exp(-(t / 0.02)^2))")
+          .add("Loads/push",
+               "Joints = 0 | Force x = 4 * (1 - exp(-(t / 0.05)^2))")
+          .add("Plates/table",
+               "Shape = plane | Normal = 0 1 | Position = 0 -0.005")
+          .add("Contact", "Friction coefficient = 0.5")
+          .mesh(3)
+          .probe("tip", "1")
+          .time(0.1, step, "energy-momentum");
+      const Scene    read = read_scene_from_text(scene, "test.prm");
+      MemoryRecorder recorder(read, MPI_COMM_SELF);
+      const auto     findings = run(read, MPI_COMM_SELF, recorder).findings;
+      EXPECT_EQ(verdict_of(findings), Verdict::sound) << verdict_text(findings);
+      const double part = 0.4 * (1 - std::exp(-4.));
+      EXPECT_NEAR(recorder.column("tip.vx").back(),
+                  1e-3 * part / std::sqrt(1 - part * part),
+                  3e-5);
+    }
+}

@@ -23,6 +23,11 @@ namespace auxfem
      */
     constexpr double doubtful_error = 0.05, ruinous_error = 0.25;
 
+    /** Steps with less of the largest energy in motion do not count: it moves
+     * by 1.4 % of what the structure is deformed, as where friction holds it.
+     */
+    constexpr double least_kinetic_part = 2e-4;
+
     /** Turn of a joint in one step (rad). */
     constexpr double doubtful_increment = 0.5;
 
@@ -104,7 +109,8 @@ namespace auxfem
                       increment.value,
                       increment.time,
                       double(n_before),
-                      dt_before});
+                      dt_before,
+                      largest_energy});
         part.save(step_record, records);
         save_translations(rate_record, rates, records);
         save_translations(acceleration_record, accelerations, records);
@@ -112,7 +118,7 @@ namespace auxfem
 
       void resume(const Records &records) override
       {
-        const std::vector<double> values = records.values(step_record, 8);
+        const std::vector<double> values = records.values(step_record, 9);
         // Sums go on on one rank.
         const bool is_first = equations.unknowns().layout.rank() == 0;
         error               = is_first ? values[0] : 0;
@@ -120,6 +126,7 @@ namespace auxfem
         unjudged_way        = is_first ? values[2] : 0;
         time                = values[3];
         largest_increment   = {values[4], values[5]};
+        largest_energy      = values[8];
         sort_unknowns(equations.unknowns().layout.n_owned());
         if (!part.resume(step_record, records))
           {
@@ -196,12 +203,18 @@ namespace auxfem
             rates[k]         = rate;
             accelerations[k] = acceleration;
           }
-        if (n_before > 1)
+        const Energies &energies = step.to.energies;
+        largest_energy =
+          std::max(largest_energy, energies.kinetic() + energies.stored());
+        const bool counts =
+          std::max(step.from.energies.kinetic(), energies.kinetic()) >=
+          least_kinetic_part * largest_energy;
+        if (counts && n_before > 1)
           {
             way += way_now;
             error += change * step.dt * step.dt * step.dt / dt_before / 12;
           }
-        else
+        else if (counts)
           unjudged_way += way_now;
         n_before  = std::min(n_before + 1, 2u);
         dt_before = step.dt;
@@ -250,8 +263,9 @@ namespace auxfem
       ///@{
       double error = 0, way = 0, unjudged_way = 0;
       ///@}
-      double        time = 0;          ///< s
-      LargestInTime largest_increment; ///< rad
+      double        time           = 0; ///< s
+      double        largest_energy = 0; ///< J
+      LargestInTime largest_increment;  ///< rad
 
       WatchedPart part;
       /** Owned and free ones of n_unknowns owned in all: by part, and all large
