@@ -20,6 +20,13 @@ namespace auxfem
      * anew, for the price of a factorization. */
     constexpr double growth_between_checks = 1.1;
 
+    Verdict verdict_on(const double error)
+    {
+      return error > ruinous_displacement_error ? Verdict::not_to_be_used
+        : error > doubtful_displacement_error   ? Verdict::doubtful
+                                                : Verdict::sound;
+    }
+
     /** Of linear scenes. */
     class SmallDisplacementWatch : public Watch
     {
@@ -45,7 +52,8 @@ namespace auxfem
         SmallDisplacementError found = estimate.at(step.to);
         if (found.total() <= worst.total())
           return;
-        if (found.total() > doubtful_displacement_error)
+        if (verdict_on(found.total()) !=
+            verdict_on(found.total() - found.second_order))
           {
             if (found.total() <= growth_between_checks * checked &&
                 step.to.time < end_time)
@@ -61,7 +69,7 @@ namespace auxfem
 
       std::vector<Finding> findings() const override
       {
-        if (worst.total() <= doubtful_displacement_error)
+        if (verdict_on(worst.total()) == Verdict::sound)
           return {};
         std::ostringstream text;
         text.precision(2);
@@ -74,12 +82,7 @@ namespace auxfem
              << percentage_text(worst.second_order) << ", and axial strains of "
              << percentage_text(worst.strain) << " (most at " << worst.location
              << "). Set Effects/Large rotation = on, or reduce the load.";
-        return {{worst.total() > ruinous_displacement_error
-                   ? Verdict::not_to_be_used
-                   : Verdict::doubtful,
-                 text.str(),
-                 time,
-                 worst.location}};
+        return {{verdict_on(worst.total()), text.str(), time, worst.location}};
       }
 
       void save(Records &records) const override
