@@ -38,8 +38,9 @@ namespace auxfem
       Range::positive(),
       "Time between two rows of history.csv, in place of a number of steps: from "
       "within steps, by polynomials of the order of the time scheme, if these do "
-      "not end there. So steps may be as long as accuracy allows. none: at ends "
-      "of steps.",
+      "not end there. So steps may be as long as accuracy allows. Forces and "
+      "energies are straight lines where that motion is out of equilibrium. "
+      "none: at ends of steps.",
       {"none"}};
     const Integer segments = {
       "Segments per element",

@@ -203,7 +203,7 @@ TEST(LoadStepWatch, KnowsWholePeriodsWithinSteps)
 {
   // Zero at all ends of steps, as its impulse over each.
   for (const char *load : {"sin(20 * pi * t)", "sin(60 * pi * t)"})
-    for (const char *scheme : {"newmark", "energy-momentum"})
+    for (const char *scheme : {"newmark", "esdirk", "energy-momentum"})
       {
         const auto found = findings_of(pushed_mass(load),
                                        {std::string("Time/Scheme=") + scheme});

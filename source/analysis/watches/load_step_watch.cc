@@ -17,6 +17,10 @@ namespace auxfem
      * period. */
     constexpr double doubtful_impulse = 0.05;
 
+    /** Part of the amount of a load that shows less than two steps a period, in
+     * which stages within steps alias, too. */
+    constexpr double unresolved = 0.75;
+
     /** The time integral of one load, as steps take it and as it is. */
     struct Impulse
     {
@@ -42,6 +46,7 @@ namespace auxfem
           add(loads.components);
         for (const auto &loads : scene.line_loads)
           add(loads.components);
+        add(scene.gravity.acceleration);
       }
 
       void step(const Evaluation &step,
@@ -73,10 +78,13 @@ namespace auxfem
         std::vector<Finding> found;
         for (const Impulse &impulse : impulses)
           if (impulse.whole > 0)
-            if (const double missed =
-                  scheme.missed_way(impulse.missed / impulse.whole);
-                !(missed <= doubtful_impulse))
-              found.push_back(finding(impulse.load->origin(), missed));
+            {
+              const double part = impulse.missed / impulse.whole,
+                           missed =
+                             part > unresolved ? part : scheme.missed_way(part);
+              if (!(missed <= doubtful_impulse))
+                found.push_back(finding(impulse.load->origin(), missed));
+            }
         return found;
       }
 
@@ -114,7 +122,8 @@ namespace auxfem
       Finding finding(const std::string &load, const double missed) const
       {
         std::ostringstream text;
-        text.precision(2);
+        // Never 1e+02 %.
+        text.precision(missed < 0.995 ? 2 : 3);
         text << load << " changes within steps, which miss "
              << percentage_text(missed) << " of its impulse"
              << shorter_step_text(scene_step, scheme, missed);
