@@ -297,7 +297,6 @@ namespace auxfem
       {
         const auto is_unstable = [&]() {
           return path.branch == PathDefinition::Branch::stable &&
-            !stepper.is_neutral() &&
             SingularPoint{singular.kind,
                           singular.before,
                           reached.position(),
@@ -319,7 +318,7 @@ namespace auxfem
               break;
             reached = std::move(*further.point);
           }
-        if (unstable_branch == 0 && is_unstable())
+        if (unstable_branch == 0 && is_unstable() && !stepper.is_neutral())
           unstable_branch = point.load_factor();
       }
 

@@ -303,6 +303,9 @@ TEST(StaticPath, GoesPastABifurcationInTwoDirections)
       // pi^2 / 4 (Timoshenko & Gere 1961, sec. 2.7).
       const auto &last = path.points.back();
       EXPECT_NEAR(last.load_factor, 1.2, 1e-6);
+      // In space the sign of what is free is round-off.
+      if (dimension == 2)
+        EXPECT_EQ(last.n_negative, 0u);
       for (unsigned int joint = 1; joint < last.motions.size(); joint += 2)
         EXPECT_NEAR(-last.motions[joint][1], 0.3261, 0.003);
     }
