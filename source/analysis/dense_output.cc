@@ -136,6 +136,7 @@ namespace auxfem
     const double            begin = from.state.time, end = to.state.time;
     std::optional<double>   next = recorder.next_time(begin + nearness);
     std::optional<EndRates> end_rates;
+    std::optional<Solution> start;
     for (; next && *next < end - nearness;
          next = recorder.next_time(*next + nearness))
       {
@@ -157,11 +158,24 @@ namespace auxfem
         solver.residual(instant, between.results);
         equations.accept(instant, between.results);
         if (!is_equilibrium(from, to, between))
-          interpolate_forces(from, to, between);
+          {
+            if (!start)
+              start.emplace(at_own_rates(from, solver));
+            interpolate_forces(*start, to, between);
+          }
         recorder.between(between);
       }
     if (next && *next <= end + nearness)
       recorder.between(to);
+  }
+
+  Solution DenseOutput::at_own_rates(const Solution &start,
+                                     TangentSolver  &solver) const
+  {
+    Solution instant{start.state, equations.make_results()};
+    State    evaluated = start.state;
+    solver.residual(Evaluation::rates(start.state, evaluated), instant.results);
+    return instant;
   }
 
   DenseOutput::Rates

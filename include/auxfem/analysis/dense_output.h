@@ -55,7 +55,10 @@ namespace auxfem
       Rates from, to;
     };
 
-    Rates rates(const Solution &end, std::optional<TimeLimit> event) const;
+    /** The start of a step, evaluated at its own rates, not by the step that
+     * led there: so a resumed run has the same forces. */
+    Solution at_own_rates(const Solution &start, TangentSolver &solver) const;
+    Rates    rates(const Solution &end, std::optional<TimeLimit> event) const;
     /** Whether forces at the motion of @p between, within the step, balance. */
     bool is_equilibrium(const Solution &from,
                         const Solution &to,
