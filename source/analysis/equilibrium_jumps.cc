@@ -80,8 +80,7 @@ namespace auxfem
         return is_far ? "the equilibrium lies far from the predicted one"
                       : "the stability changes within the step";
       }
-    if (is_far && !follows_load_jump &&
-        (allows_jumps || size > unshrunk_motion * largest_size))
+    if (is_far && !follows_load_jump && size > unshrunk_motion * largest_size)
       {
         std::vector<double> sizes(model.numbering.layout().n_owned(), 0.);
         for (unsigned int i = 0; i < sizes.size(); ++i)

@@ -73,7 +73,7 @@ namespace
     ASSERT_EQ(run_auxfem(half).exit_code, 0);
     ASSERT_EQ(run_auxfem(go_on({"--set", "Time/End time=" + end})).exit_code,
               0);
-    expect_that_of_the_whole_run();
+    expect_that_of_the_whole_run_to_a_later_end();
   }
 
   TEST_F(ResumedRun, AfterASignalIsTheWholeOne)
@@ -167,7 +167,7 @@ namespace
     const ProgramRun run = run_auxfem(go_on({"--set", "Time/End time=" + end}));
     ASSERT_EQ(run.exit_code, 0) << run.errors;
     expect_contains(run.errors, {"warning", "damaged", "other checkpoint"});
-    expect_that_of_the_whole_run();
+    expect_that_of_the_whole_run_to_a_later_end();
   }
 
   TEST_F(ResumedRun, IsRefusedWithoutCheckpoints)

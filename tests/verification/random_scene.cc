@@ -95,7 +95,7 @@ namespace auxfem
          * braces. */
         void add_frame()
         {
-          const unsigned int n = static_cast<unsigned int>(number(2, 6));
+          const unsigned int n = static_cast<unsigned int>(number(3, 6));
           std::string        joints, struts;
           for (unsigned int i = 0; i < n; ++i)
             {

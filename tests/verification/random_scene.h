@@ -25,8 +25,8 @@ namespace auxfem
     };
 
     /**
-     * The scene of number @p seed: a frame of 2 to 6 struts or a star cell in
-     * the plane or in space, with one of each of some of hinges, springs,
+     * The scene of number @p seed: a frame of 2 to 7 struts in the plane or in
+     * space, with one of each of some of hinges, springs,
      * connectors, rigid parts, plates, masses and loads, by one of the schemes.
      * Equal numbers give equal scenes on all platforms.
      */

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <sstream>
 
 namespace auxfem
@@ -273,7 +274,7 @@ namespace auxfem
       ///@{
       std::vector<std::vector<int>> translations;
       std::vector<int>              rotations;
-      unsigned int                  n_unknowns = 0;
+      std::optional<unsigned int>   n_unknowns; ///< none sorted yet
       ///@}
 
       /** @name Of the steps just before. */
