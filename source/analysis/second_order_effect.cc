@@ -41,7 +41,7 @@ namespace auxfem
       for (std::optional<Vector> *rates : {&rest.velocity, &rest.acceleration})
         if (*rates)
           (*rates)->assign((*rates)->size(), 0.);
-      // What constraints add is linear in their forces.
+      // Constraints add what is linear in their forces.
       for (const int i : model.numbering.constraints().multipliers())
         rest.displacement[i] = motion[i];
       const EvaluationResults at_rest = results_at(rest);

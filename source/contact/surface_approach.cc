@@ -95,7 +95,7 @@ namespace auxfem
 
     std::optional<CurvePassage> find_negative(const Patch &patch)
     {
-      // What remains unknown in a smaller part is round-off.
+      // A smaller remainder is round-off.
       constexpr double smallest = 1e-14;
       if (patch.is_nowhere_negative())
         return {};

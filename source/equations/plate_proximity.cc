@@ -232,18 +232,19 @@ namespace auxfem
       margin + most * model.numbering.layout().largest(motion);
   }
 
-  Vector PlateProximity::motion_of_step(const State &accepted) const
+  std::optional<Vector>
+  PlateProximity::motion_of_step(const State &accepted) const
   {
-    Vector motion;
+    std::optional<Vector> motion;
     if (step_length > 0)
       {
         motion = *accepted.velocity;
-        scale(step_length, motion);
+        scale(step_length, *motion);
       }
     else if (accepted.before)
       {
         motion = accepted.displacement;
-        add_multiple(-1, accepted.before->displacement, motion);
+        add_multiple(-1, accepted.before->displacement, *motion);
       }
     return motion;
   }
@@ -253,12 +254,12 @@ namespace auxfem
     // What will come near in the next step counts too, and twice as much; what
     // is near stays so until it is twice as far away, as the pattern of the
     // tangent is made anew with each change.
-    constexpr double           steps = 2, leaving = 2;
-    const Vector               motion  = motion_of_step(accepted);
-    const std::vector<Vector3> places  = plate_values(accepted.displacement),
-                               motions = motion.empty()
-      ? std::vector<Vector3>(all_plates.size())
-      : plate_values(motion);
+    constexpr double            steps = 2, leaving = 2;
+    const std::optional<Vector> motion = motion_of_step(accepted);
+    const std::vector<Vector3>  places = plate_values(accepted.displacement),
+                               motions = motion
+      ? plate_values(*motion)
+      : std::vector<Vector3>(all_plates.size());
     std::vector<PlatePair> mine;
     double                 clearance = std::numeric_limits<double>::infinity();
     for (unsigned int a = 0; a < axes.size(); ++a)
@@ -266,8 +267,8 @@ namespace auxfem
         for (unsigned int p = 0; p < all_plates.size(); ++p)
           {
             double margin = least_margin();
-            if (!motion.empty())
-              margin += steps * largest_motion(a, motion, motions[p]);
+            if (motion)
+              margin += steps * largest_motion(a, *motion, motions[p]);
             if (std::binary_search(near_pairs.begin(),
                                    near_pairs.end(),
                                    PlatePair{a, p}))

@@ -68,8 +68,8 @@ namespace auxfem
       return rotated(conjugate(rotation), spatial);
     }
 
-    /** By what angles (rad) a support that prescribes rotations about some axes
-     * turns them from one state to the other. */
+    /** Angles (rad) by which a support that prescribes rotations about some
+     * axes turns them from one state to the other. */
     SpaceVector turn_about_axes(const Support    &support,
                                 const Evaluation &evaluation)
     {
@@ -126,7 +126,7 @@ namespace auxfem
           }
     }
 
-    /** By what spin (rad) a rotation is still to turn that is prescribed about
+    /** Spin (rad) that is left to a rotation which is prescribed about
      * some axes. At a stage its angular velocity about these is prescribed: a
      * rotation vector over several stages may not be, as the other axes turn
      * with the node. */

@@ -48,7 +48,7 @@ namespace auxfem
           for (auto other = tree.qbegin(index::intersects(box));
                other != tree.qend();
                ++other)
-            // Of those before, only joints that stay can take this one.
+            // Only earlier joints that stay can take this one.
             if (*other < first[j] && first[*other] == *other &&
                 joints[j].distance(joints[*other]) <= distance)
               first[j] = *other;

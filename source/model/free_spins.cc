@@ -145,7 +145,7 @@ namespace auxfem
       const std::vector<std::array<bool, 2>> released;
       std::vector<std::array<bool, 2>>       is_coupled;
       const std::vector<bool>                is_held; ///< by joint
-      /** Of elastic struts, by joint. */
+      /** Elastic struts by joint. */
       std::vector<std::vector<StrutEnd>> rigid_ends;
     };
   } // namespace

@@ -158,7 +158,7 @@ namespace auxfem
 
     void check_motions(const Scene &scene, Mistakes &mistakes)
     {
-      // Of a frequency response motions are amplitudes, which no time begins.
+      // Motions of a frequency response are amplitudes, which no time begins.
       if (is_static(scene) || scene.analysis == Analysis::frequency_response)
         return;
       for (const SupportDefinition &support : scene.supports)

@@ -24,7 +24,7 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  constexpr unsigned int n_scenes = 200, n_scenes_on_ranks = 40;
+  constexpr unsigned int n_scenes = 200, n_scenes_on_ranks = 100;
 
   /** Errors from which on the watches call a run "not to be used". */
   constexpr double largest_error_of_sound_runs = 0.25;
@@ -248,10 +248,12 @@ TEST(RandomScenesOnRanks, AreThoseOfOneRank)
       EXPECT_EQ(alone.is_complete(), together.is_complete());
       if (!alone.is_complete() || !together.is_complete())
         continue;
-      // Round-off grows where bodies touch.
+      // Round-off grows with each impact.
+      const bool   has_impacts = !random.is_static && alone.has("body.ux");
+      const double tolerance   = has_impacts ? 1e-3 : 1e-6;
       for (const std::string axis : {"x", "y"})
         EXPECT_NEAR(alone.last("tip.u" + axis),
                     together.last("tip.u" + axis),
-                    1e-6 * alone.largest("tip.u" + axis));
+                    tolerance * alone.largest("tip.u" + axis));
     }
 }

@@ -83,7 +83,7 @@ namespace auxfem
       std::string location;
     };
 
-    /** Of a rejected step. */
+    /** A rejected step. */
     struct Attempt
     {
       double time;      ///< at its start (s)

@@ -9,7 +9,7 @@
 namespace auxfem
 {
   /**
-   * What axial forces change of the displacements and forces of a linear scene,
+   * Change of displacements and forces of a linear scene by axial forces,
    * by the stiffness K + K_g of the structure as it is at rest with the forces
    * that it bears: linear stability theory. Costs a factorization each time.
    */
@@ -32,7 +32,7 @@ namespace auxfem
     std::optional<double> at(const State  &state,
                              const Vector &forces_by_turning);
 
-    /** What that took since the last call. */
+    /** Effort of the checks since the last call. */
     Work take_effort();
 
   private:

@@ -67,7 +67,7 @@ namespace auxfem
      * SmallDisplacementError::compressions. Collective. */
     SmallDisplacementError at(const State &state) const;
 
-    /** What axial forces do on turned chords (N), by local unknown. */
+    /** Forces of axial forces on turned chords (N), by local unknown. */
     Vector forces_by_turning(const State &state) const;
 
     /** Those that this rank counts, sorted. */
@@ -87,7 +87,7 @@ namespace auxfem
     struct Line
     {
       SmallMotion motion(const Vector &displacement) const;
-      /** Of the second end against the first (m). */
+      /** Displacement of the second end against the first (m). */
       dealii::Tensor<1, 3>
       relative_displacement(const Vector &displacement) const;
 

@@ -191,7 +191,7 @@ namespace auxfem
                                 const Equations &equations,
                                 Work            &work);
 
-  /** Of free lattices in space whose spin makes errors grow beyond the
+  /** Watches free lattices in space whose spin makes errors grow beyond the
    * tolerance that the steps follow. Without rigid parts. */
   std::unique_ptr<Watch> make_spin_watch(const Scene     &scene,
                                          const Equations &equations);

@@ -39,7 +39,7 @@ namespace auxfem
   /** The rotational springs of this rank. nullptr if the scene has none. */
   std::unique_ptr<Effect> make_rotational_springs(const LatticeModel &model);
 
-  /** What holds bars between ball hinges where inertia does not. nullptr if
+  /** Holds bars between ball hinges where inertia does not. nullptr if
    * there are none. */
   std::unique_ptr<Effect> make_spin_holds(const LatticeModel &model);
 

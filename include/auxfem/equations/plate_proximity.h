@@ -130,7 +130,7 @@ namespace auxfem
     std::vector<PlatePair> find_near(const State &accepted);
 
     /** Motion of the last or the next step (m); empty if not known. */
-    Vector motion_of_step(const State &accepted) const;
+    std::optional<Vector> motion_of_step(const State &accepted) const;
 
     /** Whether what the last search has found tells that no strut is nearer to
      * a plate than @p margin (m) at the displacement @p now, or after moves of

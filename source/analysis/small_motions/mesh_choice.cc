@@ -219,7 +219,7 @@ namespace auxfem
   void choose_elements(const double phase, const double wanted, Scene &scene)
   {
     const unsigned int least = scene.discretization.refinements;
-    // Of waves that are shorter few are asked for.
+    // Shorter waves are seldom asked for.
     constexpr unsigned int most_at_first = 3;
     if (choose(phase, wanted, 0, scene.discretization.refinements, scene) &&
         scene.discretization.refinements <= least + most_at_first)

@@ -126,7 +126,7 @@ namespace auxfem
   CountLimit limit_below_last(const std::vector<double> &values,
                               const double               lowest)
   {
-    // What is nearer may be in another order on finer elements.
+    // Closer values may change their order on finer elements.
     constexpr double equal = 1e-3, beside = 1e-2;
     for (std::size_t i = values.size(); i-- > 0;)
       {

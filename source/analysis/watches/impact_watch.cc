@@ -210,7 +210,8 @@ namespace auxfem
     private:
       std::vector<Finding> findings_on_impulse() const
       {
-        // Of a body as heavy as all, with the largest kinetic energy.
+        // The momentum of a body as heavy as all, with the largest kinetic
+        // energy.
         const double largest = std::sqrt(2 * mass * kinetic);
         const bool   counts  = unresolved > doubtful_momentum * largest &&
           unresolved > doubtful_share * impulse;

@@ -25,7 +25,7 @@ namespace auxfem
       std::array<int, 3> unknowns; ///< local
     };
 
-    /** Of struts, on this rank. */
+    /** Struts of this rank. */
     void add_struts(const LatticeModel &model, std::vector<PointMass> &masses)
     {
       const DofNumbering &numbering = model.numbering;
@@ -160,7 +160,7 @@ namespace auxfem
       }
 
     private:
-      /** Of small turns (1/s). Collective. */
+      /** Growth rate of small turns (1/s). Collective. */
       SpaceTensor growth_rate(const State &state) const
       {
         // Mass, first and second moments, momentum, angular momentum.

@@ -19,7 +19,7 @@ namespace auxfem
     {
       PressingPoint point;
       unsigned int  plate; ///< in the order of the scene
-      /** Of the nodes of the axis at the point. */
+      /** Shape functions of the axis' nodes at the point. */
       std::array<double, AxisCurve::max_degree + 1> shape = {};
       /** From the point of reference of the plate (m). */
       Vector3 position = {};

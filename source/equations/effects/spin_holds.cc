@@ -142,7 +142,7 @@ namespace auxfem
                      rotated(before, hold.axis));
       }
 
-      /** Of a rotation q = (w, v) about @p axis t: 2 arctan(v.t / w). */
+      /** Angle of a rotation q = (w, v) about @p axis t: 2 arctan(v.t / w). */
       static Twist twist(const Quaternion &rotation, const SpaceVector &axis)
       {
         // Both signs are the same rotation.

@@ -93,7 +93,7 @@ namespace auxfem
         return sum;
       }
 
-      /** Of the support's mean forces over the step, which are the residual. */
+      /** Work of the support's mean forces over the step, the residual. */
       double mean_work(const Support &support, const Evaluation &step) const
       {
         const StepTravel travel(step, model.numbering);

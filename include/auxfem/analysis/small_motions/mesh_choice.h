@@ -55,7 +55,7 @@ namespace auxfem
    */
   bool are_accepted(const Scene &scene, const MeshErrors &errors);
 
-  /** What is wrong with the elements of @p scene.
+  /** Findings on the elements of @p scene.
    * @param values what errs, e.g. `natural frequencies` */
   std::vector<Finding> findings_of_mesh(const Scene       &scene,
                                         const MeshErrors  &errors,

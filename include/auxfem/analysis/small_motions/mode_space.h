@@ -75,7 +75,7 @@ namespace auxfem
                                  unsigned int                  n,
                                  double                        shift);
 
-  /** What finer elements make of the values of modes. */
+  /** Values of modes on finer elements. */
   struct FinerValues
   {
     /** By size; fewer than modes where these are none of the finer elements. */

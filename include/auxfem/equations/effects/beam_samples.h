@@ -349,7 +349,7 @@ namespace auxfem
       return largest;
     }
 
-    /** Of outer fibres along element @p e. */
+    /** Strain of outer fibres along element @p e. */
     double largest_strain(const State                 &state,
                           const unsigned int           e,
                           const std::array<double, 2> &distances) const
