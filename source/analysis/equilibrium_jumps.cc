@@ -24,10 +24,13 @@ namespace auxfem
      * factor there, a jump has not. */
     constexpr double shortest_part = 1. / 64;
 
-    /** Part of the motion of the longest step that a jump keeps in the
-     * shortest; a connected path, with the root of the load at a limit point,
-     * keeps less. */
-    constexpr double unshrunk_motion = 0.25;
+    /** Part of the motion of a longer step that a jump keeps at least in one
+     * shorter by @p ratio; a connected path keeps no more than the root of it,
+     * as at a limit point. */
+    double unshrunk_motion(const double ratio)
+    {
+      return std::cbrt(ratio);
+    }
 
     /** Part of the prediction kept in half a step that shows loads to jump. */
     constexpr double unshrunk_prediction = 0.75;
@@ -69,18 +72,24 @@ namespace auxfem
     const bool follows_load_jump = last_attempt &&
       last_attempt->time == from.time &&
       by_tangent > unshrunk_prediction * last_attempt->predicted;
-    const bool is_shortest =
+    // Without a longer step to compare with nothing is known.
+    const bool is_shortest = largest_attempt &&
       step.dt <= (1 + 1e-9) * shortest_part * scene.time.step;
     if (!allows_jumps && !is_shortest && !follows_load_jump)
       {
-        largest_size = std::max(size, largest_size);
+        if (!largest_attempt || size > largest_attempt->size)
+          largest_attempt = {step.dt, size};
         last_attempt = {from.time, by_tangent};
         if (is_far)
           beyond = step.to;
         return is_far ? "the equilibrium lies far from the predicted one"
                       : "the stability changes within the step";
       }
-    if (is_far && !follows_load_jump && size > unshrunk_motion * largest_size)
+    const auto is_unshrunk = [&]() {
+      return size >
+        largest_attempt->size * unshrunk_motion(step.dt / largest_attempt->dt);
+    };
+    if (is_far && !follows_load_jump && (allows_jumps || is_unshrunk()))
       {
         std::vector<double> sizes(model.numbering.layout().n_owned(), 0.);
         for (unsigned int i = 0; i < sizes.size(); ++i)

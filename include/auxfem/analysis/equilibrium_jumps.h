@@ -23,7 +23,7 @@ namespace auxfem
     /** A step of the scene begins, which no attempt has been made at. */
     void begin_step()
     {
-      largest_size = 0;
+      largest_attempt.reset();
       last_attempt.reset();
       beyond.reset();
       allows_jumps = false;
@@ -83,6 +83,12 @@ namespace auxfem
       std::string location;
     };
 
+    /** Length of a rejected step (s) and its largest translation (m). */
+    struct Motion
+    {
+      double dt, size;
+    };
+
     /** A rejected step. */
     struct Attempt
     {
@@ -90,9 +96,10 @@ namespace auxfem
       double predicted; ///< largest translation (m)
     };
 
-    const LatticeModel    &model;
-    const Scene           &scene;
-    double                 largest_size = 0; ///< of this step's attempts (m)
+    const LatticeModel &model;
+    const Scene        &scene;
+    /** Of this step's attempts the one with the largest motion. */
+    std::optional<Motion>  largest_attempt;
     std::optional<Attempt> last_attempt;
     /** End of the last step that was rejected for a jump. */
     std::optional<State> beyond;
