@@ -148,9 +148,11 @@ namespace
                                         *matrix);
       }
     if (evaluation.kind == Evaluation::Kind::stage)
-      for (const double rate :
-           equations.find_internal_rates(evaluation.to, results))
-        EXPECT_TRUE(std::isfinite(rate));
+      {
+        for (const double rate :
+             equations.find_internal_rates(evaluation.to, results))
+          EXPECT_TRUE(std::isfinite(rate));
+      }
     // Instants have energies, and no way that lies behind them.
     if (evaluation.dt > 0)
       equations.accept(evaluation, results);

@@ -305,7 +305,9 @@ TEST(StaticPath, GoesPastABifurcationInTwoDirections)
       EXPECT_NEAR(last.load_factor, 1.2, 1e-6);
       // In space the sign of what is free is round-off.
       if (dimension == 2)
-        EXPECT_EQ(last.n_negative, 0u);
+        {
+          EXPECT_EQ(last.n_negative, 0u);
+        }
       for (unsigned int joint = 1; joint < last.motions.size(); joint += 2)
         EXPECT_NEAR(-last.motions[joint][1], 0.3261, 0.003);
     }

@@ -229,7 +229,9 @@ TEST_P(RandomScenes, KeepWhatNeedsNoReference)
   ++n_sound;
   const Computed fine(random.text, refined(*computed.scene));
   if (fine.is_complete())
-    EXPECT_LT(difference(computed, fine), largest_error_of_sound_runs);
+    {
+      EXPECT_LT(difference(computed, fine), largest_error_of_sound_runs);
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomScenes, testing::Range(1u, n_scenes + 1));
