@@ -98,7 +98,7 @@ namespace auxfem
 
     const LatticeModel &model;
     const Scene        &scene;
-    /** Of this step's attempts the one with the largest motion. */
+    /** The attempt at this step with the largest motion. */
     std::optional<Motion>  largest_attempt;
     std::optional<Attempt> last_attempt;
     /** End of the last step that was rejected for a jump. */

@@ -44,7 +44,7 @@ namespace auxfem
                 TangentSolver & /*solver*/) override
       {
         const Energies &energies = step.to.energies;
-        // What loads do that are there at once depends on how they are raised.
+        // The work of sudden loads depends on how they are raised.
         if (expects_jump || (starts_with_loads && step.from.largest_force == 0))
           judgement.start(energies);
         expects_jump = false;

@@ -29,7 +29,7 @@ namespace auxfem
     };
 
     /**
-     * Of loads that change within steps: their distance from the straight line
+     * Loads that change within steps: their distance from the straight line
      * between the ends of a step, by Gauss' rule. Amounts are summed, as the
      * impulse of a whole period within a step is zero. What another scheme
      * misses is that of the vibration of which the trapezoidal rule would miss

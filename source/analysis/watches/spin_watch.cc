@@ -210,7 +210,7 @@ namespace auxfem
       const UnknownLayout   &layout;
       const double           tolerance;
       std::vector<PointMass> masses;
-      /** Of small turns at t = 0, what has become of them; its rate (1/s). */
+      /** Small turns at t = 0 as they have grown since; their rate (1/s). */
       SpaceTensor turn, rate;
       double      growth = 1, time = 0;
     };

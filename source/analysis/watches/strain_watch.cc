@@ -143,7 +143,7 @@ namespace auxfem
       return limits;
     }
 
-    /** Of sections whose outer fibres are not known, with the nearest that
+    /** Sections whose outer fibres are not known, with the nearest that
      * these can be. */
     std::vector<StrainLimit> yield_strains(const std::vector<Section> &sections)
     {

@@ -28,9 +28,9 @@ namespace auxfem
     /** Part of the kinetic energy in waves that elements do not follow. */
     constexpr double doubtful_part = 0.02, ruinous_part = 0.2;
 
-    /** Of the largest energy so far: kinetic energy counts as no less, since
-     * what hardly moves is decided by its strains. Vibrations with 2 % of it
-     * move by 1.4 % of what the structure is deformed. */
+    /** Part of the largest energy so far: kinetic energy counts as no less,
+     * since what hardly moves is decided by its strains. Vibrations with 2 % of
+     * it move by 1.4 % of what the structure is deformed. */
     constexpr double least_part_of_energy = 0.01;
 
     /** n (n - 2) (n - 4) ... 1. */

@@ -354,7 +354,7 @@ namespace auxfem
             points.push_back(*touch);
       }
 
-      /** Of a point of a near pair, if it touches.
+      /** Contact of a point of a near pair, if it touches.
        * @param curves at the end and, in a step between two states, the start */
       std::optional<PlateTouch> press(const Evaluation             &evaluation,
                                       const RigidSurface           &surface,

@@ -66,7 +66,8 @@ namespace auxfem
       }
 
     private:
-      /** Of impulses: times the mean of the velocities before and after. */
+      /** Work of impulses: times the mean of the velocities before and after.
+       */
       double impulse_work(const Support    &support,
                           const Evaluation &strike) const
       {
