@@ -17,6 +17,11 @@ namespace auxfem
      * before. The last long steps to a limit point reach it and are halved. */
     constexpr double largest_deviation = 2;
 
+    /** The same for the first step, which has no step before it to compare
+     * with. A path of constant curvature through the tangent reaches it where
+     * its direction has turned by about a radian. */
+    constexpr double largest_first_deviation = 0.5;
+
     /** Part of all motion so far below which a deviation is no jump. */
     constexpr double negligible_motion = 1e-3;
 
@@ -65,9 +70,12 @@ namespace auxfem
         expected =
           std::min(expected, step.dt / from.before->dt * largest(before));
       }
-    const bool is_far = deviation > largest_deviation * expected &&
+    const bool is_notable =
       deviation > negligible_motion * largest(step.to.displacement);
-    if (!is_far && !changes_stability)
+    const bool is_far = is_notable && deviation > largest_deviation * expected;
+    const bool is_first_and_far = is_notable && !from.before &&
+      deviation > largest_first_deviation * expected;
+    if (!is_far && !is_first_and_far && !changes_stability)
       return "";
     const bool follows_load_jump = last_attempt &&
       last_attempt->time == from.time &&
@@ -82,8 +90,9 @@ namespace auxfem
         last_attempt = {from.time, by_tangent};
         if (is_far)
           beyond = step.to;
-        return is_far ? "the equilibrium lies far from the predicted one"
-                      : "the stability changes within the step";
+        return is_far || is_first_and_far
+          ? "the equilibrium lies far from the predicted one"
+          : "the stability changes within the step";
       }
     const auto is_unshrunk = [&]() {
       return size >

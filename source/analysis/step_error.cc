@@ -12,48 +12,25 @@ namespace auxfem
 {
   namespace
   {
-    const std::string displacement_record = "step error: displacements";
+    const std::string displacement_record =
+                        "step error: displacements at steps",
+                      sample_record = "step error: sampled displacements",
+                      accumulated_error_record = "step error: error of ";
 
-    const std::string step_error_record =
-      "step error: of displacements, rotations: left of it, slow and fast, of "
-      "all steps, largest motions";
-
-    constexpr unsigned int n_values_of_motions = 4;
-
-    /** Displacements of lattices are larger than this part of a strut, or no
-     * error is of interest that is a part of it. */
+    /** Default absolute tolerance over the relative one and the length of a
+     * strut: smaller displacements of lattices are of no interest. */
     constexpr double part_of_strut = 0.02;
 
-    /** In an oscillation displacement and velocity err in turn. What is
-     * estimated is the first; its mean is so much less than the amplitude. */
-    constexpr double of_oscillation = dealii::numbers::PI / 2;
+    /** Ratio of an oscillation's error to the estimate, which takes only the
+     * displacement and not the velocity into account. */
+    constexpr double oscillation_factor = dealii::numbers::PI / 2;
 
-    /** Of schemes with stages: where slow and fast oscillations err together,
-     * those in between are taken for less than they are (measured on lattices).
-     */
-    constexpr double of_several_oscillations = 1.6;
+    /** Part of the tolerance that steps aim at. */
+    constexpr double safety = 0.8;
 
-    /** Of what a step errs as much at least is in oscillations that are too
-     * slow for physical damping to count on it (measured on lattices). */
-    constexpr double part_of_slow = 0.25;
-
-    /** What is left of the tolerance is never taken for less than this part of
-     * all, so that steps do not become short for nothing. */
-    constexpr double least_left = 0.1;
-
-    /** Of what a step might err if all steps erred alike. Steps that use up
-     * what others have left become long, and errors dear. */
-    constexpr double largest_share = 1.25;
-
-    /** Of the tolerance, for what steps err more than is wanted of them. */
-    constexpr double part_of_tolerance = 0.8;
-
-    /** By so much of what the tolerance grows in a step may the step err. */
-    constexpr double part_of_growth = 0.8;
-
-    /** Of the motions so far no errors are allowed beyond this part because of
-     * motions to come: where steps hardly follow, no estimate is sure. */
-    constexpr double part_of_motions = 1e-3;
+    /** Remaining part of the tolerance below which steps are not shortened any
+     * more: errors that were made cannot be undone. */
+    constexpr double least_remaining = 0.1;
 
     double absolute_tolerance_of(const TimeParameters &parameters,
                                  const LatticeModel   &model)
@@ -69,7 +46,7 @@ namespace auxfem
     , scheme(scene.time.implicit_scheme())
     , tolerance(*scene.time.relative_tolerance)
     , end_time(scene.time.end_time)
-    , damping(scene, equations.model())
+    , sampling_interval(scene.time.step)
     , all{Motions{"displacements",
                   "Time/Absolute tolerance",
                   "m",
@@ -80,10 +57,7 @@ namespace auxfem
                   "rad",
                   equations.model().rows.free_rotations,
                   scene.time.absolute_tolerance_of_rotations}}
-  {
-    if (scheme.stages() != nullptr)
-      loads.emplace(scene);
-  }
+  {}
 
   double StepError::mean(const Motions &motions, const Vector &values) const
   {
@@ -95,77 +69,101 @@ namespace auxfem
 
   double StepError::allowed(const Motions &motions,
                             const double   largest,
-                            const double   time,
-                            const double   of_displacements) const
+                            const double   largest_displacement) const
   {
-    const double growth = loads ? loads->growth(time) : 1;
-    return std::max(std::max(tolerance,
-                             std::min(tolerance * growth, part_of_motions)) *
-                      largest,
+    const double displacement = std::max(tolerance * largest_displacement,
+                                         *all.front().absolute_tolerance);
+    return std::max(tolerance * largest,
                     motions.absolute_tolerance.value_or(
-                      of_displacements / equations.model().mean_strut_length));
+                      displacement / equations.model().mean_strut_length));
   }
 
-  double StepError::allowed_until(const Motions &motions,
-                                  const double   time) const
-  {
-    const Motions &displacements = all.front();
-    return allowed(motions,
-                   motions.largest,
-                   time,
-                   allowed(displacements, displacements.largest, time, 0));
-  }
-
-  void StepError::estimate(Motions                    &motions,
-                           const Evaluation           &step,
-                           const double                error,
-                           const std::optional<double> angle)
+  void StepError::estimate(Motions          &motions,
+                           const Evaluation &step,
+                           const LocalError &local)
   {
     Motions::Estimate &latest = motions.latest;
-    latest.error              = of_oscillation * error;
     latest.largest =
       std::max(motions.largest, mean(motions, step.to.displacement));
-    latest.allowed = allowed(motions,
-                             latest.largest,
-                             step.to.time,
-                             all.front().latest.allowed);
-    latest.of_slow = angle ? std::min(1., scheme.amplification(*angle)) : 1;
-    latest.of_fast = latest.of_slow *
-      (angle ? std::exp(-step.dt * damping.rate(*angle / step.dt)) : 1);
+    latest.error = motions.error;
+    latest.error.add(local);
+    const Motions &translations = all.front();
+    const double   wanted       = safety *
+      allowed(motions, latest.largest, translations.latest.largest),
+                 wanted_before = safety *
+      allowed(motions, motions.largest, translations.largest);
+    const double used      = local.amplification * motions.error.total(),
+                 remaining = std::max(wanted - used, least_remaining * wanted);
+    // The tolerance that a step may use: its share of the remaining time, what
+    // the motion adds, or what the scheme damps of earlier errors.
+    const double usable =
+      std::max({remaining * step.dt / (end_time - step.from.time),
+                safety * (wanted - wanted_before),
+                (1 - local.amplification) * wanted});
+    latest.relative = std::max(0., latest.error.total() - used) / usable;
+  }
 
-    const double wanted = part_of_tolerance * latest.allowed,
-                 left =
-                   std::max(wanted - motions.left_error(), least_left * wanted),
-                 rate  = std::min(left / (end_time - step.from.time),
-                                 largest_share * wanted / end_time),
-                 grown = wanted -
-      part_of_tolerance * allowed_until(motions, step.from.time);
-    const auto may_be = [&](const double leaves) {
-      return std::max(
-        {step.dt * rate, part_of_growth * grown, (1 - leaves) * wanted});
+  std::optional<LocalError::Oscillation>
+  StepError::dominant_oscillation(const Motions    &motions,
+                                  const Evaluation &step,
+                                  const double      third) const
+  {
+    const auto size = [&](const unsigned int order) {
+      const std::optional<Vector> difference =
+        displacements.difference(order,
+                                 step.to.time,
+                                 step.to.displacement,
+                                 step.dt);
+      return difference ? mean(motions, *difference) : 0.;
     };
-    latest.relative = latest.error *
-      (part_of_slow / may_be(latest.of_slow) +
-       (1 - part_of_slow) / may_be(latest.of_fast));
+    const double second = size(2), fourth = size(4);
+    if (!(fourth > 0 && second > 0))
+      return {};
+    // The second and fourth derivatives are in phase, the third is a quarter of
+    // a period apart. No oscillation in steps has a ratio above 4.
+    const double ratio = std::min(4., fourth / second),
+                 angle = std::sqrt(ratio);
+    return LocalError::Oscillation{angle / step.dt,
+                                   std::hypot(second, third / angle) / ratio};
+  }
+
+  LocalError StepError::local_error(const Motions    &motions,
+                                    const Evaluation &step) const
+  {
+    const double factor =
+      oscillation_factor * std::abs(*scheme.error_constant());
+    Vector change = *step.to.acceleration;
+    add_multiple(-1., *step.from.acceleration, change);
+    double     difference = step.dt * step.dt * mean(motions, change);
+    LocalError local;
+    if (const std::optional<Vector> vector =
+          displacements.difference(3,
+                                   step.to.time,
+                                   step.to.displacement,
+                                   step.dt))
+      {
+        const double third = mean(motions, *vector);
+        difference         = std::min(difference, third);
+        local.oscillation  = dominant_oscillation(motions, step, third);
+      }
+    local.size = factor * difference;
+    local.slow = local.size;
+    if (motions.slow_third_derivative)
+      local.slow = std::min(local.size,
+                            factor * *motions.slow_third_derivative *
+                              std::pow(step.dt, 3));
+    return local;
   }
 
   double StepError::relative(const Evaluation &step)
   {
-    if (!displacements.has_begun())
-      displacements.add(step.from.time, step.from.displacement);
-    Vector change = *step.to.acceleration;
-    add_multiple(-1., *step.from.acceleration, change);
-    const std::optional<Vector> third =
-      displacements.with(step.to.time, step.to.displacement, step.dt);
-    for (Motions &motions : all)
+    if (displacements.is_empty())
       {
-        double difference = step.dt * step.dt * mean(motions, change);
-        if (third)
-          difference = std::min(difference, mean(motions, *third));
-        estimate(motions,
-                 step,
-                 std::abs(*scheme.error_constant()) * difference);
+        displacements.add(step.from.time, step.from.displacement);
+        samples.add(step.from.time, step.from.displacement);
       }
+    for (Motions &motions : all)
+      estimate(motions, step, local_error(motions, step));
     return worst();
   }
 
@@ -174,14 +172,14 @@ namespace auxfem
   {
     for (Motions &motions : all)
       {
-        const double of_motion   = mean(motions, difference.displacement),
-                     of_velocity = step.dt * mean(motions, difference.velocity);
-        const double angle       = of_motion > 0 ? of_velocity / of_motion : 0;
+        const double displacement = mean(motions, difference.displacement),
+                     velocity = step.dt * mean(motions, difference.velocity);
+        const double angle    = displacement > 0 ? velocity / displacement : 0;
+        const double error =
+          oscillation_factor * scheme.error_by_difference(angle) * displacement;
         estimate(motions,
                  step,
-                 of_several_oscillations * scheme.error_by_difference(angle) *
-                   of_motion,
-                 angle);
+                 {error, error, {}, std::min(1., scheme.amplification(angle))});
       }
     return worst();
   }
@@ -195,21 +193,38 @@ namespace auxfem
   {
     for (Motions &motions : all)
       {
-        const Motions::Estimate &latest = motions.latest;
-        motions.slow_error =
-          latest.of_slow * motions.slow_error + part_of_slow * latest.error;
-        motions.fast_error = latest.of_fast * motions.fast_error +
-          (1 - part_of_slow) * latest.error;
-        motions.total_error =
-          std::max(motions.total_error, motions.left_error());
-        motions.largest = latest.largest;
+        motions.error   = motions.latest.error;
+        motions.largest = motions.latest.largest;
       }
     if (scheme.stages() == nullptr)
-      displacements.add(step.to.time, step.to.displacement);
+      {
+        displacements.add(step.to.time, step.to.displacement);
+        sample(step.to);
+      }
     return worst();
   }
 
-  double StepError::largest_of_all(const Motions &motions) const
+  void StepError::sample(const State &state)
+  {
+    constexpr double round_off = 1e-6;
+    const double     interval  = state.time - samples.latest_time();
+    if (interval < (1 - round_off) * sampling_interval)
+      return;
+    if (const std::optional<Vector> third =
+          samples.difference(3, state.time, state.displacement, interval))
+      for (Motions &motions : all)
+        motions.slow_third_derivative =
+          mean(motions, *third) / std::pow(interval, 3);
+    samples.add(state.time, state.displacement);
+  }
+
+  void StepError::forget()
+  {
+    displacements.clear();
+    samples.clear();
+  }
+
+  double StepError::reference(const Motions &motions) const
   {
     return motions.absolute_tolerance
       ? motions.largest
@@ -221,8 +236,8 @@ namespace auxfem
   {
     double total = 0;
     for (const Motions &motions : all)
-      if (const double largest = largest_of_all(motions); largest > 0)
-        total = std::max(total, motions.total_error / largest);
+      if (const double largest = reference(motions); largest > 0)
+        total = std::max(total, motions.error.largest_total() / largest);
     return total;
   }
 
@@ -231,20 +246,21 @@ namespace auxfem
     std::vector<Finding> findings;
     for (const Motions &motions : all)
       {
-        const double largest = largest_of_all(motions);
-        if (motions.total_error <= tolerance * largest)
+        const double largest = reference(motions),
+                     error   = motions.error.largest_total();
+        if (error <= tolerance * largest)
           continue;
         std::ostringstream text;
         text << "The error of the time integration is estimated at up to "
-             << motions.total_error << ' ' << motions.unit << ", "
-             << percentage_text(motions.total_error / largest, 3) << " of the "
+             << error << ' ' << motions.unit << ", "
+             << percentage_text(error / largest, 3) << " of the "
              << motions.name << ", more than Time/Relative tolerance allows. ";
-        if (allowed_until(motions, end_time) > tolerance * largest)
+        if (allowed(motions, motions.largest, all.front().largest) >
+            tolerance * largest)
           text << "Set " << motions.parameter << " to " << tolerance * largest
                << ' ' << motions.unit;
         else
-          text << "Set it to "
-               << tolerance * tolerance * largest / motions.total_error;
+          text << "Set it to " << tolerance * tolerance * largest / error;
         text << ", or reduce Time/Smallest time step.";
         findings.push_back({Verdict::doubtful, text.str(), 0, ""});
       }
@@ -253,34 +269,36 @@ namespace auxfem
 
   void StepError::save(Records &records) const
   {
-    std::vector<double> values;
     for (const Motions &motions : all)
-      values.insert(values.end(),
-                    {motions.slow_error,
-                     motions.fast_error,
-                     motions.total_error,
-                     motions.largest});
-    records.keep(step_error_record, values);
-    displacements.save(displacement_record,
-                       UnknownRecords(equations.model().numbering),
-                       records);
+      {
+        std::vector<double> values = {motions.largest,
+                                      motions.slow_third_derivative.value_or(
+                                        -1)};
+        for (const double value : motions.error.values())
+          values.push_back(value);
+        records.keep(accumulated_error_record + motions.name, values);
+      }
+    const UnknownRecords unknowns(equations.model().numbering);
+    displacements.save(displacement_record, unknowns, records);
+    samples.save(sample_record, unknowns, records);
   }
 
   void StepError::resume(const Records &records)
   {
-    const std::vector<double> values =
-      records.values(step_error_record, all.size() * n_values_of_motions);
-    auto value = values.begin();
     for (Motions &motions : all)
       {
-        motions.slow_error  = *value++;
-        motions.fast_error  = *value++;
-        motions.total_error = *value++;
-        motions.largest     = *value++;
+        const std::string name = accumulated_error_record + motions.name;
+        const std::vector<double> values =
+          records.values(name, records.values_per_item(name));
+        motions.largest = values.at(0);
+        motions.slow_third_derivative.reset();
+        if (values.at(1) >= 0)
+          motions.slow_third_derivative = values[1];
+        motions.error.restore({values.begin() + 2, values.end()});
       }
-    displacements.resume(displacement_record,
-                         UnknownRecords(equations.model().numbering,
-                                        equations.unknowns().layout),
-                         records);
+    const UnknownRecords unknowns(equations.model().numbering,
+                                  equations.unknowns().layout);
+    displacements.resume(displacement_record, unknowns, records);
+    samples.resume(sample_record, unknowns, records);
   }
 } // namespace auxfem

@@ -59,24 +59,6 @@ namespace auxfem
       return largest > 0 ? rate / largest : 0;
     }
 
-    /** Lowers @p growths, at the ends of @p interval s, to those of a course. */
-    void lower(const TimeFunction  &course,
-               const double         interval,
-               std::vector<double> &growths)
-    {
-      std::vector<double> largest;
-      double              so_far = std::abs(course.value(0));
-      for (std::size_t i = 1; i <= growths.size(); ++i)
-        {
-          so_far =
-            std::max(so_far, std::abs(course.value_before(i * interval)));
-          largest.push_back(so_far);
-        }
-      for (std::size_t i = 0; i < growths.size(); ++i)
-        if (largest[i] > 0)
-          growths[i] = std::min(growths[i], so_far / largest[i]);
-    }
-
     /** See uncommanded_motion(); of one course, which does not jump. */
     double uncommanded_part(const TimeFunction &course,
                             const Scene        &scene,
@@ -123,34 +105,6 @@ namespace auxfem
   {
     constexpr double steps_of_a_period = 20;
     return 2 * std::acos(-1.) / (steps_of_a_period * scene.time.step);
-  }
-
-  LoadsToCome::LoadsToCome(const Scene &scene)
-    : interval(scene.time.end_time / most_looks)
-  {
-    if (!scene.gravity.is_zero() || !scene.initial_velocities.empty())
-      return;
-    constexpr double unbounded = std::numeric_limits<double>::infinity();
-    growths.assign(most_looks, unbounded);
-    try
-      {
-        for (const TimeFunction &course : courses_of(scene))
-          lower(course, interval, growths);
-        std::replace(growths.begin(), growths.end(), unbounded, 1.);
-      }
-    catch (const ComputationError &)
-      {
-        // What is no number stops the run when it gets there.
-        growths.clear();
-      }
-  }
-
-  double LoadsToCome::growth(const double time) const
-  {
-    if (growths.empty())
-      return 1;
-    const auto i = static_cast<std::size_t>(time / interval);
-    return growths[std::min(i, growths.size() - 1)];
   }
 
   LoadCourse load_course(const Scene &scene)

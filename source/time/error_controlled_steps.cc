@@ -3,45 +3,40 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace auxfem
 {
   namespace
   {
     const std::string error_controlled_steps_record =
-      "step control by errors: whether there is a target, target, begin, "
-      "length, pieces, position, length wanted, length, mean error";
+      "step-size controller: whether there is a target, target, begin, length, "
+      "pieces, position, length wanted, error of the step before";
 
-    /** @name Relative errors, of which one is what is wanted in the mean. */
-    ///@{
-    /** In an oscillation the error of single steps is larger than the mean. */
-    constexpr double largest_of_a_step = 3;
-    /** Lengths stay as they are between these, so that factorizations serve. */
-    constexpr double largest_mean = 1.2, largest_of_longer_steps = 0.7;
-    constexpr double aim_of_shorter_steps = 0.8;
-    ///@}
+    /** Relative error above which a step is repeated. In an oscillation errors
+     * of single steps are larger than their mean. */
+    constexpr double largest_error = 3;
 
-    /** Of the newest step in the mean. */
-    constexpr double share_of_newest = 0.25;
+    /** Length wanted over that now, or its inverse, up to which steps stay as
+     * they are: a new length costs a factorization. */
+    constexpr double least_change = 1.25;
 
-    /** The smallest number that is not less than @p n, of 1, 2, 3, 4, 6, 8 and
-     * from there on multiples of a power of two of which 8 are twice it. */
-    unsigned int number_of_pieces(const double n)
+    unsigned int more_pieces(const unsigned int pieces)
     {
-      constexpr double round_off = 1e-6;
-      const double     least     = n * (1 - round_off);
-      unsigned int     unit      = 1;
-      // Of a few pieces, five or seven could not be divided anew on the way.
-      while (least > (unit == 1 ? 4 : 8) * unit)
-        unit *= 2;
-      return unit * std::max(1u, unsigned(std::ceil(least / unit)));
+      if (pieces == 1)
+        return 2;
+      return pieces % 3 == 0 ? pieces / 3 * 4 : pieces / 2 * 3;
     }
 
-    unsigned int next(const unsigned int pieces)
+    unsigned int fewer_pieces(const unsigned int pieces)
     {
-      return number_of_pieces(pieces + 0.5);
+      if (pieces == 2)
+        return 1;
+      return pieces % 3 == 0 ? pieces / 3 * 2 : pieces / 4 * 3;
     }
 
+    /** A proportional-integral controller (K. Gustafsson, ACM Trans. Math.
+     * Softw. 17 (1991) 533-554). */
     class ErrorControlledSteps : public StepControl
     {
     public:
@@ -61,39 +56,38 @@ namespace auxfem
             time,
             target,
             step,
-            pieces_of(DividedInterval::length_between(time, target, step),
-                      wanted));
-        const PlannedStep planned = interval.next();
-        change_length(planned.dt);
-        return planned;
+            pieces_of(DividedInterval::length_between(time, target, step)));
+        return interval.next();
       }
 
       void accepted(const double relative_error) override
       {
-        mean += share_of_newest * (relative_error - mean);
+        const double error  = std::max(relative_error, least_error);
+        const double factor = std::pow(error, -0.7 / order) *
+          std::pow(error_before.value_or(1), 0.4 / order);
+        // A step that was shortened for its error is not lengthened at once.
+        const bool is_kept =
+          factor > 1 / least_change && (factor < least_change || !error_before);
+        wanted       = piece() * (is_kept ? 1 : factor);
+        error_before = error;
         interval.pass();
-        if (mean > largest_mean)
-          wanted = dt * factor_for(aim_of_shorter_steps);
-        else
-          wanted = dt * std::max(1., factor_for(largest_of_longer_steps));
         if (interval.is_open())
           divide();
       }
 
       bool may_be_accepted(const double relative_error) const override
       {
-        return relative_error <= largest_of_a_step || !may_be_shorter();
+        return relative_error <= largest_error || !may_be_shorter();
       }
 
       bool rejected(const double relative_error) override
       {
         if (!may_be_shorter())
           return false;
-        // The step was not solved, or its error was too large.
-        mean   = std::max(mean, relative_error);
-        wanted = relative_error == 0
-          ? dt / 2
-          : dt * std::min(0.5, factor_for(aim_of_shorter_steps));
+        const double factor =
+          relative_error > 0 ? std::pow(relative_error, -1. / order) : 0.5;
+        wanted = piece() * std::min(0.5, factor);
+        error_before.reset();
         divide();
         return true;
       }
@@ -106,7 +100,7 @@ namespace auxfem
       void save(Records &records) const override
       {
         std::vector<double> values = interval.values();
-        values.insert(values.end(), {wanted, dt, mean});
+        values.insert(values.end(), {wanted, error_before.value_or(0)});
         records.keep(error_controlled_steps_record, values);
       }
 
@@ -114,61 +108,59 @@ namespace auxfem
       {
         const std::vector<double> values =
           records.values(error_controlled_steps_record,
-                         DividedInterval::n_values + 3);
+                         DividedInterval::n_values + 2);
         interval.restore(values);
         wanted = values[DividedInterval::n_values];
-        dt     = values[DividedInterval::n_values + 1];
-        mean   = values[DividedInterval::n_values + 2];
+        error_before.reset();
+        if (const double error = values[DividedInterval::n_values + 1];
+            error > 0)
+          error_before = error;
       }
 
     private:
+      /** Smaller errors are taken for this one, so that no step is more than
+       * about three times as long as the one before. */
+      static constexpr double least_error = 0.01;
+
+      double piece() const
+      {
+        return interval.length() / interval.pieces();
+      }
+
       bool may_be_shorter() const
       {
-        return interval.length() / (2 * interval.pieces()) >= smallest;
+        return piece() / 2 >= smallest;
       }
 
-      /** By how much longer steps have the mean error @p error. */
-      double factor_for(const double error) const
+      /** A number of the form 2^k or 3 2^k. */
+      unsigned int pieces_of(const double length) const
       {
-        return std::pow(error / std::max(mean, 1e-30), 1. / order);
-      }
-
-      unsigned int pieces_of(const double length, const double piece) const
-      {
-        const unsigned int wanted_pieces = number_of_pieces(length / piece);
-        unsigned int       pieces        = 1;
-        while (pieces < wanted_pieces && length / next(pieces) >= smallest)
-          pieces = next(pieces);
+        constexpr double round_off = 1e-6;
+        unsigned int     pieces    = 1;
+        while (length / pieces > (1 + round_off) * wanted)
+          pieces = more_pieces(pieces);
+        while (pieces > 1 && length / pieces < smallest)
+          pieces = fewer_pieces(pieces);
         return pieces;
       }
 
-      /** From here on in pieces of the length wanted, or as near as pieces that
-       * begin here come to it. */
+      /** Divides the rest of the interval into pieces of the wanted length, or
+       * the nearest one that a piece can begin with here. */
       void divide()
       {
-        const unsigned int now  = interval.pieces(),
-                           best = pieces_of(interval.length(), wanted);
-        for (unsigned int pieces = best; pieces != now; pieces = next(pieces))
+        const unsigned int now = interval.pieces();
+        for (unsigned int pieces = pieces_of(interval.length()); pieces != now;
+             pieces              = more_pieces(pieces))
           if (interval.divide(pieces))
             return;
-      }
-
-      /** The mean error becomes that of steps of length @p next. */
-      void change_length(const double next)
-      {
-        if (dt > 0)
-          mean *= std::pow(next / dt, order);
-        dt = next;
       }
 
       const double       step, smallest;
       const unsigned int order;
       DividedInterval    interval;
-      /** The length that the error asks for, that of steps now, 0 before the
-       * first (s). */
-      double wanted, dt = 0;
-      /** Of relative errors of steps as long as now. */
-      double mean = 0;
+      double             wanted; ///< length of steps (s)
+      /** Relative error of the step before; none after a rejected one. */
+      std::optional<double> error_before = 1;
     };
   } // namespace
 

@@ -107,21 +107,6 @@ namespace
     return outcome;
   }
 
-  const std::string damping = "Scheme = esdirk | Order of esdirk = 3";
-
-  /** A mass on a spring under @p force, by @p scheme. */
-  SceneText pulled(const std::string &force, const std::string &scheme)
-  {
-    return one_mass_scene(
-             "Law = spring | Spring stiffness = 100",
-             scheme + " | Smallest time step = 1e-6 | End time = " + text(end) +
-               " | Time step = " + text(end / 12),
-             SceneText()
-               .mass("body", "0", 1)
-               .add("Loads/pull", "Joints = 0 | Force x = " + force))
-      .probe("mass", "0");
-  }
-
   /** Of @p n steps of the scene. */
   std::vector<double> parts_of_steps(SceneRun &run, const unsigned int n)
   {
@@ -173,42 +158,6 @@ TEST(StepError, TolerancesAreMetByLongStepsOfAnUndampedOscillator)
                  tolerance);
 }
 
-TEST(StepError, StepsOfAMotionThatGrowsSteadilyAreAsLongAtTheStartAndTheEnd)
-{
-  SceneRun run(
-    pulled("100 * t", "Scheme = newmark | Relative tolerance = 1e-4").str());
-
-  const std::vector<double> n_steps = parts_of_steps(run, 12);
-  // The load begins within the first.
-  EXPECT_LT(mean(n_steps, 1, 2), 1.5 * mean(n_steps, 5, 10));
-  EXPECT_GT(n_steps[11], 0.65 * mean(n_steps, 5, 10));
-}
-
-TEST(StepError, MotionsMayErrAsThoseThatLoadsWillCause)
-{
-  SceneRun run(pulled("t^4", damping + " | Relative tolerance = 1e-7").str());
-
-  const std::vector<double> n_steps = parts_of_steps(run, 12);
-  // As the force itself asks for.
-  EXPECT_LT(mean(n_steps, 2, 7), mean(n_steps, 8, 11));
-}
-
-TEST(StepError, MotionsThatDoNotGrowAsLoadsAreToldOf)
-{
-  // In resonance first; what comes is larger and hardly moves the mass.
-  const RunResult result =
-    run(pulled("if(t < " + text(end / 2) + ", sin(10 * t), 100 * sin(200 * t))",
-               damping + " | Relative tolerance = 1e-5")
-          .str(),
-        {})
-      .result;
-  ASSERT_EQ(result.findings.size(), 1u);
-  EXPECT_EQ(result.findings[0].verdict, Verdict::doubtful);
-  EXPECT_TRUE(contains(result.findings[0].text,
-                       "Time/Relative tolerance allows. Set it to "))
-    << result.findings[0].text;
-}
-
 TEST(StepError, StepsOfAFreeOscillationAreAlike)
 {
   SceneRun run(oscillator("newmark")
@@ -222,56 +171,6 @@ TEST(StepError, StepsOfAFreeOscillationAreAlike)
       EXPECT_GT(n, 0.7 * n_steps[1]);
       EXPECT_LT(n, 1.1 * n_steps[1]);
     }
-}
-
-namespace
-{
-  struct Motion
-  {
-    std::vector<double> tip; ///< y (m), by row
-    unsigned long       iterations;
-  };
-
-  /** Of struts in line that are damped, struck across at one end. */
-  Motion motion_of_damped_line(const SceneText   &and_this,
-                               const std::string &tolerance)
-  {
-    SceneText scene;
-    scene.frame("0 0; 1 0; 2 0; 3 0", "0 1; 1 2; 2 3")
-      .circle("rod", 0.05, {1e9, 1000, 0.3})
-      .set("Sections/rod/Stiffness-proportional damping", "2 ms")
-      .support("clamp", "0", "clamp")
-      .load("pull", "3", {"0", "300 * max(0, 1 - abs(t / 0.002 - 1))", "0"})
-      .mesh(3)
-      .time(0.2, 0.02, "esdirk")
-      .set("Time/Order of esdirk", "3")
-      .set("Time/Relative tolerance", tolerance)
-      .probe("tip", "3")
-      .add(and_this);
-    const Scene     read = read_scene_from_text(scene, "test.prm");
-    MemoryRecorder  recorder(read, MPI_COMM_WORLD);
-    const RunResult result = LatticeRun(read, MPI_COMM_WORLD).run(recorder);
-    return {recorder.column("tip.uy"), result.work.iterations};
-  }
-} // namespace
-
-TEST(StepError, ErrorsOfFastOscillationsThatAreDampedAreForgotten)
-{
-  // Hardly a force, but not damped: nothing is sure any more.
-  const SceneText soft_spring =
-    SceneText().add("Connectors/spring",
-                    "Law = spring | Between = 0 3 | Spring stiffness = 1e-6");
-  const Motion damped = motion_of_damped_line({}, "1e-6"),
-               unsure = motion_of_damped_line(soft_spring, "1e-6"),
-               exact  = motion_of_damped_line({}, "1e-9");
-  EXPECT_LT(damped.iterations, 0.85 * unsure.iterations);
-  double error = 0, largest = 0;
-  for (std::size_t i = 0; i < exact.tip.size(); ++i)
-    {
-      error   = std::max(error, std::abs(damped.tip.at(i) - exact.tip[i]));
-      largest = std::max(largest, std::abs(exact.tip[i]));
-    }
-  EXPECT_LT(error, 1e-6 * largest);
 }
 
 TEST(StepError, EstimateIsThatOfTheErrorThatIsMade)

@@ -72,35 +72,6 @@ TEST(LoadCourse, JumpsAreAsFastAsStepsResolve)
     course_of("1", {"Time/Start from=static equilibrium"}).is_sudden);
 }
 
-TEST(LoadsToCome, AreLargerByWhatGrowsLeastOfThoseThatAct)
-{
-  const auto growth = [](const double                    time,
-                         const std::string              &force,
-                         const std::vector<std::string> &overrides = {}) {
-    return LoadsToCome(
-             read_scene_from_text(strut_with(force), "test.prm", overrides))
-      .growth(time);
-  };
-  // To a look, of which there are 4096.
-  EXPECT_NEAR(growth(0.1, "7 * min(t / 0.5, 1)"), 5, 0.02);
-  EXPECT_EQ(growth(0.6, "7 * min(t / 0.5, 1)"), 1);
-  EXPECT_EQ(growth(0.6, "7 * max(0, 1 - t)"), 1);
-  EXPECT_EQ(growth(1, "t"), 1);
-  EXPECT_NEAR(growth(0.5, "t^3"), 8, 0.02);
-  const auto with_another = [&](const std::string &force) {
-    return growth(0.25,
-                  "t^3",
-                  {"Loads/other/Joints=1", "Loads/other/Force x=" + force});
-  };
-  EXPECT_NEAR(with_another("-t"), 4, 0.01);
-  EXPECT_EQ(with_another("1"), 1);
-  // Has not begun.
-  EXPECT_NEAR(with_another("max(0, t - 0.5)"), 64, 0.3);
-  EXPECT_EQ(growth(0.25, "max(0, t - 0.5)"), 1);
-  EXPECT_EQ(growth(0.25, "t", {"Gravity/Acceleration y=-9.81"}), 1);
-  EXPECT_EQ(growth(0.25, "1 / (t - 0.5)"), 1);
-}
-
 TEST(LoadCourse, OscillationsLoseInEveryRadian)
 {
   const Scene scene = read_scene_from_text(strut_with("1"), "test.prm");

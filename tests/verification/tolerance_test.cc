@@ -1,5 +1,5 @@
 #include <auxfem/analysis/lattice_run.h>
-#include <auxfem/output/recorder.h>
+#include <auxfem/output/memory_recorder.h>
 
 #include <gtest/gtest.h>
 #include <study/report_cells.h>
@@ -76,8 +76,8 @@ namespace
         table.row({tolerances[i],
                    formatted("%.1e", std::stod(errors[i])),
                    iterations[i]});
-        EXPECT_LT(std::stod(errors[i]), std::stod(tolerances[i])) << name;
-        EXPECT_GT(std::stod(errors[i]), std::stod(tolerances[i]) / 2000)
+        EXPECT_LT(std::stod(errors[i]), 2 * std::stod(tolerances[i])) << name;
+        EXPECT_GT(std::stod(errors[i]), std::stod(tolerances[i]) / 5000)
           << name;
       }
     EXPECT_EQ(errors.size(), tightest - 1);
@@ -216,7 +216,7 @@ namespace
           EXPECT_LT(error, 3 * tolerance) << name << ' ' << scheme << order;
           // Long steps of high order err less than anyone would ask for, and
           // damping of struts takes errors away, of which a part is not known.
-          EXPECT_GT(error, tolerance / (order == 2 ? 14 : 1000))
+          EXPECT_GT(error, tolerance / (order == 2 ? 14 : 2000))
             << name << ' ' << scheme << order;
         }
   }
@@ -306,4 +306,31 @@ TEST(Tolerance, IsMetByAllMotionsTogether)
     .set("Time/Smallest time step", 1e-8)
     .time("20 ms", "2 ms");
   expect_met_by_all_motions("star lattice under a large load", larger, 3, 4);
+}
+
+TEST(Tolerance, EstimateOfAnImpactIsNotThatOfTheVibrationsOfItsContact)
+{
+  // A mass of 1 kg above a spring falls with a light stiff foot on a plate. The
+  // closed form without the foot: 64.478 N, 7.1711 mm at 0.06 s.
+  SceneText scene;
+  scene.frame("0 0; 0 .02; 0 .1; 0 .12", "0 1; 2 3")
+    .rectangle("s", 0.01, 0.01, {200e9, 10, ""})
+    .mass("m", "3", 1)
+    .connector("k", "spring", "Spring stiffness = 1e4 | Between = 1 2")
+    .prescribe("guide", "all", {"0", "free", "0"})
+    .set("Gravity/Acceleration y", -9.81)
+    .add("Initial velocities/v", "Joints = all | Velocity y = -0.5")
+    .add("Plates/p", "Shape = plane | Position = 0 -0.007 | Normal = 0 1")
+    .set("Contact/Stiffness", 1)
+    .time(0.06, 1e-4, "newmark")
+    .set("Time/Relative tolerance", 1e-4)
+    .probe("top", "3");
+  const Scene    read = read_scene_from_text(scene, "test.prm");
+  MemoryRecorder recorder(read, MPI_COMM_WORLD);
+  const auto     result   = LatticeRun(read, MPI_COMM_WORLD).run(recorder);
+  const double   position = recorder.column("top.uy").back(),
+               error      = std::abs(position - 7.1711e-3) / 7.1711e-3;
+  EXPECT_LT(error, 5e-3);
+  ASSERT_TRUE(result.time_error.has_value());
+  EXPECT_LT(*result.time_error, 5e-3);
 }

@@ -40,24 +40,6 @@ namespace auxfem
    */
   double uncommanded_motion(const Scene &scene, double frequency);
 
-  /** How much larger the loads of a scene still become. */
-  class LoadsToCome
-  {
-  public:
-    explicit LoadsToCome(const Scene &scene);
-
-    /**
-     * Of each load and prescribed motion, the largest value until the end over
-     * the largest until @p time (s); the least of all that have begun to act.
-     * 1 if none has, and if weight or initial velocities move the lattice.
-     */
-    double growth(double time) const;
-
-  private:
-    double              interval; ///< s
-    std::vector<double> growths;  ///< at the ends of intervals
-  };
-
   /** Angular frequency (1/s) of an oscillation of which steps of @p scene
    * make a period of twenty. */
   double resolved_frequency(const Scene &scene);

@@ -68,10 +68,10 @@ namespace auxfem
   std::unique_ptr<StepControl> make_halved_steps(double step, double smallest);
 
   /**
-   * Steps whose errors are, in the mean, what is wanted or less, no longer than
-   * @p step and no shorter than @p smallest (s): each interval is divided into
-   * 1, 2, 3, 4, 6 or 8 of equal length, or 5 to 8 times 2^k. The error of a
-   * step over its length goes with the power @p order of that.
+   * Steps whose length a controller takes from their errors, no longer than
+   * @p step and no shorter than @p smallest (s). Each interval is divided into
+   * 2^k or 3 2^k equal steps, so that factorizations can be reused. The error
+   * of a step over its length is proportional to the power @p order of that.
    */
   std::unique_ptr<StepControl>
   make_error_controlled_steps(double step, double smallest, unsigned int order);

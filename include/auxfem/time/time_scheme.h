@@ -153,8 +153,8 @@ namespace auxfem
     }
 
     /**
-     * What is left after a step of the amplitude of an oscillation that turns
-     * by @p angle (rad) in it, of a scheme with stages.
+     * For a scheme with stages: the factor of the amplitude of an oscillation
+     * that turns by @p angle (rad) in a step.
      */
     virtual double amplification(const double /*angle*/) const
     {
@@ -162,8 +162,9 @@ namespace auxfem
     }
 
     /**
-     * The error that a step of a scheme with stages adds to such an
-     * oscillation, over what it differs by from that of the embedded scheme.
+     * For a scheme with stages: the error that a step adds to an oscillation
+     * that turns by @p angle (rad) in it, over the difference from the embedded
+     * scheme.
      */
     virtual double error_by_difference(const double /*angle*/) const
     {

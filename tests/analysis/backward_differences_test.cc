@@ -1,4 +1,4 @@
-#include <auxfem/analysis/third_difference.h>
+#include <auxfem/analysis/backward_differences.h>
 
 #include <gtest/gtest.h>
 
@@ -14,18 +14,21 @@ namespace
   std::optional<Vector> difference_of(const Motion                &motion,
                                       const std::array<double, 4> &times)
   {
-    ThirdDifference difference;
+    BackwardDifferences differences;
     for (unsigned int i = 0; i < 3; ++i)
       {
-        EXPECT_FALSE(
-          difference.with(times[3], motion(times[3]), 1.).has_value());
-        difference.add(times[i], motion(times[i]));
+        EXPECT_FALSE(differences.difference(3, times[3], motion(times[3]), 1.)
+                       .has_value());
+        differences.add(times[i], motion(times[i]));
       }
-    return difference.with(times[3], motion(times[3]), times[3] - times[2]);
+    return differences.difference(3,
+                                  times[3],
+                                  motion(times[3]),
+                                  times[3] - times[2]);
   }
 } // namespace
 
-TEST(ThirdDifference, IsThatOfACubicWithStepsOfAnyLength)
+TEST(BackwardDifferences, AreDerivativesOfAPolynomialForStepsOfAnyLength)
 {
   const auto motion = [](const double t) {
     return Vector{t * t * t - 2 * t * t + 3, 5 * t - 1};
@@ -36,7 +39,7 @@ TEST(ThirdDifference, IsThatOfACubicWithStepsOfAnyLength)
   EXPECT_NEAR((*difference)[1], 0., 1e-12);
 }
 
-TEST(ThirdDifference, OfAnOscillationIsAtMostEightAmplitudes)
+TEST(BackwardDifferences, ThirdOneOfAnOscillationIsAtMostEightAmplitudes)
 {
   for (const double angle : {0.1, 1., 2., 3., 50.})
     {
@@ -51,15 +54,18 @@ TEST(ThirdDifference, OfAnOscillationIsAtMostEightAmplitudes)
     }
 }
 
-TEST(ThirdDifference, KnowsTheLastThreeValuesOnlyAndForgetsThem)
+TEST(BackwardDifferences, TakeTheLastValuesOnly)
 {
-  ThirdDifference difference;
+  BackwardDifferences differences;
   for (const double t : {-1., 0., 1., 2.})
-    difference.add(t, {t < 0 ? 100. : t * t});
-  const auto of_square = difference.with(3, {9.}, 1.);
+    differences.add(t, {t < 0 ? 100. : t * t});
+  const auto of_square = differences.difference(3, 3, {9.}, 1.);
   ASSERT_TRUE(of_square.has_value());
   EXPECT_NEAR((*of_square)[0], 0., 1e-12);
-  difference.forget();
-  EXPECT_FALSE(difference.has_begun());
-  EXPECT_FALSE(difference.with(3, {9.}, 1.).has_value());
+  const auto second = differences.difference(2, 3, {9.}, 2.);
+  ASSERT_TRUE(second.has_value());
+  EXPECT_NEAR((*second)[0], 2 * 4., 1e-12);
+  differences.clear();
+  EXPECT_TRUE(differences.is_empty());
+  EXPECT_FALSE(differences.difference(3, 3, {9.}, 1.).has_value());
 }
