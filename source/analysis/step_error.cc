@@ -28,9 +28,9 @@ namespace auxfem
     /** Part of the tolerance that steps aim at. */
     constexpr double safety = 0.8;
 
-    /** Remaining part of the tolerance below which steps are not shortened any
-     * more: errors that were made cannot be undone. */
-    constexpr double least_remaining = 0.1;
+    /** Least part of a uniform share of the tolerance that steps may use:
+     * errors that were made cannot be undone. */
+    constexpr double least_share = 0.1;
 
     double absolute_tolerance_of(const TimeParameters &parameters,
                                  const LatticeModel   &model)
@@ -92,15 +92,15 @@ namespace auxfem
       allowed(motions, latest.largest, translations.latest.largest),
                  wanted_before = safety *
       allowed(motions, motions.largest, translations.largest);
-    const double used      = local.amplification * motions.error.total(),
-                 remaining = std::max(wanted - used, least_remaining * wanted);
+    const double used = local.amplification * motions.error.total(),
+                 rate = std::max((wanted - used) / (end_time - step.from.time),
+                                 least_share * wanted / end_time);
     // The tolerance that a step may use: its share of the remaining time, what
     // the motion adds, or what the scheme damps of earlier errors.
-    const double usable =
-      std::max({remaining * step.dt / (end_time - step.from.time),
-                safety * (wanted - wanted_before),
-                (1 - local.amplification) * wanted});
-    latest.relative = std::max(0., latest.error.total() - used) / usable;
+    const double usable = std::max({rate * step.dt,
+                                    safety * (wanted - wanted_before),
+                                    (1 - local.amplification) * wanted});
+    latest.relative     = std::max(0., latest.error.total() - used) / usable;
   }
 
   std::optional<LocalError::Oscillation>

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace auxfem
 {
@@ -11,7 +10,7 @@ namespace auxfem
   {
     const std::string error_controlled_steps_record =
       "step-size controller: whether there is a target, target, begin, length, "
-      "pieces, position, length wanted, error of the step before";
+      "pieces, position, length wanted, mean error, length";
 
     /** Relative error above which a step is repeated. In an oscillation errors
      * of single steps are larger than their mean. */
@@ -35,8 +34,15 @@ namespace auxfem
       return pieces % 3 == 0 ? pieces / 3 * 2 : pieces / 4 * 3;
     }
 
-    /** A proportional-integral controller (K. Gustafsson, ACM Trans. Math.
-     * Softw. 17 (1991) 533-554). */
+    /** Mean error that a new length is chosen for. */
+    constexpr double aim = 0.8;
+
+    /** Weight of the newest error in the mean. */
+    constexpr double share_of_newest = 0.25;
+
+    /** Takes the length from a moving mean of errors: their sum counts, and
+     * single ones go up and down in an oscillation and where struts hit each
+     * other. */
     class ErrorControlledSteps : public StepControl
     {
     public:
@@ -57,19 +63,20 @@ namespace auxfem
             target,
             step,
             pieces_of(DividedInterval::length_between(time, target, step)));
-        return interval.next();
+        const PlannedStep planned = interval.next();
+        if (dt > 0)
+          mean *= std::pow(planned.dt / dt, order);
+        dt = planned.dt;
+        return planned;
       }
 
       void accepted(const double relative_error) override
       {
-        const double error  = std::max(relative_error, least_error);
-        const double factor = std::pow(error, -0.7 / order) *
-          std::pow(error_before.value_or(1), 0.4 / order);
-        // A step that was shortened for its error is not lengthened at once.
-        const bool is_kept =
-          factor > 1 / least_change && (factor < least_change || !error_before);
-        wanted       = piece() * (is_kept ? 1 : factor);
-        error_before = error;
+        mean += share_of_newest * (relative_error - mean);
+        const double factor =
+          std::pow(std::max(mean, least_error) / aim, -1. / order);
+        const bool is_kept = factor > 1 / least_change && factor < least_change;
+        wanted             = piece() * (is_kept ? 1 : factor);
         interval.pass();
         if (interval.is_open())
           divide();
@@ -87,7 +94,7 @@ namespace auxfem
         const double factor =
           relative_error > 0 ? std::pow(relative_error, -1. / order) : 0.5;
         wanted = piece() * std::min(0.5, factor);
-        error_before.reset();
+        mean   = std::max(mean, relative_error);
         divide();
         return true;
       }
@@ -100,7 +107,7 @@ namespace auxfem
       void save(Records &records) const override
       {
         std::vector<double> values = interval.values();
-        values.insert(values.end(), {wanted, error_before.value_or(0)});
+        values.insert(values.end(), {wanted, mean, dt});
         records.keep(error_controlled_steps_record, values);
       }
 
@@ -108,13 +115,11 @@ namespace auxfem
       {
         const std::vector<double> values =
           records.values(error_controlled_steps_record,
-                         DividedInterval::n_values + 2);
+                         DividedInterval::n_values + 3);
         interval.restore(values);
         wanted = values[DividedInterval::n_values];
-        error_before.reset();
-        if (const double error = values[DividedInterval::n_values + 1];
-            error > 0)
-          error_before = error;
+        mean   = values[DividedInterval::n_values + 1];
+        dt     = values[DividedInterval::n_values + 2];
       }
 
     private:
@@ -159,8 +164,9 @@ namespace auxfem
       const unsigned int order;
       DividedInterval    interval;
       double             wanted; ///< length of steps (s)
-      /** Relative error of the step before; none after a rejected one. */
-      std::optional<double> error_before = 1;
+      /** Mean relative error for the present length. */
+      double mean = 0;
+      double dt   = 0; ///< present length, 0 before the first step (s)
     };
   } // namespace
 
