@@ -1,10 +1,12 @@
 #include <auxfem/command_line.h>
+#include <auxfem/output/first_rank.h>
 #include <auxfem/parameters/describe.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/out_of_memory.h>
 #include <auxfem/parameters/printable.h>
 #include <auxfem/parameters/short_lines.h>
 #include <auxfem/program.h>
+#include <auxfem/reduced_cell/comparison.h>
 #include <auxfem/resumption.h>
 #include <auxfem/scene/scene_subsections.h>
 #include <auxfem/simulation.h>
@@ -16,7 +18,7 @@
 #include <iostream>
 #include <new>
 
-namespace auxfem
+  namespace auxfem
 {
   namespace
   {
@@ -68,9 +70,10 @@ namespace auxfem
       if (speaks && !run.warning.empty())
         report("warning: " + run.warning);
       const Scene scene = scene_to_resume(run, line.overrides);
-      return exit_code(
-        scene,
-        resume(scene, std::move(run), MPI_COMM_WORLD, start, rules));
+      return exit_code(scene,
+                       auxfem::run(scene,
+                                   MPI_COMM_WORLD,
+                                   {rules, start, std::move(run.records)}));
     }
 
     int
@@ -90,18 +93,19 @@ namespace auxfem
       if (line.action == CommandLine::Action::resume)
         return go_on(line, rules, speaks, start);
       if (line.action == CommandLine::Action::compare)
-        compare(scenes, line.folder, rules, MPI_COMM_WORLD);
+        on_first_rank(MPI_COMM_WORLD,
+                      [&]() { run_comparison(scenes, line.folder, rules); });
       else if (line.action == CommandLine::Action::check)
         check(scenes[0], MPI_COMM_WORLD);
       else
         return exit_code(scenes[0],
-                         run(scenes[0], MPI_COMM_WORLD, start, rules));
+                         run(scenes[0], MPI_COMM_WORLD, {rules, start}));
       return 0;
     }
   } // namespace
 
-  std::optional<int>
-  answer_without_mpi(const std::vector<std::string> &arguments)
+  std::optional<int> answer_without_mpi(
+    const std::vector<std::string> &arguments)
   {
     const PrintableStream output(std::cout), errors(std::cerr);
     try

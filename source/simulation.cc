@@ -1,32 +1,20 @@
 #include <auxfem/analysis/analysis.h>
-#include <auxfem/analysis/small_motions/frequency_response.h>
-#include <auxfem/analysis/small_motions/modes.h>
 #include <auxfem/model/scene_size.h>
 #include <auxfem/output/console.h>
-#include <auxfem/output/first_rank.h>
-#include <auxfem/output/run_output.h>
-#include <auxfem/output/singular_point_files.h>
-#include <auxfem/reduced_cell/cell_output.h>
-#include <auxfem/reduced_cell/comparison.h>
+#include <auxfem/parameters/errors.h>
 #include <auxfem/simulation.h>
-#include <auxfem/study/study.h>
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <iostream>
 
 namespace auxfem
 {
   namespace
   {
-    bool is_of_modes(const Scene &scene)
-    {
-      return scene.analysis == Analysis::modes ||
-        scene.analysis == Analysis::buckling;
-    }
-
-    /** Says what a large scene takes, before it takes it. */
-    void tell_size(const Scene &scene, const MPI_Comm communicator)
+    /** Reports what a large scene takes before the run takes it. */
+    void report_size(const Scene &scene, const MPI_Comm communicator)
     {
       const std::string text = size_text(scene);
       if (!text.empty() &&
@@ -34,82 +22,43 @@ namespace auxfem
         std::cout << indented(text) << '\n' << std::endl;
     }
 
-    /** What runs of some kinds write beside the files of simulations. */
-    std::vector<std::string> files_of_all_kinds()
+    /** Files that only analyses other than @p entry write. */
+    std::vector<std::string> files_of_others(const AnalysisEntry &entry)
     {
-      std::vector<std::string> all;
-      for (const auto &files : {study_files(),
-                                modes_files(),
-                                path_contents().names(),
-                                frequency_response_contents().names()})
-        all.insert(all.end(), files.begin(), files.end());
-      return all;
+      const std::vector<std::string> own = entry.files();
+      std::vector<std::string>       others;
+      for (const AnalysisEntry &other : analysis_registry())
+        for (const std::string &file : other.files())
+          if (std::find(own.begin(), own.end(), file) == own.end())
+            others.push_back(file);
+      return others;
     }
   } // namespace
 
-  RunResult run(const Scene      &scene,
-                const MPI_Comm    communicator,
-                const StartTimes &start,
-                const FileRules  &rules)
+  RunResult run(const Scene         &scene,
+                const MPI_Comm       communicator,
+                const FolderOptions &options)
   {
-    tell_size(scene, communicator);
-    if (scene.analysis == Analysis::study)
-      return run_study(scene, communicator, rules);
-    FileRules with_others              = rules;
-    with_others.results_of_other_kinds = files_of_all_kinds();
-    if (is_of_modes(scene))
-      return run_modes(scene, communicator, with_others);
-    if (scene.analysis == Analysis::frequency_response)
-      return run_frequency_response(scene, communicator, with_others);
-    if (scene.context.model == Model::reduced_cell)
-      return run(scene,
-                 communicator,
-                 *make_cell_output(scene, start, with_others));
-    return run(scene,
-               communicator,
-               *make_run_output(scene, communicator, start, with_others));
-  }
-
-  RunResult resume(const Scene      &scene,
-                   RunToResume       former,
-                   const MPI_Comm    communicator,
-                   const StartTimes &start,
-                   const FileRules  &rules)
-  {
-    tell_size(scene, communicator);
-    return run(scene,
-               communicator,
-               *make_run_output(scene,
-                                communicator,
-                                start,
-                                rules,
-                                std::move(former.records)));
+    report_size(scene, communicator);
+    const AnalysisEntry &analysis            = analysis_of(scene);
+    FolderOptions        with_others         = options;
+    with_others.rules.results_of_other_kinds = files_of_others(analysis);
+    return analysis.run(scene, communicator, with_others);
   }
 
   RunResult
   run(const Scene &scene, const MPI_Comm communicator, Recorder &recorder)
   {
-    return analysis_of(scene).run(scene, communicator, recorder);
+    const AnalysisEntry &analysis = analysis_of(scene);
+    if (analysis.observe == nullptr)
+      throw InputError("Analysis = " + analysis.name +
+                       ": has no rows to record, it writes files only");
+    return analysis.observe(scene, communicator, recorder);
   }
 
   void check(const Scene &scene, const MPI_Comm communicator)
   {
-    tell_size(scene, communicator);
-    if (is_of_modes(scene))
-      return check_modes(scene, communicator);
-    if (scene.analysis == Analysis::frequency_response)
-      return check_frequency_response(scene, communicator);
+    report_size(scene, communicator);
     analysis_of(scene).check(scene, communicator);
-    if (scene.analysis == Analysis::study)
-      check_study(scene, communicator);
-  }
-
-  void compare(const std::vector<Scene> &scenes,
-               const std::string        &folder,
-               const FileRules          &rules,
-               const MPI_Comm            communicator)
-  {
-    on_first_rank(communicator,
-                  [&]() { run_comparison(scenes, folder, rules); });
   }
 } // namespace auxfem

@@ -8,10 +8,14 @@ namespace auxfem
 {
   const std::vector<AnalysisEntry> &analysis_registry()
   {
-    static const std::vector<AnalysisEntry> registry = {transient_entry(),
-                                                        static_steps_entry(),
-                                                        static_path_entry(),
-                                                        reduced_cell_entry()};
+    static const std::vector<AnalysisEntry> registry = {
+      simulation_entry(),
+      static_path_entry(),
+      modes_entry(),
+      buckling_entry(),
+      frequency_response_entry(),
+      reduced_cell_entry(),
+      study_entry()};
     return registry;
   }
 

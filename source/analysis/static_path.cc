@@ -3,6 +3,7 @@
 #include <auxfem/analysis/paths/path_step_length.h>
 #include <auxfem/analysis/paths/singular_points.h>
 #include <auxfem/output/run_output.h>
+#include <auxfem/output/singular_point_files.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/time/interruption.h>
 #include <auxfem/time/static.h>
@@ -413,7 +414,15 @@ namespace auxfem
             [](const Scene &scene) {
               return scene.analysis == Analysis::static_path;
             },
+            [](const Scene         &scene,
+               const MPI_Comm       communicator,
+               const FolderOptions &options) {
+              return run_path(scene,
+                              communicator,
+                              *make_run_output(scene, communicator, options));
+            },
             run_path,
-            check_path};
+            check_path,
+            []() { return path_contents().names(); }};
   }
 } // namespace auxfem

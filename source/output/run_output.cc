@@ -48,17 +48,15 @@ namespace auxfem
     class RunOutput : public Recorder
     {
     public:
-      RunOutput(const Scene           &scene,
-                const MPI_Comm         communicator,
-                const StartTimes      &start_times,
-                const FileRules       &rules,
-                std::optional<Records> former)
+      RunOutput(const Scene         &scene,
+                const MPI_Comm       communicator,
+                const FolderOptions &options)
         : folder(scene.output.directory)
-        , former(std::move(former))
+        , former(options.checkpoint)
         , scene(scene)
         , communicator(communicator)
-        , start_times(start_times)
-        , rules(rules)
+        , start_times(options.start)
+        , rules(options.rules)
         , made(Clock::now())
         , first_step(made)
         , row_times(scene.output.row_interval,
@@ -444,17 +442,11 @@ namespace auxfem
     };
   } // namespace
 
-  std::unique_ptr<Recorder> make_run_output(const Scene           &scene,
-                                            const MPI_Comm         communicator,
-                                            const StartTimes      &start,
-                                            const FileRules       &rules,
-                                            std::optional<Records> goes_on_from)
+  std::unique_ptr<Recorder> make_run_output(const Scene         &scene,
+                                            const MPI_Comm       communicator,
+                                            const FolderOptions &options)
   {
-    return std::make_unique<RunOutput>(scene,
-                                       communicator,
-                                       start,
-                                       rules,
-                                       std::move(goes_on_from));
+    return std::make_unique<RunOutput>(scene, communicator, options);
   }
 
   void print_overview(const Scene &scene, const Equations &equations)

@@ -5,6 +5,7 @@
 #include <auxfem/output/summary.h>
 #include <auxfem/reduced_cell/cell_history.h>
 #include <auxfem/reduced_cell/cell_output.h>
+#include <auxfem/reduced_cell/cell_run.h>
 #include <auxfem/reduced_cell/cell_scheme.h>
 #include <auxfem/time/interruption.h>
 
@@ -21,19 +22,17 @@ namespace auxfem
   namespace
   {
     /** See make_cell_output(). */
-    class CellOutput : public Recorder
+    class CellOutput : public CellRecorder
     {
     public:
-      CellOutput(const Scene      &scene,
-                 const StartTimes &start,
-                 const FileRules  &rules)
+      CellOutput(const Scene &scene, const FolderOptions &options)
         : scene(scene)
-        , start_times(start)
-        , rules(rules)
+        , start_times(options.start)
+        , rules(options.rules)
         , start(Clock::now())
       {}
 
-      void begin_cell() override
+      void begin() override
       {
         const std::string &folder = scene.output.directory;
         files.emplace(scene, rules);
@@ -46,7 +45,7 @@ namespace auxfem
         write_column_reference(folder + "/history.units.csv", columns);
       }
 
-      void cell(const CellSample &sample) override
+      void sample(const CellSample &sample) override
       {
         energies.add(sample.energies);
         largest_transmitted =
@@ -56,7 +55,7 @@ namespace auxfem
           write_row(sample);
       }
 
-      void finish_cell(const RunResult &result) override
+      void finish(const RunResult &result) override
       {
         if (latest && latest->time != latest_row->time)
           write_row(*latest);
@@ -152,10 +151,9 @@ namespace auxfem
   }
 
 
-  std::unique_ptr<Recorder> make_cell_output(const Scene      &scene,
-                                             const StartTimes &start,
-                                             const FileRules  &rules)
+  RunResult run_reduced_cell(const Scene &scene, const FolderOptions &options)
   {
-    return std::make_unique<CellOutput>(scene, start, rules);
+    CellOutput output(scene, options);
+    return run_reduced_cell(scene, output);
   }
 } // namespace auxfem

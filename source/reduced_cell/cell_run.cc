@@ -8,7 +8,7 @@
 
 namespace auxfem
 {
-  RunResult run_reduced_cell(const Scene &scene, Recorder &recorder)
+  RunResult run_reduced_cell(const Scene &scene, CellRecorder &recorder)
   {
     const std::unique_ptr<CellScheme> scheme = make_cell_scheme(scene);
     RunResult                         result;
@@ -16,16 +16,16 @@ namespace auxfem
     const auto      record = [&](const CellSample &sample) {
       result.time = sample.time;
       judgement.add(sample.energies, sample.time);
-      recorder.cell(sample);
+      recorder.sample(sample);
     };
     const auto finish = [&](const std::string &exit_state) {
       result.exit_state      = exit_state;
       result.work.iterations = scheme->work();
       for (const Finding &finding : judgement.findings())
         result.findings.push_back(finding);
-      recorder.finish_cell(result);
+      recorder.finish(result);
     };
-    recorder.begin_cell();
+    recorder.begin();
     try
       {
         const CellSample at_start = scheme->start();
@@ -54,11 +54,6 @@ namespace auxfem
     // Finds loads that are no numbers.
     make_cell_scheme(scene)->start();
     std::cout << cell_overview_text(scene) << std::flush;
-  }
-
-  void CellHistory::finish_cell(const RunResult &result)
-  {
-    exit_state = result.exit_state;
   }
 
   CellHistory compute_history(const Scene &scene)

@@ -5,7 +5,6 @@
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/named.h>
 #include <auxfem/reduced_cell/cell_history.h>
-#include <auxfem/reduced_cell/cell_run.h>
 #include <auxfem/study/measured_run.h>
 #include <auxfem/time/interruption.h>
 
@@ -83,17 +82,16 @@ namespace auxfem
         keep(history->values(solution));
       }
 
-      void begin_cell() override
+      void begin_rows(const std::vector<Column> &columns,
+                      const unsigned int         n_unknowns) override
       {
-        constexpr unsigned int n_angles_and_rises = 2;
-        run.unknowns                              = n_angles_and_rises;
-        choose(cell_columns());
+        run.unknowns = n_unknowns;
+        choose(columns);
       }
 
-      void cell(const CellSample &sample) override
+      void row(const std::vector<double> &values) override
       {
-        energies.add(sample.energies);
-        keep(cell_values(sample, energies));
+        keep(values);
       }
 
       /** Of which it has been told. */
@@ -137,7 +135,6 @@ namespace auxfem
       const Equations    *equations = nullptr; ///< from begin() on
 
       std::optional<History>                                     history;
-      EnergyRecord                                               energies;
       std::vector<std::pair<std::size_t, std::vector<double> *>> kept;
     };
 
@@ -276,7 +273,7 @@ namespace auxfem
     try
       {
         const RunResult result =
-          analysis_of(scene).run(scene, communicator, recorder);
+          analysis_of(scene).observe(scene, communicator, recorder);
         run.exit_state     = result.exit_state;
         run.verdict        = verdict_of(result.findings);
         run.steps          = result.work.steps;

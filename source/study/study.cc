@@ -1,3 +1,4 @@
+#include <auxfem/analysis/analysis.h>
 #include <auxfem/output/console.h>
 #include <auxfem/output/csv_table.h>
 #include <auxfem/output/first_rank.h>
@@ -233,6 +234,9 @@ namespace auxfem
 
   void check_study(const Scene &scene, const MPI_Comm communicator)
   {
+    Scene simulated    = scene;
+    simulated.analysis = Analysis::simulation;
+    analysis_of(simulated).check(simulated, communicator);
     const StudyTask               task = task_of(scene, communicator);
     const std::vector<PlannedRun> plan = kind_of(task.scene).plan(task);
     on_first_rank(communicator, [&]() {
@@ -241,5 +245,23 @@ namespace auxfem
         std::cout << "    " << run.name << '\n';
       std::cout << std::flush;
     });
+  }
+
+  AnalysisEntry study_entry()
+  {
+    return {"study",
+            "Many simulations of a scene: what accuracy costs, which steps and "
+            "meshes are good enough, which effects matter.",
+            [](const Scene &scene) {
+              return scene.analysis == Analysis::study;
+            },
+            [](const Scene         &scene,
+               const MPI_Comm       communicator,
+               const FolderOptions &options) {
+              return run_study(scene, communicator, options.rules);
+            },
+            nullptr,
+            check_study,
+            study_files};
   }
 } // namespace auxfem

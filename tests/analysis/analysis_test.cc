@@ -39,6 +39,7 @@ TEST(AnalysisRegistry, EntriesAreWhole)
       EXPECT_FALSE(entry.description.empty()) << entry.name;
       EXPECT_NE(entry.run, nullptr) << entry.name;
       EXPECT_NE(entry.check, nullptr) << entry.name;
+      EXPECT_NE(entry.files, nullptr) << entry.name;
     }
 }
 
@@ -59,15 +60,15 @@ TEST(AnalysisRegistry, EveryShippedSceneIsServedByExactlyOne)
   EXPECT_EQ(served.size(), analysis_registry().size());
 }
 
-TEST(AnalysisRegistry, ModelAndSchemeDecide)
+TEST(AnalysisRegistry, AnalysisAndModelDecide)
 {
   const std::filesystem::path folder = AUXFEM_PRM_DIRECTORY;
   const auto name_of = [&](const char *file, const std::string &override) {
     return analysis_of(shipped_scene(folder / file, {override})).name;
   };
-  EXPECT_EQ(name_of("star-10x10.prm", "Time/Scheme=static"), "static steps");
+  EXPECT_EQ(name_of("star-10x10.prm", "Time/Scheme=static"), "simulation");
   EXPECT_EQ(name_of("star-10x10.prm", "Analysis=static path"), "static path");
-  EXPECT_EQ(name_of("star-10x10.prm", "Time/Scheme=newmark"), "transient");
+  EXPECT_EQ(name_of("star-10x10.prm", "Analysis=modes"), "modes");
   EXPECT_EQ(name_of("cell-case-1.prm", "Time/Scheme=newmark"), "reduced cell");
   EXPECT_EQ(name_of("cell-case-1.prm", "Time/Scheme=arkode"), "reduced cell");
 }

@@ -86,9 +86,7 @@ namespace
       : Recorded(scene,
                  make_run_output(scene,
                                  MPI_COMM_WORLD,
-                                 StartTimes(),
-                                 FileRules(),
-                                 std::move(goes_on_from)))
+                                 {{}, {}, std::move(goes_on_from)}))
     {}
   };
 

@@ -1,19 +1,38 @@
 #ifndef auxfem_tests_analysis_findings_of_h
 #define auxfem_tests_analysis_findings_of_h
 
+#include <auxfem/analysis/analysis.h>
 #include <auxfem/output/memory_recorder.h>
 #include <auxfem/simulation.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include <unistd.h>
 
 namespace auxfem
 {
   namespace testing_support
   {
-    /** Of a run of the scene of @p text. */
+    /** Runs the scene of @p text; analyses without rows write into a folder for
+     * temporary files. */
     inline RunResult result_of(const std::string              &text,
                                const std::vector<std::string> &overrides = {},
                                const MPI_Comm communicator = MPI_COMM_SELF)
     {
-      const Scene    scene = read_scene_from_text(text, "test.prm", overrides);
+      Scene scene = read_scene_from_text(text, "test.prm", overrides);
+      if (analysis_of(scene).observe == nullptr)
+        {
+          scene.output.directory = testing::TempDir() + "auxfem-test-" +
+            dealii::Utilities::MPI::broadcast(communicator,
+                                              std::to_string(getpid()));
+          const RunResult result = run(scene, communicator, FolderOptions());
+          std::filesystem::remove_all(scene.output.directory);
+          return result;
+        }
       MemoryRecorder recorder(scene, communicator);
       return run(scene, communicator, recorder);
     }

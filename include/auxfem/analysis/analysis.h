@@ -1,6 +1,7 @@
 #ifndef auxfem_analysis_analysis_h
 #define auxfem_analysis_analysis_h
 
+#include <auxfem/output/output_folder.h>
 #include <auxfem/output/recorder.h>
 #include <auxfem/scene/scene.h>
 
@@ -20,16 +21,28 @@ namespace auxfem
     bool (*serves)(const Scene &scene);
 
     /**
-     * Computes @p scene. Throws InputError and ComputationError; the recorder
-     * has then been told of all that was computed. Collective.
+     * Computes @p scene and writes its results into the folder that the scene
+     * names. Throws InputError and ComputationError; what was computed until
+     * then is on disk. Collective.
      */
-    RunResult (*run)(const Scene &scene,
-                     MPI_Comm     communicator,
-                     Recorder    &recorder);
+    RunResult (*run)(const Scene         &scene,
+                     MPI_Comm             communicator,
+                     const FolderOptions &options);
+
+    /**
+     * Computes @p scene for a recorder, without a folder; nullptr for an
+     * analysis that has no rows to record. Throws as run(). Collective.
+     */
+    RunResult (*observe)(const Scene &scene,
+                         MPI_Comm     communicator,
+                         Recorder    &recorder);
 
     /** The dry run: builds everything, prints counts and effects. Collective.
      */
     void (*check)(const Scene &scene, MPI_Comm communicator);
+
+    /** Files that only this analysis writes into its folder. */
+    std::vector<std::string> (*files)();
   };
 
   /** All analyses the program knows (analysis/register.cc). */
@@ -38,12 +51,15 @@ namespace auxfem
   /** The analysis that @p scene asks for. */
   const AnalysisEntry &analysis_of(const Scene &scene);
 
-  /** @name Entries of the table, one per file; only register.cc needs them. */
+  /** @name Entries of the table; only register.cc needs them. */
   ///@{
-  AnalysisEntry transient_entry();
-  AnalysisEntry static_steps_entry();
+  AnalysisEntry simulation_entry();
   AnalysisEntry static_path_entry();
+  AnalysisEntry modes_entry();
+  AnalysisEntry buckling_entry();
+  AnalysisEntry frequency_response_entry();
   AnalysisEntry reduced_cell_entry();
+  AnalysisEntry study_entry();
   ///@}
 } // namespace auxfem
 

@@ -1,6 +1,10 @@
 #ifndef auxfem_output_output_folder_h
 #define auxfem_output_output_folder_h
 
+#include <auxfem/output/start_times.h>
+#include <auxfem/time/records.h>
+
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -28,6 +32,15 @@ namespace auxfem
     /** Results of other kinds of runs, which go with those that are replaced,
      * where auxfem has written them and the run does not read them. */
     std::vector<std::string> results_of_other_kinds = {};
+  };
+
+  /** How a run treats the folder of results that the scene names. */
+  struct FolderOptions
+  {
+    FileRules  rules = {}; ///< for files that lie in the folder before the run
+    StartTimes start = {}; ///< of this rank, for the summary
+    /** A checkpoint from which the run continues, instead of starting. */
+    std::optional<Records> checkpoint = {};
   };
 
   /** What becomes of results that auxfem has left in a folder. */

@@ -14,7 +14,7 @@
 
 namespace auxfem
 {
-  struct CellSample;
+  struct Column;
   struct Scene;
 
   /** How a run ended and what it took. */
@@ -49,10 +49,9 @@ namespace auxfem
   };
 
   /**
-   * Whoever wants to know what an analysis computes, while it does: a folder of
-   * files, a table in memory. It is told of every solution and takes what it
-   * needs. Of lattices all ranks call the first group of functions together; of
-   * the reduced cell, which the first rank computes, it alone calls the second.
+   * Receives what an analysis computes, while it does: a folder of files, a
+   * table in memory. Each recorder takes what it needs. Lattices call the first
+   * group of functions, on all ranks together; other models record rows.
    */
   class Recorder
   {
@@ -156,16 +155,14 @@ namespace auxfem
       return false;
     }
 
-    /** @name The reduced cell. */
+    /** @name Analyses of another model than a lattice: rows of numbers. On the
+     * first rank alone. */
     ///@{
-    virtual void begin_cell()
+    virtual void begin_rows(const std::vector<Column> & /*columns*/,
+                            unsigned int /*n_unknowns*/)
     {}
 
-    /** Samples in order, from the one at t = 0. */
-    virtual void cell(const CellSample & /*sample*/)
-    {}
-
-    virtual void finish_cell(const RunResult & /*result*/)
+    virtual void row(const std::vector<double> & /*values*/)
     {}
     ///@}
   };

@@ -29,17 +29,13 @@ namespace auxfem
    * The wall time of the summary starts here.
    * @param scene must outlive the object.
    * @param communicator all ranks take part in every call.
-   * @param start of this rank, for the summary.
-   * @param rules files that the scene was read from are always spared.
-   * @param goes_on_from checkpoint of a run that has ended in the same folder,
-   *   whose results are continued
+   * @param options files that the scene was read from are always spared. A
+   *   checkpoint is that of a run in the same folder, whose results are
+   *   continued.
    */
-  std::unique_ptr<Recorder>
-  make_run_output(const Scene           &scene,
-                  MPI_Comm               communicator,
-                  const StartTimes      &start        = StartTimes(),
-                  const FileRules       &rules        = FileRules(),
-                  std::optional<Records> goes_on_from = {});
+  std::unique_ptr<Recorder> make_run_output(const Scene         &scene,
+                                            MPI_Comm             communicator,
+                                            const FolderOptions &options = {});
 
   /** Prints what its begin() prints, and writes nothing. Collective. */
   void print_overview(const Scene &scene, const Equations &equations);

@@ -3,29 +3,22 @@
 
 #include <auxfem/output/output_folder.h>
 #include <auxfem/output/recorder.h>
-#include <auxfem/output/start_times.h>
 #include <auxfem/scene/scene.h>
 
-#include <memory>
+#include <string>
 
 namespace auxfem
 {
   /**
-   * What a run of the reduced cell leaves behind, in one folder: original.prm,
-   * parameters.prm, log.txt, history.csv with history.units.csv, summary.json;
-   * and its lines on the screen. Made on all ranks, used on one. begin_cell()
-   * throws InputError if the folder cannot be written to.
-   * @param scene must outlive the object.
-   * @param start for the summary.
-   * @param rules files that the scene was read from are always spared.
+   * Computes the reduced cell on the calling rank and leaves one folder:
+   * original.prm, parameters.prm, log.txt, history.csv with history.units.csv,
+   * summary.json; and lines on the screen. Throws InputError, also if the
+   * folder cannot be written to, and ComputationError.
+   * @param options files that the scene was read from are always spared
    */
-  std::unique_ptr<Recorder> make_cell_output(const Scene      &scene,
-                                             const StartTimes &start,
-                                             const FileRules  &rules);
+  RunResult run_reduced_cell(const Scene &scene, const FolderOptions &options);
 
-
-  /** What its begin_cell() prints: the cell, what is simulated, the scheme.
-   */
+  /** What a run prints first: the cell, what is simulated, the scheme. */
   std::string cell_overview_text(const Scene &scene);
 } // namespace auxfem
 
