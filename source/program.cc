@@ -18,7 +18,7 @@
 #include <iostream>
 #include <new>
 
-  namespace auxfem
+namespace auxfem
 {
   namespace
   {
@@ -104,8 +104,8 @@
     }
   } // namespace
 
-  std::optional<int> answer_without_mpi(
-    const std::vector<std::string> &arguments)
+  std::optional<int>
+  answer_without_mpi(const std::vector<std::string> &arguments)
   {
     const PrintableStream output(std::cout), errors(std::cerr);
     try
