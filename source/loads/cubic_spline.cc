@@ -83,7 +83,7 @@ namespace auxfem
     slopes      = solve(rows);
   }
 
-  Jet<double> CubicSpline::operator()(const double at) const
+  Jet CubicSpline::operator()(const double at) const
   {
     const std::size_t n = x.size();
     if (n == 1)

@@ -2,480 +2,227 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
-#include <functional>
 #include <optional>
 
 namespace auxfem
 {
   namespace
   {
-    /**
-     * Spans of time to look at before what is left is only sampled: enough for
-     * ten thousand kinks, some tenths of a second.
-     */
-    constexpr std::size_t max_spans = 1 << 17;
+    /** Times at which branches are compared; more where they change often. */
+    constexpr std::size_t least_samples = 1021, most_branch_samples = 1 << 17;
 
     /** Jumps of one function in a run, each of which ends a step. */
-    constexpr double max_jumps = 1e4;
+    constexpr double most_jumps = 1e4;
 
-    /**
-     * Part of the size of values or slopes below which a difference is
-     * round-off; the root of a number that is zero up to round-off is 1e-8.
-     */
-    constexpr double relative_tolerance = 1e-7;
+    /** Changes of branches after which the search ends. */
+    constexpr std::size_t most_switches = 20000;
 
-    struct Span
+    /** Parts of values and derivatives below which differences do not count. */
+    constexpr double tolerance_of_values      = 1e-7,
+                     tolerance_of_derivatives = 1e-4;
+
+    struct Sample
     {
-      double begin, end;
+      double        time;
+      std::uint64_t branches;
     };
 
-    /** A time at which an operation switches. */
-    struct Candidate
-    {
-      double time;
-      bool   touched; ///< its margin touches zero without a change of sign
-    };
-
-    void refuse_more_than_most(const double n)
-    {
-      if (n > max_jumps)
-        throw TooManyJumps{n};
-    }
-
-    bool is_zero(const Interval &number)
-    {
-      return number.lower() == 0 && number.upper() == 0;
-    }
-
     /**
-     * Where @p f, of opposite signs at both ends, passes zero: of the
-     * neighbouring numbers around it the one with the smaller value.
+     * Samples of the branches between two times. They are spaced unevenly:
+     * equal intervals might be multiples of a period.
      */
-    double bisect(const std::function<double(double)> &f, Span span)
+    std::vector<Sample> sample(const BranchedFunction &function,
+                               const double            begin,
+                               const double            end,
+                               const std::size_t       n)
     {
-      double f_begin = f(span.begin);
+      constexpr double    golden = 0.6180339887498949;
+      std::vector<Sample> samples;
+      samples.reserve(n + 1);
+      for (std::size_t i = 0; i <= n; ++i)
+        {
+          const double shift =
+            i == 0 || i == n ? 0 : 0.5 * (i * golden - std::floor(i * golden));
+          const double t = begin + (end - begin) * ((i + shift) / n);
+          samples.push_back({t, function(t).branches});
+        }
+      return samples;
+    }
+
+    std::size_t n_changes(const std::vector<Sample> &samples)
+    {
+      std::size_t n = 0;
+      for (std::size_t i = 1; i < samples.size(); ++i)
+        n += samples[i].branches != samples[i - 1].branches;
+      return n;
+    }
+
+    /** The first number at which @p from's branches have ended, by bisection
+     * between it and @p to, which has others. */
+    Sample
+    end_of_branches(const BranchedFunction &function, Sample from, Sample to)
+    {
       for (;;)
         {
-          const double middle = span.begin + (span.end - span.begin) / 2;
-          if (middle <= span.begin || middle >= span.end)
-            break;
-          const double f_middle = f(middle);
-          if (f_middle == 0)
-            return middle;
-          if ((f_middle < 0) == (f_begin < 0))
-            {
-              span.begin = middle;
-              f_begin    = f_middle;
-            }
-          else
-            span.end = middle;
+          const double middle = from.time + (to.time - from.time) / 2;
+          if (middle <= from.time || middle >= to.time)
+            return to;
+          const Sample there = {middle, function(middle).branches};
+          (there.branches == from.branches ? from : to) = there;
         }
-      return std::abs(f_begin) < std::abs(f(span.end)) ? span.begin : span.end;
     }
 
-    /** Finds the times at which operations of an expression switch. */
-    class SwitchSearch
+    /** Times at which branches change, none closer to the one before than
+     * time_resolution(). */
+    std::vector<double> find_switches(const BranchedFunction &function,
+                                      const double            begin,
+                                      const double            end)
     {
-    public:
-      SwitchSearch(const ExpressionTree &expression,
-                   const double          begin,
-                   const double          end)
-        : expression(expression)
-        , touch_width(1e-6 * (end - begin))
-        , least_width(
-            std::max(1e-9 * (end - begin), time_resolution(end - begin)))
-      {
-        push({begin + time_resolution(begin), end - time_resolution(end)});
-        for (std::size_t n = 0; !spans.empty(); ++n)
+      constexpr std::size_t rare  = 16;
+      std::vector<Sample> samples = sample(function, begin, end, least_samples);
+      while (n_changes(samples) > samples.size() / rare &&
+             4 * samples.size() < most_branch_samples)
+        samples = sample(function, begin, end, 4 * samples.size());
+
+      std::vector<double> switches;
+      for (std::size_t i = 1; i < samples.size(); ++i)
+        for (Sample from = samples[i - 1];
+             from.branches != samples[i].branches &&
+             from.time < samples[i].time;)
           {
-            const Span span = spans.front();
-            spans.pop_front();
-            examine(span, n < max_spans);
+            if (switches.size() == most_switches)
+              return switches;
+            const Sample next = end_of_branches(function, from, samples[i]);
+            switches.push_back(next.time);
+            const double after = next.time + time_resolution(next.time);
+            from               = {after, function(after).branches};
           }
-        unite();
-      }
+      return switches;
+    }
 
-      /** Sorted, one of those that are closer than the resolution. */
-      std::vector<Candidate> candidates;
-
-    private:
-      using Switch = ExpressionTree::Switch;
-
-      void push(const Span &span)
-      {
-        if (span.begin < span.end)
-          spans.push_back(span);
-      }
-
-      void examine(const Span &span, const bool may_split)
-      {
-        const auto jets = expression.evaluate(Interval(span.begin, span.end));
-        std::vector<Candidate> found;
-        std::vector<Switch>    unresolved;
-        for (const Switch &operation : expression.switches())
-          if (!find(operation,
-                    expression.margin(operation.node, jets),
-                    span,
-                    found))
-            unresolved.push_back(operation);
-
-        if (!unresolved.empty() && may_split &&
-            span.end - span.begin > least_width)
-          {
-            split(span, found);
-            return;
-          }
-        for (const Switch &operation : unresolved)
-          sample(operation, span, found);
-        candidates.insert(candidates.end(), found.begin(), found.end());
-      }
-
-      /**
-       * At a root, so that operations on what switches there are resolved in
-       * both parts, or in the middle if all roots are close to the ends.
-       */
-      void split(const Span &span, std::vector<Candidate> &found)
-      {
-        const double middle = span.begin + (span.end - span.begin) / 2;
-        const double reach  = (span.end - span.begin) * (0.5 - 1. / 64);
-        const auto   root =
-          std::min_element(found.begin(),
-                           found.end(),
-                           [middle](const Candidate &a, const Candidate &b) {
-                             return std::abs(a.time - middle) <
-                               std::abs(b.time - middle);
-                           });
-        if (root == found.end() || std::abs(root->time - middle) > reach)
-          {
-            push({span.begin, middle});
-            push({middle, span.end});
-            return;
-          }
-        const double distance = time_resolution(root->time);
-        candidates.push_back(*root);
-        push({span.begin, root->time - distance});
-        push({root->time + distance, span.end});
-      }
-
-      /** Adds roots in @p span; false if there may be any number of them. */
-      bool find(const Switch           &operation,
-                const Jet<Interval>    &margin,
-                const Span             &span,
-                std::vector<Candidate> &found) const
-      {
-        if (!operation.at_integers)
-          return find_roots(operation, margin, 0, span, found);
-        double first = std::ceil(margin.value.lower());
-        double last  = std::floor(margin.value.upper());
-        if (!excludes(margin.first, 0))
-          {
-            if (last > first)
-              return false;
-          }
-        else
-          {
-            const auto [low, high] =
-              std::minmax({margin_at(operation, span.begin).value,
-                           margin_at(operation, span.end).value});
-            first = std::max(first, std::ceil(low));
-            last  = std::min(last, std::floor(high));
-            refuse_more_than_most(candidates.size() + (last - first));
-          }
-        for (double level = first; level <= last; ++level)
-          if (!find_roots(operation, margin, level, span, found))
-            return false;
-        return true;
-      }
-
-      /** The same of the roots of margin = @p level. */
-      bool find_roots(const Switch           &operation,
-                      const Jet<Interval>    &margin,
-                      const double            level,
-                      const Span             &span,
-                      std::vector<Candidate> &found) const
-      {
-        if (!contains(margin.value, level) || is_zero(margin.first))
-          return true;
-        if (excludes(margin.first, 0))
-          {
-            find_crossing(operation, level, span, found);
-            return true;
-          }
-        // Differences of equal slopes look as if they could have either sign.
-        if (is_zero(margin.second))
-          {
-            if (margin_at(operation, span.begin).first != 0)
-              find_crossing(operation, level, span, found);
-            return true;
-          }
-        if (!excludes(margin.second, 0))
-          return false;
-        find_around_extremum(operation, level, span, found);
-        return true;
-      }
-
-      void find_around_extremum(const Switch           &operation,
-                                const double            level,
-                                const Span             &span,
-                                std::vector<Candidate> &found) const
-      {
-        const auto slope = [&](const double t) {
-          return margin_at(operation, t).first;
-        };
-        const double begin = slope(span.begin), end = slope(span.end);
-        if (begin * end > 0)
-          {
-            find_crossing(operation, level, span, found);
-            return;
-          }
-        const double      extremum = begin == 0 ? span.begin
-               : end == 0                       ? span.end
-                                                : bisect(slope, span);
-        const Jet<double> margin   = margin_at(operation, extremum);
-        if (operation.when_touched &&
-            2 * std::abs(margin.value) <=
-              std::abs(margin.second) * touch_width * touch_width)
-          {
-            found.push_back({extremum, true});
-            return;
-          }
-        find_crossing(operation, level, {span.begin, extremum}, found);
-        find_crossing(operation, level, {extremum, span.end}, found);
-      }
-
-      /** Adds the root if the margin passes @p level once, or not at all. */
-      void find_crossing(const Switch           &operation,
-                         const double            level,
-                         const Span             &span,
-                         std::vector<Candidate> &found) const
-      {
-        const auto difference = [&](const double t) {
-          return margin_at(operation, t).value - level;
-        };
-        const double begin = difference(span.begin), end = difference(span.end);
-        if (begin == 0 && !operation.when_touched)
-          found.push_back({span.begin, false});
-        if (end == 0 && !operation.when_touched)
-          found.push_back({span.end, false});
-        if (begin * end < 0)
-          found.push_back({bisect(difference, span), false});
-      }
-
-      /**
-       * Adds what the margins at both ends tell; for spans so short that two
-       * crossings in them do not matter.
-       */
-      void sample(const Switch           &operation,
-                  const Span             &span,
-                  std::vector<Candidate> &found) const
-      {
-        const std::size_t n     = found.size();
-        const double      begin = margin_at(operation, span.begin).value;
-        const double      end   = margin_at(operation, span.end).value;
-        double            first = 0, last = 0;
-        if (operation.at_integers)
-          {
-            first = std::ceil(std::min(begin, end));
-            last  = std::floor(std::max(begin, end));
-            refuse_more_than_most(candidates.size() + (last - first));
-          }
-        for (double level = first; level <= last; ++level)
-          find_crossing(operation, level, span, found);
-        if (operation.when_touched && found.size() == n)
-          found.push_back({span.begin, true});
-      }
-
-      Jet<double> margin_at(const Switch &operation, const double t) const
-      {
-        return expression.margin(operation.node, expression.evaluate(t));
-      }
-
-      /** Keeps one of those that are at the same time up to round-off. */
-      void unite()
-      {
-        const auto earlier = [](const Candidate &a, const Candidate &b) {
-          return a.time < b.time;
-        };
-        std::sort(candidates.begin(), candidates.end(), earlier);
-        std::vector<Candidate> kept;
-        for (const Candidate &candidate : candidates)
-          if (!candidate.touched &&
-              (kept.empty() ||
-               candidate.time - kept.back().time >=
-                 time_resolution(candidate.time)))
-            kept.push_back(candidate);
-
-        // A number that touches zero is zero up to round-off for a while.
-        for (auto begin = candidates.begin(); begin != candidates.end();)
-          {
-            auto end = begin + 1;
-            while (end != candidates.end() &&
-                   end->time - (end - 1)->time < touch_width)
-              ++end;
-            if (std::all_of(begin, end, [](const Candidate &candidate) {
-                  return candidate.touched;
-                }))
-              kept.push_back(*(begin + (end - begin) / 2));
-            begin = end;
-          }
-        std::sort(kept.begin(), kept.end(), earlier);
-        candidates = std::move(kept);
-      }
-
-      const ExpressionTree &expression;
-      const double          touch_width; ///< closeness to zero that is a touch
-      const double          least_width; ///< of spans that are split
-      std::deque<Span>      spans;
-    };
-
-    /** Tells which times of switching are bends, kinks or jumps. */
+    /** Tells which switches are bends, kinks or jumps. */
     class Classification
     {
     public:
-      Classification(const ExpressionTree         &expression,
-                     const std::vector<Candidate> &candidates,
-                     const double                  begin,
-                     const double                  end,
-                     const unsigned int            derivatives)
-        : expression(expression)
+      Classification(const BranchedFunction    &function,
+                     const std::vector<double> &switches,
+                     const double               begin,
+                     const double               end,
+                     const unsigned int         derivatives)
+        : function(function)
         , derivatives(derivatives)
-        , times({begin})
       {
-        for (const Candidate &candidate : candidates)
-          times.push_back(candidate.time);
-        times.push_back(end);
-        for (std::size_t i = 0; i + 1 < times.size(); ++i)
-          sizes.push_back(size_between(times[i], times[i + 1]));
+        if (switches.empty())
+          return;
+        std::vector<FunctionSize> sizes;
+        for (std::size_t i = 0; i <= switches.size(); ++i)
+          sizes.push_back(
+            size_between(i == 0 ? begin : switches[i - 1],
+                         i == switches.size() ? end : switches[i]));
         double greatest = 0;
         for (const FunctionSize &size : sizes)
           greatest = std::max(greatest, size.value);
         negligible_slope     = 1e-10 * greatest / (end - begin);
         negligible_curvature = negligible_slope / (end - begin);
-
-        for (std::size_t i = 0; i < candidates.size(); ++i)
-          if (const auto kind = classify(candidates[i], i + 1))
-            events.push_back({candidates[i].time, *kind});
+        for (std::size_t i = 0; i < switches.size(); ++i)
+          add(switches[i], larger(sizes[i], sizes[i + 1]));
+        const double part = switches.size() == most_switches
+          ? (switches.back() - begin) / (end - begin)
+          : 1;
+        if (n_jumps > most_jumps * part)
+          throw TooManyJumps{n_jumps / part};
       }
 
       std::vector<TimeEvent> events;
 
     private:
+      static FunctionSize larger(const FunctionSize &a, const FunctionSize &b)
+      {
+        return {std::max(a.value, b.value),
+                std::max(a.slope, b.slope),
+                std::max(a.curvature, b.curvature)};
+      }
+
+      /** From five values. */
       FunctionSize size_between(const double a, const double b) const
       {
-        FunctionSize size;
-        for (const double fraction : {0.25, 0.5, 0.75})
+        constexpr unsigned int n = 5;
+        const double           h = (b - a) / (n + 1);
+        double                 values[n];
+        FunctionSize           size;
+        const auto             raise = [](double &largest, const double value) {
+          if (std::isfinite(value))
+            largest = std::max(largest, std::abs(value));
+        };
+        for (unsigned int i = 0; i < n; ++i)
           {
-            const Jet<double> jet =
-              expression.result(expression.evaluate(a + fraction * (b - a)));
-            if (std::isfinite(jet.value))
-              size.value = std::max(size.value, std::abs(jet.value));
-            if (std::isfinite(jet.first))
-              size.slope = std::max(size.slope, std::abs(jet.first));
-            if (std::isfinite(jet.second))
-              size.curvature = std::max(size.curvature, std::abs(jet.second));
+            values[i] = function(a + (i + 1) * h).value;
+            raise(size.value, values[i]);
+            if (i > 0)
+              raise(size.slope, (values[i] - values[i - 1]) / h);
+            if (i > 1)
+              raise(size.curvature,
+                    (values[i] - 2 * values[i - 1] + values[i - 2]) / (h * h));
           }
         return size;
       }
 
-      std::optional<TimeEvent::Kind> classify(const Candidate  &candidate,
-                                              const std::size_t index) const
+      void add(const double t, const FunctionSize &size)
       {
-        const FunctionSize &left = sizes[index - 1], &right = sizes[index];
-        const FunctionSize  size = {std::max(left.value, right.value),
-                                    std::max(left.slope, right.slope) +
-                                      negligible_slope / relative_tolerance,
-                                    std::max(left.curvature, right.curvature) +
-                                      negligible_curvature / relative_tolerance};
-        if (candidate.touched)
-          return classify_touch(index, size);
+        if (const auto kind = classify(t, size))
+          {
+            n_jumps += *kind == TimeEvent::Kind::jump;
+            events.push_back({t, *kind});
+          }
+      }
 
-        const double      t      = candidate.time;
-        const Jet<double> before = limit(expression, t, TimeSide::before);
-        const Jet<double> after  = limit(expression, t, TimeSide::after);
-        if (std::isnan(before.value) || std::isnan(after.value))
+      std::optional<TimeEvent::Kind> classify(const double        t,
+                                              const FunctionSize &size) const
+      {
+        const double before = limit(function, t, TimeSide::before),
+                     after  = limit(function, t, TimeSide::after);
+        if (std::isnan(before) || std::isnan(after))
           return {};
-        const double slopes = std::abs(before.first) + std::abs(after.first);
-        const double error =
-          std::isfinite(slopes) ? time_resolution(t) * slopes : 0;
-        if (is_jump(before.value, after.value, size, error))
+        if (is_jump(before, after, size, time_resolution(t) * size.slope))
           return TimeEvent::Kind::jump;
-        if (is_kink(before.first, after.first, size))
+        const JetEstimate left  = jet_estimate(function, t, TimeSide::before),
+                          right = jet_estimate(function, t, TimeSide::after);
+        if (is_kink(left.jet.first,
+                    right.jet.first,
+                    size,
+                    left.first_error + right.first_error + negligible_slope))
           return TimeEvent::Kind::kink;
-
-        // Infinite slopes times zero, as in sqrt(abs(t))^2.
-        const auto &switches = expression.switches();
-        if (std::any_of(switches.begin(),
-                        switches.end(),
-                        [](const ExpressionTree::Switch &operation) {
-                          return operation.when_touched;
-                        }))
-          if (const auto kind = classify_touch(index, size))
-            return kind;
-        if (derivatives > 1 && is_bend(before.second, after.second, size))
+        if (derivatives > 1 &&
+            is_bend(left.jet.second,
+                    right.jet.second,
+                    size,
+                    left.second_error + right.second_error +
+                      negligible_curvature))
           return TimeEvent::Kind::bend;
         return {};
       }
 
-      /**
-       * At a root of a number that touches zero slopes are undefined, and next
-       * to it they are those of round-off; so they are taken a little further
-       * away, where they also differ by curvature.
-       */
-      std::optional<TimeEvent::Kind>
-      classify_touch(const std::size_t index, const FunctionSize &size) const
-      {
-        const double t = times[index];
-        const double distance =
-          1e-4 * std::min(t - times[index - 1], times[index + 1] - t);
-        const auto slope = [this](const double t) {
-          return expression.result(expression.evaluate(t)).first;
-        };
-        const double difference = slope(t + distance) - slope(t - distance);
-        if (std::abs(difference) > 1e-2 * size.slope)
-          return TimeEvent::Kind::kink;
-        return {};
-      }
-
-      const ExpressionTree     &expression;
-      const unsigned int        derivatives;
-      std::vector<double>       times; ///< candidates and both ends
-      std::vector<FunctionSize> sizes; ///< between the times
-      double                    negligible_slope, negligible_curvature;
+      const BranchedFunction &function;
+      const unsigned int      derivatives;
+      double negligible_slope = 0, negligible_curvature = 0, n_jumps = 0;
     };
   } // namespace
 
-  std::vector<TimeEvent> find_events(const ExpressionTree &expression,
-                                     const double          begin,
-                                     const double          end,
-                                     const unsigned int    derivatives)
+  std::vector<TimeEvent> find_events(const BranchedFunction &function,
+                                     const double            begin,
+                                     const double            end,
+                                     const unsigned int      derivatives)
   {
-    const SwitchSearch           search(expression, begin, end);
-    const std::vector<TimeEvent> events =
-      Classification(expression, search.candidates, begin, end, derivatives)
-        .events;
-    refuse_more_than_most(
-      std::count_if(events.begin(), events.end(), [](const TimeEvent &event) {
-        return event.kind == TimeEvent::Kind::jump;
-      }));
-    return events;
-  }
-
-  Jet<double>
-  limit(const ExpressionTree &expression, const double t, const TimeSide side)
-  {
-    const double sign   = side == TimeSide::before ? -1 : 1;
-    const double reach  = time_resolution(t);
-    const auto   beside = expression.evaluate(t + sign * reach);
-    Jet<double>  result = expression.result(expression.evaluate(t, beside));
-
-    // Round-off of t may lie outside of what the branch is defined for.
-    for (double distance = reach / 4096; distance <= reach &&
-         (std::isnan(result.value) || std::isnan(result.first));
-         distance *= 2)
-      result =
-        expression.result(expression.evaluate(t + sign * distance, beside));
-    return result;
+    const double first = begin + time_resolution(begin),
+                 last  = end - time_resolution(end);
+    if (first >= last)
+      return {};
+    return Classification(function,
+                          find_switches(function, first, last),
+                          begin,
+                          end,
+                          derivatives)
+      .events;
   }
 
   bool is_jump(const double        before,
@@ -484,18 +231,24 @@ namespace auxfem
                const double        error)
   {
     return !(std::abs(after - before) <=
-             relative_tolerance * size.value + error);
+             tolerance_of_values * size.value + error);
   }
 
-  bool
-  is_kink(const double before, const double after, const FunctionSize &size)
+  bool is_kink(const double        before,
+               const double        after,
+               const FunctionSize &size,
+               const double        error)
   {
-    return !(std::abs(after - before) <= relative_tolerance * size.slope);
+    return !(std::abs(after - before) <=
+             tolerance_of_derivatives * size.slope + error);
   }
 
-  bool
-  is_bend(const double before, const double after, const FunctionSize &size)
+  bool is_bend(const double        before,
+               const double        after,
+               const FunctionSize &size,
+               const double        error)
   {
-    return !(std::abs(after - before) <= relative_tolerance * size.curvature);
+    return !(std::abs(after - before) <=
+             tolerance_of_derivatives * size.curvature + error);
   }
 } // namespace auxfem

@@ -1,5 +1,4 @@
 #include <auxfem/loads/event_search.h>
-#include <auxfem/loads/expression_tree.h>
 #include <auxfem/loads/time_history.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/expression.h>
@@ -43,6 +42,9 @@ namespace auxfem
         : expression(read(text, path, context, time))
       {}
 
+      ExpressionHistory(const ExpressionHistory &)            = delete;
+      ExpressionHistory &operator=(const ExpressionHistory &) = delete;
+
       double value(const double t) const override
       {
         time = t;
@@ -51,23 +53,14 @@ namespace auxfem
 
       double limit(const double t, const TimeSide side) const override
       {
-        const Jet<double> here   = tree().result(tree().evaluate(t));
-        const Jet<double> result = auxfem::limit(tree(), t, side);
-
-        // At a kink branches differ by the round-off of its time.
-        double error = 0;
-        for (const double slope : {here.first, result.first})
-          if (std::isfinite(slope))
-            error += time_resolution(t) * std::abs(slope);
-        return std::abs(result.value - here.value) <= error ? value(t)
-                                                            : result.value;
+        return auxfem::limit(branched, t, side);
       }
 
-      Jet<double> jet(const double t, const TimeSide side) const override
+      Jet jet(const double t, const TimeSide side) const override
       {
-        Jet<double> result = auxfem::limit(tree(), t, side);
-        result.value       = limit(t, side);
-        return result;
+        if (!known_jet || known_jet->time != t || known_jet->side != side)
+          known_jet = {t, side, jet_estimate(branched, t, side).jet};
+        return known_jet->jet;
       }
 
       std::vector<TimeEvent>
@@ -77,7 +70,7 @@ namespace auxfem
       {
         try
           {
-            return find_events(tree(), begin, end, derivatives);
+            return find_events(branched, begin, end, derivatives);
           }
         catch (const TooManyJumps &jumps)
           {
@@ -105,23 +98,22 @@ namespace auxfem
       }
 
     private:
-      const ExpressionTree &tree() const
+      struct KnownJet
       {
-        if (!known_tree)
-          {
-            // It is compiled at the first evaluation.
-            expression.value();
-            known_tree = std::make_unique<const ExpressionTree>(
-              read_expression(expression.compiled()));
-          }
-        return *known_tree;
-      }
+        double   time;
+        TimeSide side;
+        Jet      jet;
+      };
 
-      mutable double time = 0; ///< where the expression finds `t`
-      Expression     expression;
+      mutable double   time = 0; ///< where the expression finds `t`
+      Expression       expression;
+      BranchedFunction branched = [this](const double t) {
+        time = t;
+        return expression.evaluate();
+      };
 
-      /** Made when it is needed first: most functions are only evaluated. */
-      mutable std::unique_ptr<const ExpressionTree> known_tree;
+      /** The last one: the iterations of a step need the same. */
+      mutable std::optional<KnownJet> known_jet;
     };
   } // namespace
 

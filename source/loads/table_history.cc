@@ -101,7 +101,7 @@ namespace auxfem
         return jet(t, side).value;
       }
 
-      Jet<double> jet(const double t, const TimeSide side) const override
+      Jet jet(const double t, const TimeSide side) const override
       {
         const auto next = side == TimeSide::after
           ? std::upper_bound(times.begin(), times.end(), t)
@@ -124,9 +124,8 @@ namespace auxfem
                        : first + 1;
             if (t - begin < time_resolution(t) || end - t < time_resolution(t))
               continue;
-            const Jet<double> left  = between(first, t),
-                              right = between(after, t);
-            const auto larger       = [](const double a, const double b) {
+            const Jet  left = between(first, t), right = between(after, t);
+            const auto larger = [](const double a, const double b) {
               return std::max(std::abs(a), std::abs(b));
             };
             const FunctionSize size = {larger(left.value, right.value),
@@ -134,10 +133,10 @@ namespace auxfem
                                        larger(left.second, right.second)};
             if (is_jump(left.value, right.value, size, 0))
               result.push_back({t, TimeEvent::Kind::jump});
-            else if (is_kink(left.first, right.first, size))
+            else if (is_kink(left.first, right.first, size, 0))
               result.push_back({t, TimeEvent::Kind::kink});
             else if (derivatives > 1 &&
-                     is_bend(left.second, right.second, size))
+                     is_bend(left.second, right.second, size, 0))
               result.push_back({t, TimeEvent::Kind::bend});
           }
         return result;
@@ -305,7 +304,7 @@ namespace auxfem
       }
 
       /** At @p t after row next - 1 and before row @p next, if there are such. */
-      Jet<double> between(const std::size_t next, const double t) const
+      Jet between(const std::size_t next, const double t) const
       {
         if (next == 0)
           return {values.front()};

@@ -32,7 +32,7 @@ namespace auxfem
         return value(t);
       }
 
-      Jet<double> jet(const double t, const TimeSide /*side*/) const override
+      Jet jet(const double t, const TimeSide /*side*/) const override
       {
         return {value(t), slope, 0.};
       }
@@ -174,7 +174,7 @@ namespace auxfem
   {
     if (!history)
       return {{0, 0, 0}};
-    const Jet<double> jet = history->jet(t, side);
+    const Jet jet = history->jet(t, side);
     return {{checked(jet.value, t),
              checked(jet.first, t, "the first derivative"),
              checked(jet.second, t, "the second derivative")}};

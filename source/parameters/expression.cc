@@ -6,36 +6,68 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <functional>
 
 namespace auxfem
 {
   namespace
   {
+    /** Hash of the decisions of the evaluation that this thread is in. */
+    thread_local std::uint64_t branches = 0;
+
+    /** Adds @p decision, an integer, to the hash and returns it. */
+    double decided(const double decision)
+    {
+      constexpr std::uint64_t prime = 0x100000001b3; // FNV-1a
+      std::uint64_t           bits;
+      std::memcpy(&bits, &decision, sizeof(bits));
+      branches = (branches ^ (bits >> 32) ^ bits) * prime + 1;
+      return decision;
+    }
+
     double if_function(const double condition,
                        const double then_value,
                        const double else_value)
     {
-      return condition != 0 ? then_value : else_value;
-    }
-
-    double power_function(const double base, const double exponent)
-    {
-      return std::pow(base, exponent);
+      return decided(condition != 0) != 0 ? then_value : else_value;
     }
 
     double floor_function(const double x)
     {
-      return std::floor(x);
+      return decided(std::floor(x));
     }
 
-    double ceil_function(const double x)
+    double sign_function(const double x)
     {
-      return std::ceil(x);
+      return decided((x > 0) - (x < 0));
     }
 
-    double natural_logarithm(const double x)
+    double tangent(const double x)
     {
-      return std::log(x);
+      decided(std::cos(x) < 0);
+      return std::tan(x);
+    }
+
+    double angle_of_point(const double y, const double x)
+    {
+      decided(2 * (x < 0) + (y < 0));
+      return std::atan2(y, x);
+    }
+
+    double quotient(const double x, const double divisor)
+    {
+      decided(divisor < 0);
+      return x / divisor;
+    }
+
+    /** The operand that @p precedes all others. */
+    template <typename Order>
+    double first_of(const double *x, const int n, const Order &precedes)
+    {
+      const double *first = std::min_element(x, x + n, precedes);
+      decided(first - x);
+      return *first;
     }
 
     /** `=` that is not part of `==`, `<=`, `>=`, `!=`: muParser would assign.
@@ -54,15 +86,78 @@ namespace auxfem
       return false;
     }
 
+    /** Functions besides muParser's own, or in their place to note branches. */
+    void define_functions(mu::Parser &parser)
+    {
+      parser.DefineFun("if", &if_function);
+      parser.DefineFun("floor", &floor_function);
+      parser.DefineFun("sign", &sign_function);
+      parser.DefineFun("tan", &tangent);
+      parser.DefineFun("atan2", &angle_of_point);
+      const auto define = [&parser](const char *name, const auto function) {
+        parser.DefineFun(name, +function);
+      };
+      define("pow", [](double x, double y) { return std::pow(x, y); });
+      define("ceil", [](double x) { return decided(std::ceil(x)); });
+      define("rint", [](double x) { return decided(std::floor(x + 0.5)); });
+      // In some versions of muParser this is the decimal one.
+      define("log", [](double x) { return std::log(x); });
+      define("abs", [](double x) { return decided(x < 0) != 0 ? -x : x; });
+      define("min", [](const double *x, int n) {
+        return first_of(x, n, std::less<>());
+      });
+      define("max", [](const double *x, int n) {
+        return first_of(x, n, std::greater<>());
+      });
+    }
+
+    /**
+     * All binary operators, with the precedences of muParser: its own note no
+     * branches, and it replaces all of them or none.
+     */
+    void define_operators(mu::Parser &parser)
+    {
+      parser.EnableBuiltInOprt(false);
+      const auto define =
+        [&parser](const char *name, const int precedence, const auto function) {
+          parser.DefineOprt(name,
+                            function,
+                            precedence,
+                            precedence == mu::prPOW ? mu::oaRIGHT : mu::oaLEFT,
+                            true);
+        };
+      define("||", mu::prLOR, [](double a, double b) -> double {
+        return a != 0 || b != 0;
+      });
+      define("&&", mu::prLAND, [](double a, double b) -> double {
+        return a != 0 && b != 0;
+      });
+      define("<", mu::prCMP, [](double a, double b) { return decided(a < b); });
+      define(">", mu::prCMP, [](double a, double b) { return decided(a > b); });
+      define("<=", mu::prCMP, [](double a, double b) {
+        return decided(a <= b);
+      });
+      define(">=", mu::prCMP, [](double a, double b) {
+        return decided(a >= b);
+      });
+      define("==", mu::prCMP, [](double a, double b) {
+        return decided(a == b);
+      });
+      define("!=", mu::prCMP, [](double a, double b) {
+        return decided(a != b);
+      });
+      define("+", mu::prADD_SUB, [](double a, double b) { return a + b; });
+      define("-", mu::prADD_SUB, [](double a, double b) { return a - b; });
+      define("*", mu::prMUL_DIV, [](double a, double b) { return a * b; });
+      define("/", mu::prMUL_DIV, &quotient);
+      define("^", mu::prPOW, [](double a, double b) { return std::pow(a, b); });
+    }
+
     /** What every formula knows besides muParser's own functions. */
     void define_common(mu::Parser &parser)
     {
-      parser.DefineFun("if", &if_function);
-      parser.DefineFun("pow", &power_function);
-      parser.DefineFun("floor", &floor_function);
-      parser.DefineFun("ceil", &ceil_function);
-      // In some versions of muParser this is the decimal one.
-      parser.DefineFun("log", &natural_logarithm);
+      define_functions(parser);
+      define_operators(parser);
       parser.DefineConst("pi", dealii::numbers::PI);
     }
 
@@ -153,6 +248,15 @@ namespace auxfem
     // behind, so it comes second and the text is set once more.
     constant = parser.GetUsedVar().empty();
     parser.SetExpr(text);
+    // The first evaluation folds constants, whose decisions are none later.
+    parser.Eval();
+  }
+
+  Expression::BranchedValue Expression::evaluate() const
+  {
+    branches           = 0;
+    const double value = parser.Eval();
+    return {value, branches};
   }
 
   double constant_value(const std::string                       &text,

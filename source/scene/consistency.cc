@@ -362,6 +362,10 @@ namespace auxfem
                              "Time/Start from = static equilibrium is not "
                              "possible with Model = reduced cell, which starts "
                              "from rest. Remove it"));
+      if (!scene.time.events.empty())
+        mistakes.add(message(scene,
+                             "Time/Events: with Model = reduced cell all steps "
+                             "have the same length. Remove it"));
       if (scene.time.smallest_step > 0)
         mistakes.add(message(scene,
                              "Time/Smallest time step = ",

@@ -97,6 +97,20 @@ namespace auxfem
     constexpr Jump with_loads   = Jump::accelerations,
                    with_motions = Jump::velocities;
 
+    /** At times that the user gives anything may jump that is not constant. */
+    void add_given_ends(const std::vector<double>       &times,
+                        const std::vector<TimeFunction> &motions,
+                        std::vector<StepEnd>            &ends)
+    {
+      const bool moves = std::any_of(motions.begin(),
+                                     motions.end(),
+                                     [](const TimeFunction &motion) {
+                                       return !motion.is_constant();
+                                     });
+      for (const double time : times)
+        ends.push_back({time, moves ? with_motions : with_loads});
+    }
+
     /** Of motions with inertia. */
     void add_ends_of_motions(const std::vector<TimeFunction> &functions,
                              const TimeParameters            &time,
@@ -130,6 +144,7 @@ namespace auxfem
     const std::vector<TimeFunction> loads   = loads_of(scene),
                                     motions = motions_of(scene);
     std::vector<StepEnd> all;
+    add_given_ends(time.events, motions, all);
     add_ends_of_samples(loads, time, with_loads, all);
     if (time.scheme->is_dynamic())
       add_ends_of_motions(motions, time, all);

@@ -1,7 +1,9 @@
+#include <auxfem/parameters/errors.h>
 #include <auxfem/time/time_parameters.h>
 
 #include <algorithm>
 #include <limits>
+#include <sstream>
 
 namespace auxfem
 {
@@ -84,6 +86,17 @@ namespace auxfem
       Range::positive(),
       "A step that creates more energy than this part of the largest "
       "so far is repeated with half its length."};
+    const QuantityList events = {
+      "Events",
+      "",
+      "s",
+      Range::non_negative(),
+      0,
+      10000,
+      "Times at which steps end and rates are computed anew, as at the kinks and "
+      "jumps of loads and motions that the program finds itself; for those it "
+      "cannot find, as in sqrt((t - 1)^2), asin(sin(t)) or if(sin(t) > 0.999, 1, "
+      "0). None may lie after the end time."};
     const Choice start = {"Start from",
                           "rest",
                           {"rest", "static equilibrium"},
@@ -107,6 +120,7 @@ namespace auxfem
                       absolute_tolerance,
                       absolute_tolerance_of_rotations,
                       energy_error,
+                      events,
                       start})
         parameters.push_back(parameter);
       return parameters;
@@ -126,6 +140,23 @@ namespace auxfem
                 " has no effect: it belongs to Scheme = " + entry.name +
                 ", and Time/Scheme is " + chosen + ".");
       return sentences;
+    }
+
+    /** Times up to @p end_time (s). */
+    std::vector<double> read_events(const ParameterValues &values,
+                                    const double           end_time)
+    {
+      const std::vector<double> times = values[events];
+      for (const double time : times)
+        if (time > end_time)
+          {
+            std::ostringstream message;
+            message << "Time/Events: " << time
+                    << " s lies after the end of the run at " << end_time
+                    << " s.\nGive times between 0 and Time/End time.";
+            throw InputError(message.str());
+          }
+      return times;
     }
 
     // Newton
@@ -181,6 +212,7 @@ namespace auxfem
     time.step          = values[step];
     time.smallest_step = values[smallest_step];
     time.energy_error  = values[energy_error];
+    time.events        = read_events(values, time.end_time);
     if (!values.is_word(relative_tolerance))
       time.relative_tolerance = values[relative_tolerance];
     if (!values.is_word(absolute_tolerance))

@@ -35,7 +35,9 @@ namespace
     ASSERT_EQ(events.size(), expected.size());
     for (std::size_t i = 0; i < events.size(); ++i)
       {
-        EXPECT_DOUBLE_EQ(events[i].time, expected[i].time);
+        EXPECT_NEAR(events[i].time,
+                    expected[i].time,
+                    time_resolution(expected[i].time));
         EXPECT_EQ(events[i].kind, expected[i].kind);
       }
   }
@@ -114,16 +116,17 @@ TEST(TimeEvents, Pulses)
   expect_events("if(t<T, sin(pi*t/T), 0)", {{0.003, kink}});
   expect_events("max(0, 1-abs(t-0.01)/0.001)",
                 {{0.009, kink}, {0.01, kink}, {0.011, kink}});
-  // Two crossings that are 2e-5 apart, of a margin that touches no zero else.
-  expect_events("if((t-0.3)^2 < 1e-10, 1, 0)",
-                {{0.3 - 1e-5, jump}, {0.3 + 1e-5, jump}});
+  // In a run that is a million times as long.
+  expect_events("1e7*max(0, 1-abs(t-0.3)/1e-6)",
+                {{0.3 - 1e-6, kink}, {0.3, kink}, {0.3 + 1e-6, kink}});
+  expect_events("if(t>0.3 && t<0.3+1e-6, sin(pi*(t-0.3)/1e-6), 0)",
+                {{0.3, kink}, {0.3 + 1e-6, kink}});
 }
 
 TEST(TimeEvents, Periodic)
 {
   expect_events("abs(sin(100*t))", periodic(pi / 100, pi / 100, kink));
   expect_events("max(0, sin(20*t))", periodic(pi / 20, pi / 20, kink));
-  expect_events("asin(sin(10*t))", periodic(pi / 20, pi / 10, kink));
   expect_events("atan(tan(10*t))", periodic(pi / 20, pi / 10, jump));
   expect_events("atan2(sin(10*t), cos(10*t))", periodic(pi / 10, pi / 5, jump));
 }
@@ -132,7 +135,7 @@ TEST(TimeEvents, Thousands)
 {
   expect_events("floor(1e4*t + 0.5)", periodic(0.5e-4, 1e-4, jump));
   EXPECT_EQ(function_of("abs(sin(1e4*t))").events(0, 1).size(), 3183u);
-  EXPECT_EQ(function_of("sin(1000*t) > 0.999999").events(0, 1).size(), 318u);
+  EXPECT_EQ(function_of("sin(1000*t) > 0.9").events(0, 1).size(), 318u);
 }
 
 TEST(TimeEvents, MoreJumpsThanStepsCanEndAtAreRefused)
@@ -183,11 +186,6 @@ TEST(TimeEvents, SingularSlopes)
   expect_events("sqrt(max(0, t-0.1))", {{0.1, kink}});
   expect_events("max(0, t-1/3)^0.5", {{1. / 3, kink}});
   expect_events("if(t<0.25, sqrt(0.25-t), 5)", {{0.25, jump}});
-  expect_events("sqrt((t-0.1)^2)", {{0.1, kink}});
-  expect_events("sqrt((t-1/3)^2)", {{1. / 3, kink}});
-  expect_events("sqrt(1+cos(10*t))", periodic(pi / 10, pi / 5, kink));
-  expect_events("sqrt(abs((3*t-1)^2))", {{1. / 3, kink}});
-  expect_events("sqrt(abs(3*t-1))^2", {{1. / 3, kink}});
   // The root of what is zero throughout has no infinite slope.
   expect_events("min(sin(12*t), sqrt(floor(t)))",
                 {{pi / 12, kink}, {pi / 6, kink}, {pi / 4, kink}});
@@ -224,6 +222,26 @@ TEST(TimeEvents, RestartAtAnEventDoesNotRepeatIt)
       begin = next.time;
     }
   EXPECT_TRUE(function.events(begin, 2).empty());
+}
+
+// Neither many periods nor round-off look like kinks.
+TEST(TimeEvents, FastSmoothFunctionsHaveNone)
+{
+  for (const std::string text : {"sin(2*pi*200*t)",
+                                 "sin(1e6*t)",
+                                 "exp(-((t-0.5137)/1e-5)^2)",
+                                 "tanh(1e5*(t-0.3))",
+                                 "1e6 + 1e-6*sin(1e3*t)"})
+    expect_none(text);
+}
+
+// Times with the same branches around them are taken for smooth: the user
+// gives these in Time/Events.
+TEST(TimeEvents, KinksWithoutBranchesAreMissed)
+{
+  for (const std::string text :
+       {"sqrt((t-0.1)^2)", "asin(sin(10*t))", "sin(1e3*t) > 1 - 1e-12"})
+    expect_none(text);
 }
 
 // The size of a function next to an event decides, not that somewhere else.

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <fstream>
 
+#include <support/messages.h>
+
 using namespace auxfem;
 using namespace auxfem::testing_support;
 
@@ -90,6 +92,40 @@ TEST(StepEnds, OfMotionsAreBendsTooAndNoneIsLeftOut)
   EXPECT_EQ(ends[1].jump, Jump::velocities);
   EXPECT_NEAR(ends[2].time, 0.53, 1e-12);
   EXPECT_EQ(ends[2].jump, Jump::velocities);
+}
+
+TEST(StepEnds, TimesThatTheUserGivesAreAmongThem)
+{
+  const auto ends_with_events = [](const std::string &events) {
+    return step_ends(read_scene_from_text(
+      pushed_mass("sqrt((t - 0.43)^2) + if(t < 0.6, 0, 2)",
+                  "End time = 1 | Time step = 0.1 | Events = " + events),
+      "test.prm"));
+  };
+  const std::vector<StepEnd> ends = ends_with_events("430 ms, 0.9");
+  ASSERT_EQ(ends.size(), 3u);
+  EXPECT_DOUBLE_EQ(ends[0].time, 0.43);
+  EXPECT_EQ(ends[0].jump, Jump::accelerations);
+  EXPECT_NEAR(ends[1].time, 0.6, 1e-12);
+  EXPECT_DOUBLE_EQ(ends[2].time, 0.9);
+  EXPECT_EQ(ends_with_events("0.43 0.6").size(), 2u);
+  for (const std::string outside : {"-0.1", "0.5, 1.01"})
+    EXPECT_NE(input_error_of([&] {
+                ends_with_events(outside);
+              }).find("Time/Events"),
+              std::string::npos);
+}
+
+TEST(StepEnds, AKinkThatIsGivenIsAsGoodAsOneThatIsFound)
+{
+  const auto motion = [](const std::string &force, const std::string &events) {
+    SceneRun run(pushed_mass(force, "End time = 1 | Time step = 0.1" + events));
+    run.run();
+    return run.motion(0, 0);
+  };
+  EXPECT_NEAR(motion("sqrt((t - 0.537)^2)", " | Events = 0.537"),
+              motion("abs(t - 0.537)", ""),
+              1e-13);
 }
 
 TEST(StepEnds, AStepIsDividedThereAndOnlyThere)

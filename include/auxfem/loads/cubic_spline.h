@@ -1,7 +1,7 @@
 #ifndef auxfem_loads_cubic_spline_h
 #define auxfem_loads_cubic_spline_h
 
-#include <auxfem/loads/jet.h>
+#include <auxfem/loads/time_event.h>
 
 #include <vector>
 
@@ -21,7 +21,7 @@ namespace auxfem
     CubicSpline(std::vector<double> abscissas, std::vector<double> values);
 
     /** Value and derivatives at @p x; beyond the points the last cubic. */
-    Jet<double> operator()(double x) const;
+    Jet operator()(double x) const;
 
   private:
     std::vector<double> x, y;

@@ -7,6 +7,14 @@
 
 namespace auxfem
 {
+  /** Value, first and second derivative of a function of time. */
+  struct Jet
+  {
+    double value  = 0;
+    double first  = 0;
+    double second = 0;
+  };
+
   /** A time at which a function of time or a derivative of it jumps. */
   struct TimeEvent
   {

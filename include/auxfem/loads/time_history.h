@@ -1,7 +1,6 @@
 #ifndef auxfem_loads_time_history_h
 #define auxfem_loads_time_history_h
 
-#include <auxfem/loads/jet.h>
 #include <auxfem/loads/time_event.h>
 #include <auxfem/loads/time_function.h>
 
@@ -28,7 +27,7 @@ namespace auxfem
      * Limits of the value and its first two derivatives at @p t (s) from one
      * side, finite or not.
      */
-    virtual Jet<double> jet(double t, TimeSide side) const = 0;
+    virtual Jet jet(double t, TimeSide side) const = 0;
 
     /**
      * Jumps of the value and of its first @p derivatives derivatives, 1 or 2,

@@ -3,6 +3,7 @@
 
 #include <auxfem/parameters/registry.h>
 
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -51,22 +52,31 @@ namespace auxfem
     /** Lines with the constants, operators and functions of every formula. */
     static std::string known();
 
+    /** A value and the fingerprint of the branches that led to it. */
+    struct BranchedValue
+    {
+      double        value;
+      std::uint64_t branches;
+    };
+
     /** With the variables as they are now. */
     double value() const
     {
-      return parser.Eval();
+      return evaluate().value;
     }
+
+    /**
+     * value() and a hash of all decisions on its way: results of comparisons,
+     * signs in `abs`, choices of `min` and `max`, integers of `floor`, signs of
+     * divisors. Where the hash stays the same the formula is as smooth as its
+     * other functions are.
+     */
+    BranchedValue evaluate() const;
 
     /** Whether no variable occurs in it. */
     bool is_constant() const
     {
       return constant;
-    }
-
-    /** After one value(): muParser's form of the formula. */
-    const mu::Parser &compiled() const
-    {
-      return parser;
     }
 
   private:

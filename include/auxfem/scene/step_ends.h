@@ -38,7 +38,8 @@ namespace auxfem
    * More than eight kinks of a load, without inertia of a motion too, that
    * follow each other within a time step are left out: such a function, a
    * measured one, say, is sampled by the steps. Fewer, as those of a pulse, are
-   * not; jumps never are, nor what strikes.
+   * not; jumps never are, nor what strikes. The times of `Time/Events` are
+   * among them.
    */
   std::vector<StepEnd> step_ends(const Scene &scene);
 

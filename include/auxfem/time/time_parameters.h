@@ -30,6 +30,8 @@ namespace auxfem
     std::optional<double> absolute_tolerance_of_rotations;
     /** Energy a step may create, of the largest so far. */
     double energy_error = 0.5;
+    /** Times (s) at which steps end besides kinks and jumps that are found. */
+    std::vector<double> events;
     /** Start from the static equilibrium under the loads of t = 0. */
     bool static_start = false;
     /** One sentence per parameter of another scheme that is not at its default,
