@@ -65,38 +65,40 @@ namespace auxfem
             const double difference = std::abs(estimate - previous);
             if (difference + round_off < error)
               {
-                value             = estimate;
-                error             = difference + round_off;
-                round_off_of_best = round_off;
+                value = estimate;
+                error = difference + round_off;
               }
+            // With every interval that is halved, a pole of the derivative
+            // makes estimates grow by about the same factor.
+            const bool grows = difference > 3 * previous_round_off &&
+              std::abs(previous) > 1.1 * std::abs(estimate) &&
+              previous * estimate > 0;
+            n_growing = grows ? n_growing + 1 : 0;
+            diverges  = diverges || n_growing >= 8;
             // Beyond this the interval is too long for the function.
             is_done = difference > 1e3 * error;
           }
         else
-          value = first = estimate;
-        previous     = estimate;
-        has_previous = true;
+          value = estimate;
+        previous           = estimate;
+        previous_round_off = round_off;
+        has_previous       = true;
       }
 
       /** Zero within its error; infinite if estimates grow without bound. */
       double result() const
       {
-        if (!std::isfinite(error))
-          return value;
-        const bool converges =
-          error <= 10 * round_off_of_best || error <= 0.1 * std::abs(value);
-        if (!converges && std::abs(first) > 10 * std::abs(value))
+        if (diverges)
           return std::copysign(infinity, value);
-        return std::abs(value) <= error ? 0 : value;
+        return std::abs(value) <= error && std::isfinite(error) ? 0 : value;
       }
 
       double error = infinity;
 
     private:
-      /** Estimates with the best, the shortest and the last interval. */
-      double value = 0, first = 0, previous = 0;
-      double round_off_of_best = 0;
-      bool   has_previous = false, is_done = false;
+      double       value = 0, previous = 0, previous_round_off = 0;
+      unsigned int n_growing    = 0;
+      bool         has_previous = false, is_done = false, diverges = false;
     };
 
     /** Differences on one side of a time. */

@@ -196,8 +196,8 @@ TEST(Equations, PrescribedMotionAndRightSideFollowTheSupports)
 
   prescribe_motion(of_scene.model, step);
   EXPECT_DOUBLE_EQ(state.displacement[shaken], position);
-  EXPECT_NEAR((*state.velocity)[shaken], 0.06 * std::cos(0.6), 1e-16);
-  EXPECT_NEAR((*state.acceleration)[shaken], -9 * position, 1e-15);
+  EXPECT_NEAR((*state.velocity)[shaken], 0.06 * std::cos(0.6), 1e-13);
+  EXPECT_NEAR((*state.acceleration)[shaken], -9 * position, 1e-10);
 }
 
 namespace

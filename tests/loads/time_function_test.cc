@@ -197,6 +197,16 @@ TEST(TimeJet, DerivativesAreThoseOfTheExpression)
     }
 }
 
+TEST(TimeJet, IsFiniteWhereADerivativePassesZero)
+{
+  const TimeFunction wave = parse("1e-3 * sin(12*t) * (1 - exp(-(t / 0.5)^2))");
+  for (unsigned int n = 12; n < 24; ++n)
+    {
+      const double zero = n * std::acos(-1.) / 12;
+      EXPECT_NEAR(wave.jet(zero)[2], 0, 1e-8) << n;
+    }
+}
+
 TEST(TimeJet, OneSidedWhereAnOperationSwitches)
 {
   const TimeFunction function = parse("if(t < 0.2, 5*t^2, 0.2 + 2*(t - 0.2))");
