@@ -1,6 +1,7 @@
 #include <auxfem/algebra/ritz_values.h>
 
 #include <deal.II/lac/lapack_full_matrix.h>
+#include <deal.II/lac/lapack_templates.h>
 
 #include <algorithm>
 #include <cmath>
@@ -67,5 +68,44 @@ namespace auxfem
     values.assign(found.begin(), found.end());
     std::sort(values.rbegin(), values.rend());
     return values;
+  }
+
+  std::vector<ComplexEigenpair> general_eigenpairs(std::vector<double> matrix,
+                                                   const int           n)
+  {
+    std::vector<double> real(n), imaginary(n), vectors(std::size_t(n) * n),
+      work(8 * n);
+    double none   = 0;
+    int    length = work.size(), one = 1, info = 0;
+    dealii::geev("N",
+                 "V",
+                 &n,
+                 matrix.data(),
+                 &n,
+                 real.data(),
+                 imaginary.data(),
+                 &none,
+                 &one,
+                 vectors.data(),
+                 &n,
+                 work.data(),
+                 &length,
+                 &info);
+    std::vector<ComplexEigenpair> pairs;
+    for (int j = 0; j < n && info == 0; ++j)
+      {
+        // Conjugate pairs come together, that above the real axis first.
+        if (imaginary[j] < 0)
+          continue;
+        ComplexEigenpair pair{{real[j], imaginary[j]},
+                              std::vector<std::complex<double>>(n)};
+        for (int i = 0; i < n; ++i)
+          pair.vector[i] = {vectors[std::size_t(j) * n + i],
+                            imaginary[j] > 0
+                              ? vectors[std::size_t(j + 1) * n + i]
+                              : 0.};
+        pairs.push_back(std::move(pair));
+      }
+    return pairs;
   }
 } // namespace auxfem

@@ -79,6 +79,19 @@ namespace auxfem
       }
   }
 
+  void TangentMatrix::add_multiple(const double         factor,
+                                   const TangentMatrix &other)
+  {
+    const auto add = [factor](const std::vector<double> &from,
+                              std::vector<double>       &to) {
+      to.resize(std::max(from.size(), to.size()), 0.);
+      for (std::size_t i = 0; i < from.size(); ++i)
+        to[i] += factor * from[i];
+    };
+    add(other.entries, entries);
+    add(other.further_diagonal, further_diagonal);
+  }
+
   void TangentMatrix::add_to_diagonal(const std::vector<double> &of_owned)
   {
     const Unknowns &unknowns = of_pattern.unknowns();

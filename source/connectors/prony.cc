@@ -230,13 +230,13 @@ namespace auxfem
         return sum;
       }
 
-      std::vector<double> relaxation_times() const override
+      std::map<double, double> relaxing_stiffnesses() const override
       {
-        std::vector<double> times;
+        std::map<double, double> of_time;
         for (const MaxwellElement &element : elements)
           if (element.stiffness > 0 && element.relaxation_time > 0)
-            times.push_back(element.relaxation_time);
-        return times;
+            of_time[element.relaxation_time] += element.stiffness;
+        return of_time;
       }
 
     private:

@@ -199,16 +199,25 @@ namespace auxfem
                                         imaginary);
   }
 
-  std::map<double, unsigned int> Equations::relaxation_times() const
+  std::set<double> Equations::relaxation_times() const
   {
     std::vector<double> mine;
     for (unsigned int i = 0; i < n_internal; ++i)
       effects[i]->add_relaxation_times(unknowns(), mine);
-    std::map<double, unsigned int> all;
-    for (const double time :
-         of_all_ranks(mine, unknowns().layout.communicator()))
-      ++all[time];
-    return all;
+    const std::vector<double> all =
+      of_all_ranks(mine, unknowns().layout.communicator());
+    return {all.begin(), all.end()};
+  }
+
+  void Equations::relaxing_stiffness(const EvaluationResults &results,
+                                     const double             time,
+                                     TangentMatrix           &matrix) const
+  {
+    matrix.reset();
+    for (unsigned int i = 0; i < n_internal; ++i)
+      effects[i]->add_relaxing_stiffness(results.of_effects[i].get(),
+                                         time,
+                                         matrix);
   }
 
   Vector Equations::load_derivative(const Evaluation &evaluation) const

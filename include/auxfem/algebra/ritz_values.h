@@ -3,6 +3,7 @@
 
 #include <deal.II/lac/full_matrix.h>
 
+#include <complex>
 #include <vector>
 
 namespace auxfem
@@ -15,6 +16,21 @@ namespace auxfem
   std::vector<double>
   ritz_values(const dealii::FullMatrix<double> &numerator,
               const dealii::FullMatrix<double> &denominator);
+
+  /** An eigenvalue of a real matrix with its vector, of unit length. */
+  struct ComplexEigenpair
+  {
+    std::complex<double>              value;
+    std::vector<std::complex<double>> vector;
+  };
+
+  /**
+   * All of a small matrix without symmetry, of conjugate ones that above the
+   * real axis, by LAPACK; empty where that does not converge.
+   * @param matrix @p n columns of n entries
+   */
+  std::vector<ComplexEigenpair> general_eigenpairs(std::vector<double> matrix,
+                                                   int                 n);
 } // namespace auxfem
 
 #endif

@@ -49,6 +49,9 @@ namespace auxfem
     /** Adds the row-major block @p values to block @p block. */
     void add(std::size_t block, const double *values);
 
+    /** Adds @p factor times @p other, which has the same pattern. */
+    void add_multiple(double factor, const TangentMatrix &other);
+
     const TangentPattern &pattern() const
     {
       return of_pattern;

@@ -4,6 +4,7 @@
 #include <auxfem/parameters/registry.h>
 
 #include <complex>
+#include <map>
 #include <vector>
 
 namespace auxfem
@@ -159,8 +160,9 @@ namespace auxfem
     virtual std::complex<double>
     dynamic_stiffness(std::complex<double> s) const = 0;
 
-    /** tau (s) of each pole -1/tau of dynamic_stiffness(). */
-    virtual std::vector<double> relaxation_times() const
+    /** The part sum k s tau / (1 + s tau) of dynamic_stiffness(): k (N/m) by
+     * relaxation time tau (s). */
+    virtual std::map<double, double> relaxing_stiffnesses() const
     {
       return {};
     }

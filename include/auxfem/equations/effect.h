@@ -143,11 +143,19 @@ namespace auxfem
     {}
 
     /**
-     * Appends the relaxation times (s) of add_viscous_stiffness() of what this
-     * rank owns and @p unknowns let move, each as often as it is a pole.
+     * Appends the relaxation times (s) of Maxwell elements in
+     * add_viscous_stiffness() that this rank owns and @p unknowns let move.
      */
     virtual void add_relaxation_times(const Unknowns & /*unknowns*/,
                                       std::vector<double> & /*times*/) const
+    {}
+
+    /** Adds the stiffness E of the Maxwell elements with the relaxation time
+     * @p time (s), of which add_viscous_stiffness() has E s time / (1 + s
+     * time). */
+    virtual void add_relaxing_stiffness(const EffectResults * /*results*/,
+                                        double /*time*/,
+                                        TangentMatrix & /*matrix*/) const
     {}
 
     /** Adds the derivative of the residual by time_of_loads() (n_local

@@ -7,8 +7,8 @@
 #include <auxfem/equations/solution.h>
 #include <auxfem/model/lattice_model.h>
 
-#include <map>
 #include <memory>
+#include <set>
 #include <vector>
 
 namespace auxfem
@@ -161,9 +161,15 @@ namespace auxfem
                            TangentMatrix           &real,
                            TangentMatrix           &imaginary) const;
 
-    /** Tau (s) of each pole -1/tau of the determinant of dynamic_stiffness(),
-     * by how often it is one. Collective. */
-    std::map<double, unsigned int> relaxation_times() const;
+    /** Relaxation times (s) of Maxwell elements, rising. Collective. */
+    std::set<double> relaxation_times() const;
+
+    /** @p matrix becomes the stiffness E of the Maxwell elements with the
+     * relaxation time @p time (s), of which dynamic_stiffness() has E s time /
+     * (1 + s time). */
+    void relaxing_stiffness(const EvaluationResults &results,
+                            double                   time,
+                            TangentMatrix           &matrix) const;
 
     /** Derivative of the residual by time_of_loads() of evaluation.to through
      * the loads, of local unknowns. */

@@ -45,6 +45,16 @@ namespace auxfem
     leave_out_constraints(imaginary);
   }
 
+  void DynamicStiffness::find_mass(TangentMatrix &matrix)
+  {
+    equations.tangent(evaluation(), results, {0., 0., 1.}, matrix);
+  }
+
+  void DynamicStiffness::find_relaxing(const double time, TangentMatrix &matrix)
+  {
+    equations.relaxing_stiffness(results, time, matrix);
+  }
+
   void DynamicStiffness::multiply(const double *x, double *y) const
   {
     const unsigned int n = layout.n_owned();
@@ -65,11 +75,6 @@ namespace auxfem
           y[i] -= by_other[i];
           y[n + i] += by_real[i];
         }
-  }
-
-  bool DynamicStiffness::factorize(ComplexFactors &factors) const
-  {
-    return factors.factorize(solver.matrix(), imaginary);
   }
 
   std::string DynamicStiffness::solve(const Values &b, Values &x)

@@ -77,38 +77,74 @@ namespace auxfem
       return errors;
     }
 
-    /** By how much the root of finer elements near @p s differs, over |s|; NaN
-     * where none is found. */
-    double root_error(CharacteristicEquation &finer,
-                      const Complex           s,
-                      const unsigned int      number)
+    /** Errors of roots by those of finer elements. */
+    class RootErrors
     {
-      const auto root = finer.refine(s, number);
-      return root ? std::abs(root->s - s) / std::abs(s)
-                  : std::numeric_limits<double>::quiet_NaN();
+    public:
+      /** @param coarse of which errors are asked for */
+      RootErrors(FinerRun                   &finer,
+                 const Damping               damping,
+                 const std::vector<Complex> &coarse)
+      {
+        constexpr double below = 0.0917, above = 1.2;
+        double least = std::numeric_limits<double>::infinity(), greatest = 0;
+        for (const Complex s : coarse)
+          {
+            least    = std::min(least, std::abs(s));
+            greatest = std::max(greatest, std::abs(s));
+          }
+        if (coarse.empty() || least == 0)
+          return;
+        MotionPencil pencil(finer.solver(), finer.state(), damping);
+        for (const MotionRoot &root :
+             pencil
+               .nearest(below * least,
+                        {[](const Complex s) { return !relaxes(s); },
+                         static_cast<unsigned int>(coarse.size()),
+                         above * greatest})
+               .roots)
+          roots.push_back(root.s);
+      }
+
+      /** By how much the nearest root of finer elements differs from @p s, over
+       * |s|; NaN where there is none. */
+      double of(const Complex s) const
+      {
+        double error = std::numeric_limits<double>::quiet_NaN();
+        for (const Complex root : roots)
+          if (const double distance = std::abs(root - s) / std::abs(s);
+              !(distance >= error))
+            error = distance;
+        return error;
+      }
+
+    private:
+      std::vector<Complex> roots;
+    };
+
+    Complex value_of(const NaturalMode::Damped &damped)
+    {
+      return {damped.growth, damped.angular_frequency};
     }
 
     /** Enters errors of damped modes where these are larger. */
     void
     compare_damped(FinerRun &finer, NaturalModes &found, MeshErrors &errors)
     {
-      if (!CharacteristicEquation::is_within_reach(finer.solver()))
-        return;
-      CharacteristicEquation equation(finer.solver(),
-                                      finer.state(),
-                                      Damping::all);
-      const auto             error_of = [&](const NaturalMode::Damped &damped) {
-        return root_error(equation,
-                          {damped.growth, damped.angular_frequency},
-                          errors.relative.size());
-      };
+      std::vector<Complex> coarse;
+      for (const NaturalMode &mode : found.modes)
+        if (mode.damped)
+          coarse.push_back(value_of(*mode.damped));
+      for (const NaturalMode::Damped &damped : found.further_damped)
+        coarse.push_back(value_of(damped));
+      const RootErrors roots(finer, Damping::all, coarse);
       for (std::size_t i = 0; i < found.modes.size(); ++i)
         if (NaturalMode &mode = found.modes[i]; mode.damped)
-          if (const double error = error_of(*mode.damped);
+          if (const double error = roots.of(value_of(*mode.damped));
               !(error <= mode.mesh_error))
             errors.relative[i] = mode.mesh_error = error;
       for (const NaturalMode::Damped &damped : found.further_damped)
-        errors.relative.push_back(error_of(damped));
+        errors.relative.push_back(roots.of(value_of(damped)));
     }
   } // namespace
 
@@ -137,15 +173,17 @@ namespace auxfem
   MeshErrors estimate_errors(LatticeRun &run, ComplexModes &found)
   {
     return compared(run, [&](FinerRun &finer) {
-      CharacteristicEquation equation(finer.solver(),
-                                      finer.state(),
-                                      run.scene.modes.damped ? Damping::all
-                                                             : Damping::none);
-      MeshErrors             errors;
+      std::vector<Complex> coarse;
+      for (const ComplexMode &mode : found.modes)
+        coarse.push_back(mode.s);
+      const RootErrors roots(finer,
+                             run.scene.modes.damped ? Damping::all
+                                                    : Damping::none,
+                             coarse);
+      MeshErrors       errors;
       for (ComplexMode &mode : found.modes)
         {
-          mode.mesh_error =
-            root_error(equation, mode.s, errors.relative.size());
+          mode.mesh_error = roots.of(mode.s);
           errors.relative.push_back(mode.mesh_error);
         }
       return errors;

@@ -232,11 +232,9 @@ namespace auxfem
   void write_mode_table(const Relaxations &found, const std::string &folder)
   {
     Rows rows;
-    for (unsigned int i = 0; i < found.all.size(); ++i)
-      rows.push_back({double(i + 1),
-                      found.all[i].time(),
-                      found.all[i].rate,
-                      found.all[i].residual});
+    for (unsigned int i = 0; i < found.size(); ++i)
+      rows.push_back(
+        {double(i + 1), found[i].time(), found[i].rate, found[i].residual});
     write_table(folder, relaxation_table, relaxation_columns, rows);
   }
 
@@ -245,12 +243,12 @@ namespace auxfem
     std::ostringstream text;
     text << "  relaxation        time    residual\n"
          << "                       s";
-    for (unsigned int i = 0; i < found.all.size(); ++i)
+    for (unsigned int i = 0; i < found.size(); ++i)
       text << '\n'
            << std::setw(12) << i + 1 << std::defaultfloat
-           << std::setprecision(6) << std::setw(12) << found.all[i].time()
+           << std::setprecision(6) << std::setw(12) << found[i].time()
            << std::scientific << std::setprecision(1) << std::setw(12)
-           << found.all[i].residual;
+           << found[i].residual;
     return text.str();
   }
 
@@ -344,7 +342,7 @@ namespace auxfem
   Json json_of(const Relaxations &found)
   {
     Json all = Json::array();
-    for (const Relaxation &relaxation : found.all)
+    for (const Relaxation &relaxation : found)
       all.push_back(
         {{"time", relaxation.time()}, {"residual", relaxation.residual}});
     return all;

@@ -70,16 +70,13 @@ namespace auxfem
         text << "  Also damped: " << damped.angular_frequency / (2 * PI)
              << " Hz, ratio " << rounded_text(damped.ratio(), 6) << '\n';
       text.precision(4);
-      if (!found.damped_count)
-        text << "  Damped modes are not counted.\n";
-      else if (found.damped_count->n_missing > 0)
-        text << "  " << found.damped_count->n_missing << " damped modes below "
-             << found.damped_count->limit / (2 * PI)
-             << " Hz not found, by the argument of the determinant.\n";
+      if (found.damped_limit)
+        text << "  These are all damped modes below "
+             << *found.damped_limit / (2 * PI)
+             << " Hz that the Krylov space has; they are not counted.\n";
       else
-        text << "  No damped mode is missing below "
-             << found.damped_count->limit / (2 * PI)
-             << " Hz, by the argument of the determinant.\n";
+        text << "  Damped modes may be missing: the Krylov space did not "
+                "converge.\n";
       return text.str();
     }
 
@@ -163,21 +160,6 @@ namespace auxfem
       return told;
     }
 
-    std::string words_on_count(const ComplexModes &found)
-    {
-      std::ostringstream text;
-      text.precision(4);
-      if (!found.n_missing)
-        text << "Not counted: modes may be missing.";
-      else if (*found.n_missing > 0)
-        text << *found.n_missing << " below " << found.limit / (2 * PI)
-             << " Hz not found, by the argument of the determinant.";
-      else
-        text << "None is missing below the last, by the argument of the "
-                "determinant.";
-      return text.str();
-    }
-
     ToldModes told(const ComplexModes &found, const LatticeRun &run)
     {
       std::ostringstream closing;
@@ -185,13 +167,15 @@ namespace auxfem
                  "joints: complex modes, "
               << (run.scene.modes.damped ? "with all damping"
                                          : "without damping")
-              << ".\n  " << words_on_count(found) << "\n  "
-              << found.n_factorizations << " complex factorizations by KLU";
+              << ".\n  Not counted: modes may be missing.\n  "
+              << run.work().factorizations << " factorizations, "
+              << run.work().linear_solutions << " solutions by "
+              << run.work().linear_solver;
       ToldModes told{mode_table_text(found),
                      closing.str(),
                      findings(found),
                      json_of(found),
-                     found.n_missing == 0u,
+                     /*is_counted=*/false,
                      {}};
       for (const ComplexMode &mode : found.modes)
         told.pictures.push_back({mode.real, mode.s.imag(), &mode.imaginary});
@@ -214,23 +198,15 @@ namespace auxfem
       return told;
     }
 
-    std::string words_on_count(const Relaxations &found,
-                               const unsigned int n_asked)
+    std::string words_on(const Relaxations &found, const unsigned int n_asked)
     {
       std::ostringstream text;
-      if (found.all.size() < n_asked)
+      if (found.size() < n_asked)
         text
-          << found.all.size() << " of " << n_asked
+          << found.size() << " of " << n_asked
           << " relaxations: there are no more, or very many near the time of "
              "Stiffness-proportional damping.\n  ";
-      if (!found.n_missing)
-        text << "Relaxations are not counted.";
-      else if (*found.n_missing > 0)
-        text << *found.n_missing
-             << " relaxations not found, by the argument of the determinant.";
-      else
-        text << "No slower relaxation is missing, by the argument of the "
-                "determinant.";
+      text << "Relaxations are not counted.";
       return text.str();
     }
 
@@ -246,7 +222,7 @@ namespace auxfem
       if (relaxing)
         {
           summary["relaxations"]             = json_of(*relaxing);
-          summary["relaxations_are_counted"] = relaxing->n_missing == 0u;
+          summary["relaxations_are_counted"] = false;
         }
       return summary;
     }
@@ -427,8 +403,7 @@ namespace auxfem
         {
           write_mode_table(*relaxing, scene.output.directory);
           report.print(mode_table_text(*relaxing));
-          report.print("  " +
-                       words_on_count(*relaxing, scene.modes.relaxations));
+          report.print("  " + words_on(*relaxing, scene.modes.relaxations));
         }
     });
     if (scene.output.graphics)

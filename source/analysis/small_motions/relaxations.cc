@@ -1,7 +1,7 @@
+#include <auxfem/analysis/small_motions/complex_shape.h>
+#include <auxfem/analysis/small_motions/motion_pencil.h>
 #include <auxfem/analysis/small_motions/natural_modes.h>
 #include <auxfem/analysis/small_motions/relaxations.h>
-#include <auxfem/analysis/small_motions/root_search.h>
-#include <auxfem/parameters/errors.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,11 +11,12 @@ namespace auxfem
   namespace
   {
     /** Rates (1/s) of Maxwell elements by themselves, and the lowest frequency
-     * (rad/s), about which relaxations of dashpots are. */
+     * (rad/s), about which relaxations of dashpots are: none twice as fast as
+     * another. */
     std::vector<double> typical_rates(TangentSolver &solver, const State &state)
     {
       std::vector<double> rates;
-      for (const auto &[time, often] : solver.equations().relaxation_times())
+      for (const double time : solver.equations().relaxation_times())
         rates.push_back(1 / time);
       for (const NaturalMode &mode :
            natural_modes(solver, state, 1, StiffnessPart::symmetric).modes)
@@ -24,71 +25,80 @@ namespace auxfem
       if (rates.empty())
         rates.push_back(1.);
       std::sort(rates.begin(), rates.end());
-      return rates;
+      std::vector<double> apart;
+      for (const double rate : rates)
+        if (apart.empty() || rate > 2 * apart.back())
+          apart.push_back(rate);
+      return apart;
     }
-    /** How many are looked for to have the @p n slowest. */
+
+    /** Whether @p root is not among @p known. */
+    bool is_new(const UnknownLayout           &layout,
+                const MotionRoot              &root,
+                const std::vector<MotionRoot> &known)
+    {
+      constexpr double near = 1e-7;
+      return std::none_of(known.begin(),
+                          known.end(),
+                          [&](const MotionRoot &other) {
+                            return std::abs(other.s - root.s) <=
+                              near * std::abs(root.s) &&
+                              are_parallel(layout, other.shape, root.shape);
+                          });
+    }
+
+    /** More than so many near each other gather. */
     unsigned int most_of(const unsigned int n)
     {
       return 2 * n + 10;
     }
 
     /**
-     * Widens @p region until it has the @p n slowest relaxations, but not as far
-     * as very many gather: damping in proportion to the stiffness has as many
-     * at one time as the mesh has modes. Returns how many it has; none if that
-     * is not known.
+     * Leaves out, of roots by rising |s|, those from where very many gather:
+     * damping in proportion to the stiffness has as many at one time as the
+     * mesh has modes, equal Maxwell elements as many as there are elements.
      */
-    std::optional<unsigned int> widen(CharacteristicEquation &equation,
-                                      RootRegion             &region,
-                                      const unsigned int      n)
+    void leave_out_gathering(std::vector<MotionRoot> &roots,
+                             const unsigned int       n)
     {
-      constexpr double            growth        = 1.7173;
-      constexpr unsigned int      most_attempts = 24;
-      std::optional<unsigned int> counted       = n_roots(equation, region);
-      for (unsigned int i = 0; i < most_attempts; ++i)
-        {
-          if (counted && *counted >= n)
-            break;
-          RootRegion wider = region;
-          wider.outer *= growth;
-          const auto in_wider = n_roots(equation, wider);
-          if (in_wider && *in_wider > most_of(n))
-            break;
-          region  = wider;
-          counted = in_wider;
-        }
-      return counted;
+      constexpr double  near = 1.7173;
+      const std::size_t most = most_of(n);
+      for (std::size_t i = 0; i + most < roots.size(); ++i)
+        if (std::abs(roots[i + most].s) < near * std::abs(roots[i].s))
+          {
+            roots.resize(i);
+            return;
+          }
     }
   } // namespace
 
   Relaxations
   relaxations(TangentSolver &solver, const State &state, const unsigned int n)
   {
-    if (!CharacteristicEquation::is_within_reach(solver))
-      throw InputError("Modes/Relaxations: they are computed for up to 100000 "
-                       "unknowns. Take fewer cells, or 0.");
-    constexpr double                 slowest = 1e-6, margin = 1.3437;
-    const std::vector<double>        rates = typical_rates(solver, state);
-    CharacteristicEquation           equation(solver, state, Damping::all);
-    RootRegion                       region{slowest * rates.front(),
-                      margin * rates.front(),
-                      RootRegion::Kind::relaxes};
-    const auto                       counted = widen(equation, region, n);
-    RootSearch                       search(equation,
-                      solver.equations().unknowns().layout,
-                      region,
-                      {});
-    std::vector<RootSearch::Complex> starts;
+    // Hardly roots themselves.
+    constexpr double          slow = 0.0917, beside = 1.1437;
+    const UnknownLayout      &layout = solver.equations().unknowns().layout;
+    const std::vector<double> rates  = typical_rates(solver, state);
+    std::vector<double>       shifts{slow * rates.front()};
     for (const double rate : rates)
-      for (const double factor : {-0.7, -1.1})
-        starts.push_back(factor * rate);
-    search.find(std::min(counted.value_or(n), most_of(n)), starts);
+      shifts.push_back(-beside * rate);
+    MotionPencil            pencil(solver, state, Damping::all);
+    std::vector<MotionRoot> roots;
+    for (const double shift : shifts)
+      for (const MotionRoot &root :
+           pencil.nearest(shift, {relaxes, most_of(n) + 1}).roots)
+        if (is_new(layout, root, roots))
+          roots.push_back(root);
+    std::sort(roots.begin(),
+              roots.end(),
+              [](const MotionRoot &one, const MotionRoot &other) {
+                return std::abs(one.s) < std::abs(other.s);
+              });
+    leave_out_gathering(roots, n);
     Relaxations found;
-    if (counted)
-      found.n_missing = search.n_missing(*counted);
-    for (const CharacteristicEquation::Root &root : search.found())
-      if (found.all.size() < n)
-        found.all.push_back({-root.s.real(), root.residual});
+    for (const MotionRoot &root : roots)
+      if (found.size() < n)
+        found.push_back({-root.s.real(), root.residual});
     return found;
   }
 } // namespace auxfem

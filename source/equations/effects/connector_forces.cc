@@ -163,7 +163,7 @@ namespace auxfem
       void add_relaxation_times(const Unknowns      &unknowns,
                                 std::vector<double> &times) const override
       {
-        const std::vector<double> of_law = law->relaxation_times();
+        const std::map<double, double> of_law = law->relaxing_stiffnesses();
         for (const unsigned int i : owned)
           {
             const auto &ends = connectors[i].unknowns;
@@ -171,7 +171,24 @@ namespace auxfem
                   return unknown >= 0 &&
                     unknowns.kinds[unknown] != UnknownKind::prescribed;
                 }))
-              times.insert(times.end(), of_law.begin(), of_law.end());
+              for (const auto &[time, stiffness] : of_law)
+                times.push_back(time);
+          }
+      }
+
+      void add_relaxing_stiffness(const EffectResults *results,
+                                  const double         time,
+                                  TangentMatrix       &matrix) const override
+      {
+        const std::map<double, double> of_law = law->relaxing_stiffnesses();
+        const auto                     found  = of_law.find(time);
+        if (found == of_law.end())
+          return;
+        const auto &of_group = static_cast<const ConnectorResults &>(*results);
+        for (unsigned int i = 0; i < connectors.size(); ++i)
+          {
+            const auto &n = of_group.direction[i];
+            add_block(i, dealii::outer_product(found->second * n, n), matrix);
           }
       }
 

@@ -265,7 +265,7 @@ TEST(DampedModes, OfAStiffMaxwellElementAreFoundOnce)
 
 // A dashpot near the impedance of the rod moves modes far from the natural
 // ones.
-TEST(DampedModes, AreCounted)
+TEST(DampedModes, AreFoundUpToALimit)
 {
   for (const double coefficient : {0.1, 1.6, 3.4})
     {
@@ -280,15 +280,14 @@ TEST(DampedModes, AreCounted)
       run.prepare();
       NaturalModes found = natural_modes(run.solver(), run.solution.state, 4);
       add_damped_modes(run.solver(), run.solution.state, found);
-      ASSERT_TRUE(found.damped_count) << coefficient;
-      EXPECT_EQ(found.damped_count->n_missing, 0u) << coefficient;
+      ASSERT_TRUE(found.damped_limit) << coefficient;
       // tanh(s / w) = -w m / c: so many decay alike below the limit.
       const double wave    = std::sqrt(rod_EA / rod_mass),
                    part    = coefficient / std::sqrt(rod_EA * rod_mass),
                    decay   = wave * std::atanh(part > 1 ? 1 / part : part);
       unsigned int n_exact = 0, n_told = found.further_damped.size();
       while (std::hypot(decay, (n_exact + (part > 1 ? 1. : 0.5)) * pi * wave) <
-             found.damped_count->limit)
+             *found.damped_limit)
         ++n_exact;
       for (const NaturalMode &mode : found.modes)
         if (mode.damped)

@@ -1,11 +1,10 @@
 #ifndef auxfem_analysis_small_motions_complex_modes_h
 #define auxfem_analysis_small_motions_complex_modes_h
 
-#include <auxfem/analysis/small_motions/characteristic_equation.h>
+#include <auxfem/analysis/small_motions/motion_pencil.h>
 
 #include <complex>
 #include <limits>
-#include <optional>
 #include <vector>
 
 namespace auxfem
@@ -43,20 +42,13 @@ namespace auxfem
   struct ComplexModes
   {
     std::vector<ComplexMode> modes;
-    /** Modes with |s| below this are counted (1/s). */
-    double limit;
-    /** How many of these were not found; none where they were not counted. */
-    std::optional<unsigned int> n_missing;
-    /** Complex factorizations that this took. */
-    unsigned long n_factorizations;
   };
 
   /**
    * The @p n lowest modes by |s| of small motions about @p state, at rest there,
-   * which need no symmetric stiffness; also all that grow among those that were
-   * looked for. Left out is what decays with more than 0.99 of the critical
-   * damping. Throws ComputationError if none is found, InputError for lattices
-   * that are too large. Collective.
+   * which need no symmetric stiffness (MotionPencil); also all that grow among
+   * those that were found. Left out is what decays with more than 0.99 of the
+   * critical damping. Throws ComputationError if none is found. Collective.
    */
   ComplexModes complex_modes(TangentSolver &solver,
                              const State   &state,

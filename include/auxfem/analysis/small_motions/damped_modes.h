@@ -6,13 +6,12 @@
 namespace auxfem
 {
   /**
-   * Gives each mode of @p found that swings, about @p state without damping, the
-   * damped one that it becomes: a solution of A(s) x = 0 near it, with the
-   * dynamic stiffness A of all connectors and damping. Where damping mixes
-   * modes, each is given the one in which it has the largest part. None where
-   * the search leads to no oscillation, or to one that another mode has.
-   * Then counts those with |s| up to the highest of these and of the natural
-   * frequencies (n_roots()), and looks for what is missing. Collective.
+   * Finds the damped modes about @p state, solutions of A(s) x = 0 with the
+   * dynamic stiffness A of all connectors and damping that swing, with |s| up
+   * to
+   * just above the highest frequency of @p found (MotionPencil). Each is given to
+   * the natural mode that has the largest part in it, pairs with the largest
+   * parts first; those left over are its further ones. Collective.
    */
   void add_damped_modes(TangentSolver &solver,
                         const State   &state,

@@ -1,7 +1,6 @@
 #ifndef auxfem_analysis_small_motions_dynamic_stiffness_h
 #define auxfem_analysis_small_motions_dynamic_stiffness_h
 
-#include <auxfem/algebra/complex_factors.h>
 #include <auxfem/analysis/small_motions/mode_space.h>
 #include <auxfem/scene/scene.h>
 
@@ -41,11 +40,14 @@ namespace auxfem
     /** Finds A at @p s (1/s). */
     void set(std::complex<double> s);
 
+    /** @p matrix becomes the mass matrix M, which s^2 multiplies in A. */
+    void find_mass(TangentMatrix &matrix);
+
+    /** Equations::relaxing_stiffness(). */
+    void find_relaxing(double time, TangentMatrix &matrix);
+
     /** @p y = A x. */
     void multiply(const double *x, double *y) const;
-
-    /** Factorizes A itself; false if it is singular. */
-    bool factorize(ComplexFactors &factors) const;
 
     /** Factorizes W for solve(); false if it is singular, solver.why(). */
     bool factorize()

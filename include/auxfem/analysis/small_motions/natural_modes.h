@@ -78,14 +78,10 @@ namespace auxfem
 
     /** Damped modes that belong to none of the modes. */
     std::vector<NaturalMode::Damped> further_damped = {};
-    /** How far damped modes were counted. */
-    struct DampedCount
-    {
-      double       limit;     ///< of |s| (rad/s)
-      unsigned int n_missing; ///< how many below were not found
-    };
-    /** None where they were not asked for or could not be counted. */
-    std::optional<DampedCount> damped_count = {};
+    /** Up to this |s| (rad/s) all damped modes were found, as far as the Krylov
+     * space tells; none where they were not asked for or it has not converged.
+     */
+    std::optional<double> damped_limit = {};
   };
 
   /** Whether the stiffness of @p state is symmetric, as it is without loads

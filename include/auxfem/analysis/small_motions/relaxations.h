@@ -3,7 +3,6 @@
 
 #include <auxfem/analysis/tangent_solver.h>
 
-#include <optional>
 #include <vector>
 
 namespace auxfem
@@ -22,20 +21,14 @@ namespace auxfem
     }
   };
 
-  struct Relaxations
-  {
-    /** The slowest first. */
-    std::vector<Relaxation> all;
-    /** How many of those that were counted were not found; none where they were
-     * not counted. */
-    std::optional<unsigned int> n_missing;
-  };
+  /** The slowest first. */
+  using Relaxations = std::vector<Relaxation>;
 
   /**
    * The @p n slowest relaxations about @p state, at rest there, with all
-   * damping; fewer where there are not so many within some powers of ten about
-   * the relaxation times of Maxwell elements and the lowest frequency. Throws
-   * InputError for lattices that are too large. Collective.
+   * damping, among those nearest to the relaxation times of Maxwell elements,
+   * to the lowest frequency and to zero (MotionPencil); fewer where there are
+   * not so many. Collective.
    */
   Relaxations
   relaxations(TangentSolver &solver, const State &state, unsigned int n);

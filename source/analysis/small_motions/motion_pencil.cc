@@ -1,0 +1,434 @@
+#include <auxfem/algebra/ritz_values.h>
+#include <auxfem/analysis/small_motions/complex_shape.h>
+#include <auxfem/analysis/small_motions/motion_pencil.h>
+#include <auxfem/parameters/errors.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace auxfem
+{
+  namespace
+  {
+    using Complex = std::complex<double>;
+    using Values  = std::vector<double>;
+
+    /** Of Im s over |s|: a motion with less does not swing. */
+    constexpr double least_swing = 1e-6;
+  } // namespace
+
+  bool swings(const Complex s)
+  {
+    return std::abs(s.imag()) > least_swing * std::abs(s);
+  }
+
+  bool relaxes(const Complex s)
+  {
+    constexpr double critical = 0.99;
+    return -s.real() > critical * std::abs(s);
+  }
+
+  /** The Krylov space of the shifted and inverted problem. */
+  class MotionPencil::Arnoldi
+  {
+  public:
+    /** A(shift) must be the matrix that was factorized. */
+    Arnoldi(MotionPencil &pencil, const double shift)
+      : pencil(pencil)
+      , n(pencil.layout.n_owned())
+      , shift(shift)
+    {
+      // Scales make the parts of a vector as large as each other.
+      scale_of_part = {1., 10 * std::abs(shift)};
+      for (const Relaxing &relaxing : pencil.relaxing)
+        {
+          double      largest  = 0;
+          const auto &diagonal = relaxing.stiffness.diagonal();
+          for (unsigned int i = 0; i < n; ++i)
+            if (pencil.space.is_free(i))
+              largest = std::max(largest, diagonal[i]);
+          largest = pencil.layout.largest(largest);
+          scale_of_part.push_back(largest > 0 ? largest : 1.);
+        }
+      constexpr unsigned int n_start = 3;
+      for (unsigned int i = 0; i < n_start; ++i)
+        extend(start(i));
+    }
+
+    /** Adds a vector; false where the space is complete. */
+    bool grow()
+    {
+      if (columns.size() == basis.size())
+        return false;
+      columns.push_back(extend(image(basis[columns.size()])));
+      return columns.size() < basis.size();
+    }
+
+    unsigned int size() const
+    {
+      return columns.size();
+    }
+
+    /** A root of the projected problem. */
+    struct Ritz
+    {
+      Complex              s;
+      double               residual; ///< over the eigenvalue
+      std::vector<Complex> vector;
+    };
+
+    /** By rising distance from the shift. */
+    std::vector<Ritz> ritz() const
+    {
+      constexpr double  round_off = 1e-14;
+      const std::size_t m         = columns.size();
+      Values            projected(m * m, 0.);
+      for (std::size_t j = 0; j < m; ++j)
+        std::copy_n(columns[j].begin(),
+                    std::min(m, columns[j].size()),
+                    projected.begin() + j * m);
+      std::vector<ComplexEigenpair> pairs = general_eigenpairs(projected, m);
+      std::sort(pairs.begin(), pairs.end(), [](const auto &a, const auto &b) {
+        return std::abs(a.value) > std::abs(b.value);
+      });
+      std::vector<Ritz> all;
+      for (ComplexEigenpair &pair : pairs)
+        if (std::abs(pair.value) > round_off * std::abs(pairs.front().value))
+          all.push_back({shift + 1. / pair.value,
+                         residual(pair.vector) / std::abs(pair.value),
+                         std::move(pair.vector)});
+      // Inversion turns conjugate ones over.
+      for (Ritz &one : all)
+        if (one.s.imag() < 0)
+          {
+            one.s = std::conj(one.s);
+            for (Complex &part : one.vector)
+              part = std::conj(part);
+          }
+      return all;
+    }
+
+    /** The displacements of a vector of ritz(). */
+    Values shape(const Ritz &ritz) const
+    {
+      Values x(2 * n, 0.);
+      for (std::size_t j = 0; j < ritz.vector.size(); ++j)
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            x[i] += ritz.vector[j].real() * basis[j][i];
+            x[n + i] += ritz.vector[j].imag() * basis[j][i];
+          }
+      return x;
+    }
+
+  private:
+    /** A vector of the range of the operator. */
+    Values start(const unsigned int number) const
+    {
+      // Without symmetry, which a mode may lack, and the same on any ranks.
+      Values w(scale_of_part.size() * n, 0.);
+      for (unsigned int i = 0; i < n; ++i)
+        w[n + i] = std::sin(
+          1. + (0.7 + 0.1 * number) * (pencil.layout.global(i) + number));
+      return image(w);
+    }
+
+    /** The shifted and inverted problem times @p w. */
+    Values image(const Values &w) const
+    {
+      const std::size_t n_parts = scale_of_part.size();
+      const auto        part    = [&](const std::size_t p) {
+        Values values(w.begin() + p * n, w.begin() + (p + 1) * n);
+        for (double &value : values)
+          value *= scale_of_part[p];
+        return values;
+      };
+      // (K + shift C + ...) x = -M (v + shift x) - C x - sum tau q / (1 + shift
+      // tau)
+      const Values displacements = part(0);
+      Values       momenta       = part(1);
+      for (unsigned int i = 0; i < n; ++i)
+        momenta[i] += shift * displacements[i];
+      Values       x = pencil.multiply(pencil.mass, momenta.data());
+      const Values damped =
+        pencil.multiply(pencil.damping_matrix, displacements.data());
+      for (unsigned int i = 0; i < n; ++i)
+        x[i] = -x[i] - damped[i];
+      for (std::size_t p = 2; p < n_parts; ++p)
+        {
+          const double time   = pencil.relaxing[p - 2].time,
+                       factor = time / (1 + shift * time);
+          const Values forces = part(p);
+          for (unsigned int i = 0; i < n; ++i)
+            x[i] -= factor * forces[i];
+        }
+      if (!pencil.space.solve(x.data()))
+        throw ComputationError("Analysis = modes: " + pencil.solver.why() +
+                               '.');
+      Values result(w.size());
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          if (!pencil.space.is_free(i))
+            x[i] = 0;
+          result[i]     = x[i];
+          result[n + i] = (shift * x[i] + displacements[i]) / scale_of_part[1];
+        }
+      for (std::size_t p = 2; p < n_parts; ++p)
+        {
+          const Relaxing &relaxing = pencil.relaxing[p - 2];
+          const Values elastic = pencil.multiply(relaxing.stiffness, x.data());
+          const Values forces  = part(p);
+          for (unsigned int i = 0; i < n; ++i)
+            result[p * n + i] = (elastic[i] - relaxing.time * forces[i]) /
+              ((1 + shift * relaxing.time) * scale_of_part[p]);
+        }
+      return result;
+    }
+
+    /** Adds what @p w has beside the basis; its coefficients. */
+    Values extend(Values w)
+    {
+      constexpr double negligible = 1e-12;
+      Values           coefficients(basis.size(), 0.);
+      const double     before = length(w);
+      // Twice is enough (Kahan).
+      for (unsigned int pass = 0; pass < 2; ++pass)
+        {
+          Values products(basis.size(), 0.);
+          for (std::size_t j = 0; j < basis.size(); ++j)
+            for (std::size_t i = 0; i < w.size(); ++i)
+              products[j] += basis[j][i] * w[i];
+          products = pencil.layout.sum(products);
+          for (std::size_t j = 0; j < basis.size(); ++j)
+            {
+              coefficients[j] += products[j];
+              for (std::size_t i = 0; i < w.size(); ++i)
+                w[i] -= products[j] * basis[j][i];
+            }
+        }
+      const double rest = length(w);
+      if (rest > negligible * before)
+        {
+          for (double &value : w)
+            value /= rest;
+          basis.push_back(std::move(w));
+          coefficients.push_back(rest);
+        }
+      return coefficients;
+    }
+
+    double length(const Values &w) const
+    {
+      return auxfem::size(pencil.layout, w);
+    }
+
+    double residual(const std::vector<Complex> &vector) const
+    {
+      double sum = 0;
+      for (std::size_t i = columns.size(); i < basis.size(); ++i)
+        {
+          Complex entry = 0;
+          for (std::size_t j = 0; j < columns.size(); ++j)
+            if (i < columns[j].size())
+              entry += columns[j][i] * vector[j];
+          sum += std::norm(entry);
+        }
+      return std::sqrt(sum);
+    }
+
+    MotionPencil       &pencil;
+    const unsigned int  n;
+    const double        shift;
+    Values              scale_of_part;
+    std::vector<Values> basis, columns;
+  };
+
+  MotionPencil::MotionPencil(TangentSolver &solver,
+                             const State   &equilibrium,
+                             const Damping  damping)
+    : solver(solver)
+    , layout(solver.equations().unknowns().layout)
+    , space(solver)
+    , stiffness(solver, equilibrium, damping)
+    , mass(solver.equations().pattern())
+    , damping_matrix(solver.equations().pattern())
+  {
+    const TangentMatrix &at = solver.matrix();
+    damping_matrix.reset();
+    stiffness.find_mass(mass);
+    stiffness.set(0.);
+    is_symmetric = at.is_symmetric();
+    if (damping == Damping::none)
+      return;
+    for (const double time : solver.equations().relaxation_times())
+      {
+        relaxing.push_back({time, TangentMatrix(solver.equations().pattern())});
+        stiffness.find_relaxing(time, relaxing.back().stiffness);
+      }
+    // (A(h) - A(0) - h^2 M - ...) / h
+    stiffness.set(0.);
+    const double h = fastest_rate();
+    damping_matrix.add_multiple(-1 / h, at);
+    stiffness.set(h);
+    damping_matrix.add_multiple(1 / h, at);
+    damping_matrix.add_multiple(-h, mass);
+    for (const Relaxing &elements : relaxing)
+      damping_matrix.add_multiple(-elements.time / (1 + h * elements.time),
+                                  elements.stiffness);
+  }
+
+  double MotionPencil::fastest_rate() const
+  {
+    const auto largest = [this](const TangentMatrix &matrix) {
+      const Values diagonal = matrix.diagonal();
+      double       mine     = 0;
+      for (unsigned int i = 0; i < diagonal.size(); ++i)
+        if (space.is_free(i))
+          mine = std::max(mine, diagonal[i]);
+      return layout.largest(mine);
+    };
+    const double of_stiffness = largest(solver.matrix()),
+                 of_mass      = largest(mass);
+    return of_stiffness > 0 && of_mass > 0 ? std::sqrt(of_stiffness / of_mass)
+                                           : 1.;
+  }
+
+  Values MotionPencil::multiply(const TangentMatrix &matrix,
+                                const double        *x) const
+  {
+    Values y(layout.n_owned());
+    space.multiply(matrix, x, y.data());
+    return y;
+  }
+
+  MotionPencil::Roots MotionPencil::nearest(const double  shift,
+                                            const Wanted &wanted)
+  {
+    constexpr double       converged      = 1e-10;
+    constexpr unsigned int between_checks = 10, part_between_checks = 5;
+    const unsigned int     most_vectors = 100 + 10 * wanted.n;
+    stiffness.set(shift);
+    if (!solver.factorize())
+      throw ComputationError("Analysis = modes: the dynamic stiffness cannot "
+                             "be factorized: " +
+                             solver.why() + '.');
+    Arnoldi                    space_of_motions(*this, shift);
+    std::vector<Arnoldi::Ritz> found;
+    bool                       is_complete = false, grows = true;
+    while (!is_complete && grows && space_of_motions.size() < most_vectors)
+      {
+        const unsigned int n_new =
+          std::max(between_checks,
+                   space_of_motions.size() / part_between_checks);
+        for (unsigned int i = 0; i < n_new && grows; ++i)
+          grows = space_of_motions.grow();
+        found.clear();
+        bool all_before = true;
+        for (Arnoldi::Ritz &ritz : space_of_motions.ritz())
+          if (wanted.counts(ritz.s))
+            {
+              if (grows && !(ritz.residual <= converged))
+                {
+                  all_before = false;
+                  continue;
+                }
+              const bool is_last = wanted.reach
+                ? std::abs(ritz.s) > *wanted.reach
+                : found.size() + 1 >= wanted.n;
+              is_complete        = is_complete || (all_before && is_last);
+              found.push_back(std::move(ritz));
+            }
+      }
+    Roots result{{}, is_complete || !grows};
+    for (const Arnoldi::Ritz &ritz : found)
+      if (!wanted.reach || std::abs(ritz.s) <= *wanted.reach)
+        {
+          // Without displacements, at -1 / tau, there is round-off alone.
+          constexpr double negligible = 1e-8, largest_residual = 1e-3;
+          Values           shape = space_of_motions.shape(ritz);
+          if (size(layout, shape) <= negligible)
+            continue;
+          const MotionRoot found_root = root(ritz.s, std::move(shape));
+          if (found_root.residual <= largest_residual)
+            result.roots.push_back(found_root);
+        }
+    return result;
+  }
+
+  MotionRoot MotionPencil::root(const Complex s, Values shape)
+  {
+    MotionRoot   root{s, std::move(shape), 0., 0.};
+    const double length = size(layout, root.shape);
+    for (double &value : root.shape)
+      value /= length;
+    if (!swings(root.s))
+      root.s = root.s.real();
+    turn_phase(layout, root.shape);
+    if (is_symmetric)
+      improve(root);
+    Values left(root.shape.size());
+    stiffness.set(root.s);
+    stiffness.multiply(root.shape.data(), left.data());
+    root.residual = size(layout, left) /
+      (std::abs(root.s) * size(layout, derivative(root.s, root.shape)));
+    root.uncertainty =
+      std::max(root.uncertainty, root.residual * std::abs(root.s));
+    return root;
+  }
+
+  /** By Newton's method for x.A(s) x = 0. */
+  void MotionPencil::improve(MotionRoot &root)
+  {
+    constexpr double       small = 1e-3, settled = 1e-14;
+    constexpr unsigned int most_steps = 4;
+    Complex                s          = root.s;
+    for (unsigned int i = 0; i < most_steps; ++i)
+      {
+        stiffness.set(s);
+        const Complex change = stiffness.form(root.shape) /
+          product(layout, root.shape, derivative(s, root.shape));
+        // Where two roots are about to be one x.A' x is nearly zero.
+        if (!(std::abs(change) <= small * std::abs(s)))
+          return;
+        s -= change;
+        root.uncertainty = std::abs(change);
+        if (root.uncertainty <= settled * std::abs(s))
+          break;
+      }
+    root.s = s;
+  }
+
+  Values MotionPencil::derivative(const Complex s, const Values &x)
+  {
+    constexpr double relative_step = 1e-4;
+    Values           before(x.size()), after(x.size());
+    stiffness.set(s * (1. - relative_step));
+    stiffness.multiply(x.data(), before.data());
+    stiffness.set(s * (1. + relative_step));
+    stiffness.multiply(x.data(), after.data());
+    const unsigned int n = layout.n_owned();
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const Complex slope =
+          Complex(after[i] - before[i], after[n + i] - before[n + i]) /
+          (2. * relative_step * s);
+        after[i]     = slope.real();
+        after[n + i] = slope.imag();
+      }
+    return after;
+  }
+
+  Complex MotionPencil::mass_product(const Vector &x, const Values &shape) const
+  {
+    const unsigned int n       = layout.n_owned();
+    const Values       inertia = multiply(mass, x.data());
+    Values             sums(2, 0.);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        sums[0] += inertia[i] * shape[i];
+        sums[1] += inertia[i] * shape[n + i];
+      }
+    sums = layout.sum(sums);
+    return {sums[0], sums[1]};
+  }
+} // namespace auxfem
