@@ -35,17 +35,13 @@ namespace auxfem
     {}
 
     /** K + K_g under the forces of @p motion; false if it has no factors. */
-    bool factorize(const Vector &motion)
+    bool factorize_under(const Vector &motion)
     {
-      State rest = equations.initial_state();
-      for (std::optional<Vector> *rates : {&rest.velocity, &rest.acceleration})
-        if (*rates)
-          (*rates)->assign((*rates)->size(), 0.);
+      State rest = state_at_rest();
       // Constraints add what is linear in their forces.
       for (const int i : model.numbering.constraints().multipliers())
         rest.displacement[i] = motion[i];
-      const EvaluationResults at_rest = results_at(rest);
-      solver.assemble(Evaluation::equilibrium(rest, rest), at_rest, {1, 0, 0});
+      const EvaluationResults at_rest     = assemble(rest);
       const auto [displacement, rotation] = largest_motion(model, motion);
       const double size =
         std::max(rotation, displacement / model.mean_strut_length);
@@ -64,12 +60,37 @@ namespace auxfem
       return solver.factorize(Exactness::approximate);
     }
 
+    /** K; false if it has no factors. */
+    bool factorize_at_rest()
+    {
+      State rest = state_at_rest();
+      assemble(rest);
+      return solver.factorize(Exactness::approximate);
+    }
+
     const Scene        scene;
     const LatticeModel model;
     Equations          equations;
     TangentSolver      solver;
 
   private:
+    State state_at_rest() const
+    {
+      State rest = equations.initial_state();
+      for (std::optional<Vector> *rates : {&rest.velocity, &rest.acceleration})
+        if (*rates)
+          (*rates)->assign((*rates)->size(), 0.);
+      return rest;
+    }
+
+    /** The stiffness without that by forces. */
+    EvaluationResults assemble(State &rest)
+    {
+      EvaluationResults results = results_at(rest);
+      solver.assemble(Evaluation::equilibrium(rest, rest), results, {1, 0, 0});
+      return results;
+    }
+
     EvaluationResults results_at(State &at)
     {
       EvaluationResults results = equations.make_results();
@@ -92,19 +113,20 @@ namespace auxfem
     return std::exchange(effort, Work());
   }
 
-  std::optional<double> SecondOrderEffect::at(const State  &state,
-                                              const Vector &forces_by_turning)
+  std::optional<SecondOrderChange>
+  SecondOrderEffect::at(const State &state, const Vector &forces_by_turning)
   {
-    const LatticeModel &model = equations.model();
-    const double largest      = largest_motion(model, state.displacement).first,
-                 elastic = state.energies.strain() + state.energies.stored();
-    if (is_impossible || largest == 0 || !(elastic > 0))
+    if (is_impossible)
       return {};
+    SecondOrderChange result;
     try
       {
         if (!exact)
-          exact = std::make_unique<Exact>(scene, model, effort);
-        if (!exact->factorize(state.displacement))
+          exact = std::make_unique<Exact>(scene, equations.model(), effort);
+        if (exact->factorize_under(state.displacement))
+          if (const auto negative = exact->solver.new_negative_modes())
+            result.is_unstable = negative->n > 0;
+        if (result.is_unstable.value_or(true) && !exact->factorize_at_rest())
           return {};
       }
     catch (const std::runtime_error &)
@@ -114,21 +136,34 @@ namespace auxfem
         is_impossible = true;
         return {};
       }
-    const auto negative = exact->solver.new_negative_modes();
-    if (!negative || negative->n > 0)
+    const std::optional<double> relative =
+      relative_change(state, forces_by_turning);
+    if (!relative)
       return {};
-    const UnknownLayout &layout = equations.unknowns().layout;
-    Vector               change(forces_by_turning.size(), 0.);
-    for (unsigned int i = 0; i < layout.n_owned(); ++i)
-      if (equations.unknowns().kinds[i] != UnknownKind::prescribed)
-        change[i] = -forces_by_turning[i];
+    result.relative = *relative;
+    return result;
+  }
+
+  std::optional<double> SecondOrderEffect::relative_change(const State  &state,
+                                                           const Vector &forces)
+  {
+    const double largest =
+                   largest_motion(equations.model(), state.displacement).first,
+                 elastic = state.energies.strain() + state.energies.stored();
+    if (largest == 0 || !(elastic > 0))
+      return {};
+    const Unknowns &unknowns = equations.unknowns();
+    Vector          change(forces.size(), 0.);
+    for (unsigned int i = 0; i < unknowns.layout.n_owned(); ++i)
+      if (unknowns.kinds[i] != UnknownKind::prescribed)
+        change[i] = -forces[i];
     if (!exact->solver.solve(change))
       return {};
     double twice_energy = 0;
-    for (unsigned int i = 0; i < layout.n_owned(); ++i)
-      twice_energy -= forces_by_turning[i] * change[i];
-    twice_energy = std::max(0., layout.sum(twice_energy));
-    return std::max(largest_motion(model, change).first / largest,
+    for (unsigned int i = 0; i < unknowns.layout.n_owned(); ++i)
+      twice_energy -= forces[i] * change[i];
+    twice_energy = std::max(0., unknowns.layout.sum(twice_energy));
+    return std::max(largest_motion(equations.model(), change).first / largest,
                     std::sqrt(twice_energy / (2 * elastic)));
   }
 } // namespace auxfem

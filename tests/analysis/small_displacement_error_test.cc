@@ -9,6 +9,7 @@
 #include <cmath>
 #include <random>
 
+#include <support/messages.h>
 #include <support/pi.h>
 
 using namespace auxfem;
@@ -261,7 +262,48 @@ TEST(SmallDisplacementWatch, KnowsThatFramesOfStretchedBarsAreNotSoftened)
   // There it buckles.
   EXPECT_EQ(verdict_of(findings_of(tripod({"6e3*t", "0", "-12e3*t"}).str(),
                                    {"Effects/Large rotation=off"})),
-            Verdict::not_to_be_used);
+            Verdict::doubtful);
+}
+
+TEST(SmallDisplacementWatchOnRanks, ReportsATrussBeyondItsCriticalLoad)
+{
+  // Linear statics is what was asked for: bars that bear 6.32 times their Euler
+  // load leave its numbers as they are.
+  const SceneText truss =
+    SceneText()
+      .dimension(3)
+      .frame("2 0 0; -1 1.7320508 0; -1 -1.7320508 0; 0 0 3", "0 3; 1 3; 2 3")
+      .circle("bar", 12.6157e-3, {210e9})
+      .hinge("pins", "all")
+      .support("ground", "0, 1, 2", "pin")
+      .load("P", "3", {"1e4*t", "0", "-2e4*t"}, {"0", "0", "0"})
+      .time(1, 1, "static");
+  const auto found =
+    findings_of(truss.str(), {"Effects/Large rotation=off"}, MPI_COMM_WORLD);
+  ASSERT_EQ(found.size(), 1u) << verdict_text(found);
+  EXPECT_EQ(found[0].verdict, Verdict::doubtful);
+  EXPECT_EQ(found[0].location, "strut 0");
+  expect_parts(found[0].text,
+               {"beyond its critical load",
+                "strut 0 bears 6.32 times its Euler load",
+                "only if buckling is excluded"});
+  const auto below = findings_of(truss.str(),
+                                 {"Effects/Large rotation=off",
+                                  "Loads/P/Force x=1e3*t",
+                                  "Loads/P/Force z=-2e3*t"});
+  EXPECT_TRUE(below.empty()) << verdict_text(below);
+}
+
+TEST(SmallDisplacementWatch, RefusesBendingBeyondTheCriticalLoad)
+{
+  // A column bent across under 1.2 times its critical load: linear deflections
+  // are not those of any equilibrium nearby.
+  const auto found =
+    findings_of(chain(text(-1.2 * pi * pi / 4) + " * t", "1e-3 * t")
+                  .set("Effects/Large rotation", "off"));
+  ASSERT_EQ(found.size(), 2u) << verdict_text(found);
+  EXPECT_EQ(verdict_of(found), Verdict::not_to_be_used);
+  EXPECT_TRUE(contains(found[1].text, "beyond its critical load"));
 }
 
 TEST(SmallDisplacementWatch, TellsLoadsThatCarryTransversely)

@@ -8,10 +8,23 @@
 
 namespace auxfem
 {
+  /** What axial forces change of a linear answer. */
+  struct SecondOrderChange
+  {
+    /** The larger of the change of the displacements over the displacements
+     * and that of the forces over the forces, in the norm of their energy. */
+    double relative = 0;
+    /** Whether the stiffness under the axial forces has negative modes;
+     * nothing where the linear solver does not tell. */
+    std::optional<bool> is_unstable = {};
+  };
+
   /**
    * Change of displacements and forces of a linear scene by axial forces,
    * by the stiffness K + K_g of the structure as it is at rest with the forces
-   * that it bears: linear stability theory. Costs a factorization each time.
+   * that it bears: linear stability theory. Beyond the critical load that
+   * stiffness has no meaning for the answer; K takes its place, as if buckling
+   * were excluded. Costs one or two factorizations each time.
    */
   class SecondOrderEffect
   {
@@ -22,15 +35,14 @@ namespace auxfem
     ~SecondOrderEffect();
 
     /**
-     * The larger of the change of the displacements over the displacements and
-     * that of the forces over the forces, in the norm of their energy; nothing
-     * where the structure has buckled or moves freely. Collective.
-     * @param state of small displacements, which has its energies
-     * @param forces_by_turning what axial forces do on turned struts (N), by
-     *   local unknown
+     * The change in @p state; nothing where there is no such structure with
+     * large rotations or it moves freely. Collective.
+     * @param state by small displacements, which has its energies
+     * @param forces_by_turning forces (N) by local unknown that axial forces
+     *   exert on turned struts
      */
-    std::optional<double> at(const State  &state,
-                             const Vector &forces_by_turning);
+    std::optional<SecondOrderChange> at(const State  &state,
+                                        const Vector &forces_by_turning);
 
     /** Effort of the checks since the last call. */
     Work take_effort();
@@ -38,6 +50,10 @@ namespace auxfem
   private:
     /** The same structure with large rotations. */
     struct Exact;
+
+    /** The change by @p forces (N) with the factors at hand. */
+    std::optional<double> relative_change(const State  &state,
+                                          const Vector &forces);
 
     const Scene           &scene;
     const Equations       &equations;

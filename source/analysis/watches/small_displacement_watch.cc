@@ -5,6 +5,8 @@
 #include <auxfem/parameters/rounded_text.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace auxfem
@@ -27,14 +29,54 @@ namespace auxfem
                                                 : Verdict::sound;
     }
 
-    /** Of linear scenes. */
+    /** When a linear scene was furthest beyond its critical load. */
+    struct LossOfStability
+    {
+      double time = 0; ///< s
+      /** Largest compressive force over the Euler load of its strut. */
+      double compression = 0;
+      double strut       = 0; ///< number of that strut
+      enum class Evidence
+      {
+        none,
+        compression,
+        negative_modes
+      } evidence = Evidence::none;
+
+      Finding finding() const
+      {
+        const std::string location =
+          "strut " + std::to_string(std::lround(strut));
+        std::ostringstream text;
+        text.precision(3);
+        text << "The structure "
+             << (evidence == Evidence::negative_modes ? "is" : "may be")
+             << " loaded beyond its critical load: at t = " << time << " s ";
+        if (evidence == Evidence::negative_modes)
+          text << "its stiffness under the axial forces has negative modes"
+               << (compression > 1 ? ", and " : "");
+        if (compression > 1)
+          text << location << " bears " << compression
+               << " times its Euler load with hinged ends";
+        text << ". Linear results hold only if buckling is excluded. Find the "
+                "critical load with Analysis = buckling, or set Effects/Large "
+                "rotation = on.";
+        return {Verdict::doubtful,
+                text.str(),
+                time,
+                compression > 1 ? location : ""};
+      }
+    };
+
+    /** Watches linear scenes. */
     class SmallDisplacementWatch : public Watch
     {
     public:
       SmallDisplacementWatch(const Scene     &scene,
                              const Equations &equations,
                              Work            &work)
-        : estimate(scene, equations)
+        : layout(equations.unknowns().layout)
+        , estimate(scene, equations)
         , second_order(scene, equations)
         , end_time(scene.time.end_time)
         , work(work)
@@ -69,8 +111,50 @@ namespace auxfem
 
       std::vector<Finding> findings() const override
       {
-        if (verdict_on(worst.total()) == Verdict::sound)
-          return {};
+        std::vector<Finding> all;
+        if (verdict_on(worst.total()) != Verdict::sound)
+          all.push_back(error_finding());
+        if (loss.evidence != Evidence::none)
+          all.push_back(loss.finding());
+        return all;
+      }
+
+      void save(Records &records) const override
+      {
+        records.keep(small_displacement_record,
+                     {worst.rotation,
+                      worst.second_order,
+                      worst.strain,
+                      time,
+                      looks.save(),
+                      checked,
+                      loss.time,
+                      loss.compression,
+                      loss.strut,
+                      double(loss.evidence)});
+        records.keep_text(small_displacement_record + ": location",
+                          worst.location);
+      }
+
+      void resume(const Records &records) override
+      {
+        const std::vector<double> values =
+          records.values(small_displacement_record, 10);
+        worst.rotation     = values[0];
+        worst.second_order = values[1];
+        worst.strain       = values[2];
+        worst.location = records.text(small_displacement_record + ": location");
+        time           = values[3];
+        looks.resume(values[4]);
+        checked = values[5];
+        loss    = {values[6], values[7], values[8], Evidence(int(values[9]))};
+      }
+
+    private:
+      using Evidence = LossOfStability::Evidence;
+
+      Finding error_finding() const
+      {
         std::ostringstream text;
         text.precision(2);
         text << "Displacements are not small, as Large rotation = off "
@@ -82,36 +166,9 @@ namespace auxfem
              << percentage_text(worst.second_order) << ", and axial strains of "
              << percentage_text(worst.strain) << " (most at " << worst.location
              << "). Set Effects/Large rotation = on, or reduce the load.";
-        return {{verdict_on(worst.total()), text.str(), time, worst.location}};
+        return {verdict_on(worst.total()), text.str(), time, worst.location};
       }
 
-      void save(Records &records) const override
-      {
-        records.keep(small_displacement_record,
-                     {worst.rotation,
-                      worst.second_order,
-                      worst.strain,
-                      time,
-                      looks.save(),
-                      checked});
-        records.keep_text(small_displacement_record + ": location",
-                          worst.location);
-      }
-
-      void resume(const Records &records) override
-      {
-        const std::vector<double> values =
-          records.values(small_displacement_record, 6);
-        worst.rotation     = values[0];
-        worst.second_order = values[1];
-        worst.strain       = values[2];
-        worst.location = records.text(small_displacement_record + ": location");
-        time           = values[3];
-        looks.resume(values[4]);
-        checked = values[5];
-      }
-
-    private:
       /**
        * Puts the effect of axial forces on the whole structure in place of that
        * on the energy of bending and of the buckling of single struts. Where
@@ -120,13 +177,35 @@ namespace auxfem
        */
       void make_sure(const State &state, SmallDisplacementError &error)
       {
-        const std::optional<double> effect =
+        const std::optional<SecondOrderChange> change =
           second_order.at(state, estimate.forces_by_turning(state));
         work.add_effort(second_order.take_effort());
-        if (effect)
-          error.second_order = std::min(error.second_order, *effect);
+        if (!change)
+          return;
+        error.second_order = std::min(error.second_order, change->relative);
+        const Evidence evidence = change->is_unstable.value_or(false)
+          ? Evidence::negative_modes
+          : !change->is_unstable && error.compression > 1
+          ? Evidence::compression
+          : Evidence::none;
+        if (evidence != Evidence::none && error.compression >= loss.compression)
+          loss = {state.time,
+                  error.compression,
+                  most_compressed_strut(error),
+                  evidence};
       }
 
+      /** The first one; collective. */
+      double most_compressed_strut(const SmallDisplacementError &error) const
+      {
+        double first = std::numeric_limits<double>::max();
+        for (std::size_t i = 0; i < error.compressions.size(); ++i)
+          if (error.compressions[i] == error.compression)
+            first = std::min<double>(first, estimate.struts()[i]);
+        return -layout.largest(-first);
+      }
+
+      const UnknownLayout            &layout;
       const SmallDisplacementEstimate estimate;
       SecondOrderEffect               second_order;
       const double                    end_time; ///< s
@@ -134,6 +213,7 @@ namespace auxfem
       SpacedLooks                     looks;
       SmallDisplacementError          worst;
       double                          time = 0; ///< s, of it
+      LossOfStability                 loss;     ///< under the largest forces
       /** Estimate with which the effect of axial forces was found last. */
       double checked = 0;
     };
