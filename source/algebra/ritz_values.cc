@@ -5,59 +5,97 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace auxfem
 {
-  std::vector<double> ritz_values(const dealii::FullMatrix<double> &numerator,
-                                  const dealii::FullMatrix<double> &denominator)
+  namespace
   {
-    constexpr double          dependent = 1e-10;
-    const unsigned int        n         = denominator.m();
-    std::vector<unsigned int> kept;
-    // Cholesky's method on unit lengths; vectors that depend on those before
-    // are left out.
-    dealii::FullMatrix<double> lower(n, n);
-    for (unsigned int i = 0; i < n; ++i)
+    /** Cholesky's factor of a matrix without the rows that depend on those
+     * before. */
+    struct IndependentRows
+    {
+      explicit IndependentRows(const dealii::FullMatrix<double> &matrix)
+        : lower(matrix.m(), matrix.m())
       {
-        const unsigned int k    = kept.size();
-        double             rest = denominator(i, i);
-        for (unsigned int c = 0; c < k; ++c)
+        constexpr double dependent = 1e-10;
+        for (unsigned int i = 0; i < matrix.m(); ++i)
           {
-            double entry = denominator(i, kept[c]);
-            for (unsigned int d = 0; d < c; ++d)
-              entry -= lower(k, d) * lower(c, d);
-            lower(k, c) = entry / lower(c, c);
-            rest -= lower(k, c) * lower(k, c);
+            const unsigned int k    = kept.size();
+            double             rest = matrix(i, i);
+            for (unsigned int c = 0; c < k; ++c)
+              {
+                double entry = matrix(i, kept[c]);
+                for (unsigned int d = 0; d < c; ++d)
+                  entry -= lower(k, d) * lower(c, d);
+                lower(k, c) = entry / lower(c, c);
+                rest -= lower(k, c) * lower(k, c);
+              }
+            if (!(rest > dependent * matrix(i, i)))
+              continue;
+            lower(k, k) = std::sqrt(rest);
+            kept.push_back(i);
           }
-        if (!(rest > dependent * denominator(i, i)))
-          continue;
-        lower(k, k) = std::sqrt(rest);
-        kept.push_back(i);
       }
-    // L^-1 S L^-T, row after row, then column after column.
-    const unsigned int               m = kept.size();
-    dealii::LAPACKFullMatrix<double> reduced(m);
-    for (unsigned int i = 0; i < m; ++i)
-      for (unsigned int j = 0; j < m; ++j)
-        {
-          double entry = numerator(kept[i], kept[j]);
-          for (unsigned int d = 0; d < i; ++d)
-            entry -= lower(i, d) * reduced(d, j);
-          reduced(i, j) = entry / lower(i, i);
-        }
-    for (unsigned int i = 0; i < m; ++i)
-      for (unsigned int j = 0; j < m; ++j)
-        {
-          double entry = reduced(i, j);
-          for (unsigned int d = 0; d < j; ++d)
-            entry -= lower(j, d) * reduced(i, d);
-          reduced(i, j) = entry / lower(j, j);
-        }
-    std::vector<double> values;
+
+      /** L^-1 S L^-T of the kept rows and columns, row after row, then column
+       * after column. */
+      dealii::LAPACKFullMatrix<double>
+      reduced(const dealii::FullMatrix<double> &matrix) const
+      {
+        const unsigned int               m = kept.size();
+        dealii::LAPACKFullMatrix<double> result(m);
+        for (unsigned int i = 0; i < m; ++i)
+          for (unsigned int j = 0; j < m; ++j)
+            {
+              double entry = matrix(kept[i], kept[j]);
+              for (unsigned int d = 0; d < i; ++d)
+                entry -= lower(i, d) * result(d, j);
+              result(i, j) = entry / lower(i, i);
+            }
+        for (unsigned int i = 0; i < m; ++i)
+          for (unsigned int j = 0; j < m; ++j)
+            {
+              double entry = result(i, j);
+              for (unsigned int d = 0; d < j; ++d)
+                entry -= lower(j, d) * result(i, d);
+              result(i, j) = entry / lower(j, j);
+            }
+        return result;
+      }
+
+      /** L^-T of column @p j of @p vectors becomes column @p to of @p result,
+       * in the rows that are kept. */
+      void expand(const dealii::FullMatrix<double> &vectors,
+                  const unsigned int                j,
+                  const unsigned int                to,
+                  dealii::FullMatrix<double>       &result) const
+      {
+        for (unsigned int i = kept.size(); i-- > 0;)
+          {
+            double entry = vectors(i, j);
+            for (unsigned int d = i + 1; d < kept.size(); ++d)
+              entry -= lower(d, i) * result(kept[d], to);
+            result(kept[i], to) = entry / lower(i, i);
+          }
+      }
+
+      std::vector<unsigned int>  kept;
+      dealii::FullMatrix<double> lower;
+    };
+  } // namespace
+
+  RitzPairs ritz_pairs(const dealii::FullMatrix<double> &numerator,
+                       const dealii::FullMatrix<double> &denominator)
+  {
+    const IndependentRows independent(denominator);
+    const unsigned int    m = independent.kept.size();
+    RitzPairs             pairs;
     if (m == 0)
-      return values;
-    dealii::FullMatrix<double> vectors;
-    dealii::Vector<double>     found;
+      return pairs;
+    dealii::LAPACKFullMatrix<double> reduced = independent.reduced(numerator);
+    dealii::FullMatrix<double>       vectors;
+    dealii::Vector<double>           found;
     reduced.set_property(dealii::LAPACKSupport::symmetric);
     const double bound = std::max(1., reduced.frobenius_norm());
     reduced.compute_eigenvalues_symmetric(-2 * bound,
@@ -65,9 +103,26 @@ namespace auxfem
                                           0.,
                                           found,
                                           vectors);
-    values.assign(found.begin(), found.end());
-    std::sort(values.rbegin(), values.rend());
-    return values;
+    std::vector<unsigned int> order(found.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::sort(order.begin(),
+              order.end(),
+              [&found](const unsigned int one, const unsigned int other) {
+                return found[one] > found[other];
+              });
+    pairs.coefficients.reinit(denominator.m(), order.size());
+    for (unsigned int j = 0; j < order.size(); ++j)
+      {
+        pairs.values.push_back(found[order[j]]);
+        independent.expand(vectors, order[j], j, pairs.coefficients);
+      }
+    return pairs;
+  }
+
+  std::vector<double> ritz_values(const dealii::FullMatrix<double> &numerator,
+                                  const dealii::FullMatrix<double> &denominator)
+  {
+    return ritz_pairs(numerator, denominator).values;
   }
 
   std::vector<ComplexEigenpair> general_eigenpairs(std::vector<double> matrix,

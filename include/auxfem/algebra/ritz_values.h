@@ -8,11 +8,24 @@
 
 namespace auxfem
 {
+  /** Combinations of some vectors with stationary quotients. */
+  struct RitzPairs
+  {
+    std::vector<double> values; ///< quotients, by falling size
+    /** Column j: the coefficients of the combination with values[j]. */
+    dealii::FullMatrix<double> coefficients;
+  };
+
   /**
-   * The best values that combinations of some vectors give, y.S y / y.D y, by
-   * falling size; fewer than vectors where these depend on each other.
+   * The Rayleigh-Ritz method: stationary values of y.S y / y.D y over the
+   * combinations of some vectors. Fewer than vectors where these depend on each
+   * other.
    * @param numerator, denominator S and D, symmetric, D positive definite
    */
+  RitzPairs ritz_pairs(const dealii::FullMatrix<double> &numerator,
+                       const dealii::FullMatrix<double> &denominator);
+
+  /** The values of ritz_pairs(). */
   std::vector<double>
   ritz_values(const dealii::FullMatrix<double> &numerator,
               const dealii::FullMatrix<double> &denominator);

@@ -21,6 +21,10 @@ namespace auxfem
     /** Rows of K' below this part of the largest are round-off. */
     constexpr double no_entry = 1e-8;
 
+    /** Elastic forces below this part of the loads are round-off of the answer:
+     * rigid parts and supports bear the loads. */
+    constexpr double no_elastic_force = 1e-10;
+
     /** Asymmetry that is round-off of K'. */
     constexpr double symmetric_change = 1e-6;
 
@@ -105,7 +109,13 @@ namespace auxfem
       /** Those nearest to zero above it, after factorize(0). */
       Eigenpairs lowest(const unsigned int n)
       {
-        return nearest_eigenpairs(problem(), n);
+        Eigenpairs found = nearest_eigenpairs(problem(), n);
+        if (!found.why.empty())
+          return found;
+        std::vector<Vector> shapes;
+        for (const Eigenpair &pair : found.pairs)
+          shapes.push_back(pair.vector);
+        return improved(shapes);
       }
 
       /** Modes that there can be at most. Collective. */
@@ -172,17 +182,38 @@ namespace auxfem
         return mode;
       }
 
-      /** By size, of shapes near those of modes, after factorize(0). */
-      std::vector<double> improved_factors(const std::vector<Vector> &shapes)
+      /**
+       * As many pairs at most by rising factor, of shapes near those of modes,
+       * after factorize(0).
+       *
+       * Lengths by K lose digits where struts are much stiffer along their axes
+       * than across, and an iteration magnifies what shapes have of modes of
+       * the reversed loads, where these have smaller factors. Two iterates of
+       * each shape tell these apart.
+       */
+      Eigenpairs improved(const std::vector<Vector> &shapes)
       {
-        const auto          products = iterated_products(problem(), shapes);
-        std::vector<double> factors;
-        if (products)
-          for (const double inverse :
-               ritz_values(products->by_mass, products->by_stiffness))
-            if (inverse > 0)
-              factors.push_back(1 / inverse);
-        return factors;
+        constexpr unsigned int n_iterations = 2;
+        const auto             products =
+          iterated_products(problem(), shapes, n_iterations);
+        if (!products)
+          fail_to_buckle(solver.why());
+        const RitzPairs ritz =
+          ritz_pairs(products->by_mass, products->by_stiffness);
+        Eigenpairs result;
+        for (std::size_t j = 0; j < ritz.values.size() &&
+             result.pairs.size() < shapes.size() && ritz.values[j] > 0;
+             ++j)
+          {
+            Eigenpair pair{1 / ritz.values[j],
+                           std::vector<double>(layout.n_owned(), 0.)};
+            for (std::size_t i = 0; i < products->vectors.size(); ++i)
+              auxfem::add_multiple(ritz.coefficients(i, j),
+                                   products->vectors[i],
+                                   pair.vector);
+            result.pairs.push_back(std::move(pair));
+          }
+        return result;
       }
 
       /** BucklingModes::motion. */
@@ -255,7 +286,8 @@ namespace auxfem
         double mine = 0;
         for (unsigned int i = 0; i < layout.n_owned(); ++i)
           mine = std::max(mine, std::abs(answer[i]));
-        if (layout.largest(mine) == 0)
+        largest_load = layout.largest(mine);
+        if (largest_load == 0)
           {
             std::ostringstream why;
             why << "no load and no prescribed motion acts at t = " << time
@@ -276,12 +308,24 @@ namespace auxfem
       {
         const LatticeModel &model           = solver.model();
         const auto [displacement, rotation] = largest_motion(model, answer);
-        motion = std::max(rotation, displacement / model.mean_strut_length);
+        motion                              = loads_elastic_parts(answer)
+                                       ? std::max(rotation, displacement / model.mean_strut_length)
+                                       : 0.;
         find_multiplier_change(answer, sign);
         if (motion > 0)
           add_strut_and_connector_change(answer,
                                          sign * size_of_difference / motion);
         leave_out_constraints(change);
+      }
+
+      bool loads_elastic_parts(const Vector &answer) const
+      {
+        std::vector<double> forces(layout.n_owned());
+        space.multiply(stiffness, answer.data(), forces.data());
+        double mine = 0;
+        for (const double force : forces)
+          mine = std::max(mine, std::abs(force));
+        return layout.largest(mine) > no_elastic_force * largest_load;
       }
 
       /** @param part of the answer by which states differ from the given one. */
@@ -387,7 +431,7 @@ namespace auxfem
       const Equations     &equations;
       const UnknownLayout &layout;
       const State         &state;
-      double               motion = 0;
+      double               motion = 0, largest_load = 0;
       EvaluationResults    results;
       TangentMatrix        stiffness, change;
     };
@@ -477,7 +521,8 @@ namespace auxfem
     finer.n_possible = buckling.n_with_change();
     if (!buckling.factorize(0))
       fail_to_buckle(solver.why());
-    finer.values           = buckling.improved_factors(shapes);
+    for (const Eigenpair &pair : buckling.improved(shapes).pairs)
+      finer.values.push_back(pair.value);
     const CountLimit known = limit_below_last(finer.values, 0.);
     if (coarse.is_counted && known.limit > 0)
       if (const auto n = buckling.n_until(known.limit); n && *n > known.n_below)

@@ -162,14 +162,18 @@ namespace auxfem
 
   std::optional<IteratedProducts>
   iterated_products(const ShiftedEigenproblem &problem,
-                    const std::vector<Vector> &shapes)
+                    const std::vector<Vector> &shapes,
+                    const unsigned int         n_iterations)
   {
-    const unsigned int n = problem.layout.n_owned();
-    Columns            inertia, iterated, of_iterated;
-    for (const Vector &shape : shapes)
+    const std::size_t n = problem.layout.n_owned(), n_shapes = shapes.size();
+    Columns           inertia, iterated, of_iterated;
+    for (std::size_t i = 0; i < n_iterations * n_shapes; ++i)
       {
         inertia.emplace_back(n);
-        problem.multiply_mass(shape.data(), inertia.back().data());
+        if (i < n_shapes)
+          problem.multiply_mass(shapes[i].data(), inertia.back().data());
+        else
+          inertia.back() = of_iterated[i - n_shapes];
         iterated.push_back(inertia.back());
         if (!problem.solve(iterated.back().data()))
           return std::nullopt;
@@ -177,8 +181,11 @@ namespace auxfem
         problem.multiply_mass(iterated.back().data(),
                               of_iterated.back().data());
       }
-    return IteratedProducts{products(problem.layout, iterated, inertia),
-                            products(problem.layout, iterated, of_iterated)};
+    IteratedProducts result{products(problem.layout, iterated, inertia),
+                            products(problem.layout, iterated, of_iterated),
+                            {}};
+    result.vectors = std::move(iterated);
+    return result;
   }
 
   unsigned long n_below(const std::vector<Eigenpair> &pairs, const double limit)

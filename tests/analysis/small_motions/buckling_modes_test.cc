@@ -265,4 +265,38 @@ TEST(BucklingModes, WhatHasNoneIsRefused)
                              1);
                }),
                {"not stable", "negative mode"});
+  // A strut beside a rigid one, which bears all of the load.
+  expect_parts(input_error_of([&] {
+                 buckling_of(
+                   pressed(SceneText()
+                             .frame("0 0; 1 0; 0.5 1", "0 1; 0 2; 2 1")
+                             .section({EA, GA, EI})
+                             .rigid_part("block", "0", 1)
+                             .set("Rigid parts/block/Elastic struts", "clamped")
+                             .support("foot", "0", "clamp")
+                             .time(1, 0.1, "static")),
+                   1);
+               }),
+               {"nothing buckle"});
+}
+
+TEST(BucklingModes, KeepTheirDigitsOnFineMeshes)
+{
+  // A bent frame, much stiffer along its struts than across: loads in the other
+  // sense have factors a thousand times smaller.
+  const SceneText frame =
+    SceneText()
+      .frame("-0.00684 -0.00066; 0.0919 0.0621; -0.0163 0.1329; 0.0933 0.1788; "
+             "0.0090 0.2412",
+             "0 1; 1 2; 2 3; 3 4; 1 3")
+      .circle("strut", 0.0025, {6e10, "", 0.3})
+      .support("foot", "0", "pin")
+      .support("side", "4", "roller x")
+      .load("push", "4", {"80 * t", "0", "0"})
+      .time(1, 1, "static");
+  const BucklingModes coarse = buckling_of(SceneText(frame).mesh(6, 1), 3),
+                      fine   = buckling_of(SceneText(frame).mesh(6, 3), 3);
+  ASSERT_EQ(fine.modes.size(), 3u);
+  for (unsigned int i = 0; i < 3; ++i)
+    EXPECT_NEAR(coarse.modes.at(i).factor / fine.modes[i].factor, 1, 2e-5);
 }

@@ -98,21 +98,26 @@ namespace auxfem
    * those that are as good as equal to it. */
   CountLimit limit_below_last(const std::vector<double> &values, double lowest);
 
-  /** Products of u_i = (K - sigma M)^-1 M x_i between each other. */
+  /** Products of the iterates u_i = (K - sigma M)^-1 M x_i between each other,
+   * which are as exact where K itself would lose digits. */
   struct IteratedProducts
   {
-    dealii::FullMatrix<double> by_stiffness; ///< u_i.(K - sigma M) u_j
-    dealii::FullMatrix<double> by_mass;      ///< u_i.M u_j
+    dealii::FullMatrix<double>       by_stiffness; ///< u_i.(K - sigma M) u_j
+    dealii::FullMatrix<double>       by_mass;      ///< u_i.M u_j
+    std::vector<std::vector<double>> vectors;      ///< u_i, owned rows
   };
 
   /**
-   * One inverse iteration of some @p shapes, of all local unknowns.
+   * Inverse iterations of some @p shapes, of all local unknowns.
    * @param problem of which `multiply_mass` and `solve` are used
+   * @param n_iterations iterates of each shape; the x_i of later ones are those
+   *   before
    * Nothing where solving fails. Collective.
    */
   std::optional<IteratedProducts>
   iterated_products(const ShiftedEigenproblem &problem,
-                    const std::vector<Vector> &shapes);
+                    const std::vector<Vector> &shapes,
+                    unsigned int               n_iterations = 1);
 
   /** Eigenvalues below @p limit. */
   unsigned long n_below(const std::vector<Eigenpair> &pairs, double limit);
