@@ -2,10 +2,10 @@
 
 #include <auxfem/mesh/segment.h>
 
-#include <array>
 #include <cmath>
-#include <random>
 #include <vector>
+
+#include "random_structure.h"
 
 namespace auxfem
 {
@@ -14,14 +14,11 @@ namespace auxfem
     namespace
     {
       /** Adds features to a scene one after the other. */
-      class SceneGenerator
+      class SceneGenerator : RandomStructure
       {
       public:
-        explicit SceneGenerator(const unsigned int seed) : generator(seed)
-        {
-          dimension = chance(0.5) ? 2 : 3;
-          scene.text.dimension(dimension);
-        }
+        explicit SceneGenerator(const unsigned int seed) : RandomStructure(seed)
+        {}
 
         RandomScene make()
         {
@@ -33,9 +30,15 @@ namespace auxfem
           if (part < 0.3)
             add_joint();
           else if (part < 0.55)
-            add_rigid_part();
+            add_rigid_part(scene.is_static);
           if (chance(0.5))
-            add_connector();
+            add_connector({"spring",
+                           "dashpot",
+                           "kelvin-voigt",
+                           "maxwell",
+                           "standard-linear-solid",
+                           "generalized-maxwell"},
+                          scene.is_static ? 0.3 : period);
           if (chance(0.3))
             add_mass();
           scene.final_load.emplace();
@@ -44,14 +47,13 @@ namespace auxfem
           add_load();
           if (chance(0.5))
             add_plate();
-          scene.text.probe("tip", std::to_string(points.size() - 1));
+          scene_text.probe("tip", std::to_string(points.size() - 1));
+          scene.text     = scene_text;
+          scene.features = features;
           return scene;
         }
 
       private:
-        using Point  = dealii::Point<3>;
-        using Vector = dealii::Tensor<1, 3>;
-
         /** A rigid body beside a strut. */
         struct Body
         {
@@ -63,100 +65,13 @@ namespace auxfem
           Segment axis; ///< of a sphere next to nothing
         };
 
-        /** The standard's distributions differ among libraries. */
-        double number(const double low, const double high)
-        {
-          return low + (high - low) * (generator() / 4294967296.);
-        }
-
-        bool chance(const double probability)
-        {
-          return number(0, 1) < probability;
-        }
-
-        template <class Value>
-        Value one_of(const std::vector<Value> &values)
-        {
-          return values[static_cast<std::size_t>(number(0, values.size()))];
-        }
-
-        std::string coordinates(const Vector &point) const
-        {
-          std::string result = text(point[0]) + " " + text(point[1]);
-          return dimension == 3 ? result + " " + text(point[2]) : result;
-        }
-
-        void note(const std::string &feature)
-        {
-          scene.features += (scene.features.empty() ? "" : ", ") + feature;
-        }
-
-        /** A chain of joints that climbs, so that no struts cross, with
-         * braces. */
-        void add_frame()
-        {
-          const unsigned int n = static_cast<unsigned int>(number(3, 6));
-          std::string        joints, struts;
-          for (unsigned int i = 0; i < n; ++i)
-            {
-              // Left, right, left, ...: braces join next but one neighbours.
-              const double side = i % 2 == 0 ? 0. : 1.;
-              const double x    = side + number(-0.2, 0.2),
-                           y    = 0.6 * i + number(-0.15, 0.15),
-                           z    = dimension == 3 ? number(-0.4, 0.4) : 0.;
-              points.push_back(length * Point(x, y, z));
-              joints += (i > 0 ? "; " : "") + coordinates(points.back());
-            }
-          for (unsigned int i = 0; i + 1 < n; ++i)
-            ends.push_back({i, i + 1});
-          for (unsigned int i = 0; i + 2 < n; ++i)
-            if (chance(0.5))
-              ends.push_back({i, i + 2});
-          for (std::size_t s = 0; s < ends.size(); ++s)
-            struts += (s > 0 ? "; " : "") + std::to_string(ends[s][0]) + " " +
-              std::to_string(ends[s][1]);
-          scene.text.frame(joints, struts);
-        }
-
-        void add_section()
-        {
-          thickness = number(0.02, 0.06) * length;
-          modulus   = std::pow(10., number(7, 11));
-          density   = number(900, 8000);
-          const Material material{modulus, density, 0.3};
-          const bool     is_strip = chance(0.5);
-          if (is_strip)
-            {
-              const double width = thickness * number(0.5, 2);
-              scene.text.rectangle("strut", width, thickness, material);
-              area    = width * thickness;
-              bending = modulus * area * thickness * thickness / 12;
-            }
-          else
-            {
-              scene.text.circle("strut", thickness / 2, material);
-              area    = std::acos(-1.) * thickness * thickness / 4;
-              bending = modulus * area * thickness * thickness / 16;
-            }
-          // A strut's first bending period if both ends are clamped.
-          period = 2 * std::acos(-1.) / 22.4 * length * length *
-            std::sqrt(density * area / bending);
-          force_scale = bending / (length * length);
-          if (chance(0.3))
-            {
-              scene.text.set("Sections/strut/Stiffness-proportional damping",
-                             number(0.001, 0.02) * period);
-              note("damping of struts");
-            }
-        }
-
         void add_supports()
         {
-          scene.text.support("foot", "0", "clamp");
+          scene_text.support("foot", "0", "clamp");
           const unsigned int last = points.size() - 1;
           if (points.size() > 2 && chance(0.2))
             {
-              scene.text.prescribe("side",
+              scene_text.prescribe("side",
                                    std::to_string(last),
                                    {history(number(-0.2, 0.2) * length),
                                     "free",
@@ -165,7 +80,7 @@ namespace auxfem
             }
           else if (points.size() > 2 && chance(0.3))
             {
-              scene.text.support("side", std::to_string(last), "roller x");
+              scene_text.support("side", std::to_string(last), "roller x");
               note("roller");
             }
         }
@@ -182,111 +97,30 @@ namespace auxfem
           scene.is_static          = scheme == "static";
           note(scheme);
           end_time = scene.is_static ? 1 : 10 * period;
-          scene.text.time(end_time, end_time / 20, scheme);
+          scene_text.time(end_time, end_time / 20, scheme);
           if (!scene.is_static)
-            scene.text.time(end_time, end_time / 200, scheme);
+            scene_text.time(end_time, end_time / 200, scheme);
           if (chance(0.2))
             {
-              scene.text.set("Output/Time between rows", end_time / 33);
+              scene_text.set("Output/Time between rows", end_time / 33);
               note("rows within steps");
             }
           if (!scene.is_static && scheme != "energy-momentum" && chance(0.2))
             {
-              scene.text.set("Time/Relative tolerance", 1e-3);
+              scene_text.set("Time/Relative tolerance", 1e-3);
               note("tolerance");
             }
           if (chance(0.3))
             {
-              scene.text.mesh(1 + static_cast<unsigned int>(number(1, 4)),
+              scene_text.mesh(1 + static_cast<unsigned int>(number(1, 4)),
                               static_cast<unsigned int>(number(0, 3)));
               note("other mesh");
             }
           if (chance(0.3))
             {
-              scene.text.set("Effects/Large rotation", "on");
+              scene_text.set("Effects/Large rotation", "on");
               note("exact kinematics");
             }
-        }
-
-        std::string any_joint()
-        {
-          return std::to_string(
-            static_cast<unsigned int>(number(0, points.size())));
-        }
-
-        void add_joint()
-        {
-          const std::string joint = any_joint(),
-                            type  = one_of(
-                              dimension == 2
-                                ? std::vector<std::string>{"hinge",
-                                                            "rotational spring"}
-                                : std::vector<std::string>{"hinge",
-                                                            "rotational spring",
-                                                            "revolute"});
-          has_releases = true;
-          scene.text.set("Joints/link/Joints", joint);
-          scene.text.set("Joints/link/Type", type);
-          if (type == "rotational spring")
-            scene.text.set("Joints/link/Stiffness",
-                           number(0.1, 10) * bending / length);
-          if (type == "revolute")
-            scene.text.set("Joints/link/Axis", "0 0 1");
-          note(type + " at " + joint);
-        }
-
-        void add_rigid_part()
-        {
-          if (ends.size() < 2)
-            return;
-          const std::string strut = std::to_string(
-            1 + static_cast<unsigned int>(number(0, ends.size() - 1)));
-          scene.text.rigid_part("block", strut, area * length * density);
-          if (scene.is_static || chance(0.5))
-            scene.text.set("Rigid parts/block/Elastic struts", "clamped");
-          has_rigid_part = true;
-          note("rigid strut " + strut);
-        }
-
-        void add_connector()
-        {
-          if (points.size() < 3)
-            return;
-          const double stiffness = number(0.1, 3) * force_scale / length,
-                       damper    = stiffness * number(0.1, 3) *
-            (scene.is_static ? 0.3 : period);
-          const std::string  law = one_of<std::string>({"spring",
-                                                        "dashpot",
-                                                        "kelvin-voigt",
-                                                        "maxwell",
-                                                        "standard-linear-solid",
-                                                        "generalized-maxwell"});
-          const unsigned int begin =
-            static_cast<unsigned int>(number(0, points.size() - 2));
-          std::string entries =
-            "Between = " + text(begin) + " " + text(begin + 2);
-          if (law != "dashpot" && law != "generalized-maxwell")
-            entries += " | Spring stiffness = " + text(stiffness);
-          if (law != "spring" && law != "generalized-maxwell")
-            entries += " | Damping coefficient = " + text(damper);
-          if (law == "standard-linear-solid" || law == "generalized-maxwell")
-            entries += " | Long-time stiffness = " + text(stiffness / 2);
-          if (law == "generalized-maxwell")
-            entries += " | Stiffnesses = " + text(stiffness) + ", " +
-              text(stiffness / 3) +
-              " | Relaxation times = " + text(damper / stiffness) + ", " +
-              text(5 * damper / stiffness);
-          scene.text.connector("link", law, entries);
-          note(law);
-        }
-
-        void add_mass()
-        {
-          scene.text.mass("weight",
-                          std::to_string(points.size() - 1),
-                          number(0.1, 3) * area * length * density);
-          has_mass = true;
-          note("mass");
         }
 
         void add_gravity()
@@ -296,7 +130,7 @@ namespace auxfem
           for (const auto &[a, b] : ends)
             mass += density * area * points[a].distance(points[b]);
           const double acceleration = -whole / mass;
-          scene.text.set("Gravity/Acceleration y", acceleration);
+          scene_text.set("Gravity/Acceleration y", acceleration);
           if (has_rigid_part || has_mass)
             scene.final_load.reset();
           else
@@ -323,11 +157,11 @@ namespace auxfem
           note(kind + " load");
           if (kind == "line")
             {
-              scene.text.add("Loads/wind", "Type = line | Struts = 0");
+              scene_text.add("Loads/wind", "Type = line | Struts = 0");
               const double size = points[0].distance(points[1]);
               for (unsigned int c = 0; c < dimension; ++c)
                 {
-                  scene.text.set(std::string("Loads/wind/Force per length ") +
+                  scene_text.set(std::string("Loads/wind/Force per length ") +
                                    "xyz"[c],
                                  history(force[c] / size));
                   if (scene.final_load)
@@ -336,17 +170,17 @@ namespace auxfem
               return;
             }
           const std::string joint = std::to_string(points.size() - 1);
-          scene.text.set("Loads/push/Joints", joint);
+          scene_text.set("Loads/push/Joints", joint);
           for (unsigned int c = 0; c < dimension; ++c)
             {
-              scene.text.set(std::string("Loads/push/Force ") + "xyz"[c],
+              scene_text.set(std::string("Loads/push/Force ") + "xyz"[c],
                              history(force[c]));
               if (scene.final_load)
                 (*scene.final_load)[c] += force[c];
             }
           if (kind == "follower")
             {
-              scene.text.set("Loads/push/Direction", "follows the joint");
+              scene_text.set("Loads/push/Direction", "follows the joint");
               scene.final_load.reset();
             }
         }
@@ -423,12 +257,12 @@ namespace auxfem
           if (is_thrown)
             entries +=
               " | Mass = " + text(area * length * density * number(0.1, 3));
-          scene.text.add("Plates/body", entries);
+          scene_text.add("Plates/body", entries);
           // One element cannot follow the corner that a small body makes.
-          scene.text.mesh(3, 1);
+          scene_text.mesh(3, 1);
           if (!scene.is_static && chance(0.5))
             {
-              scene.text.set("Contact/Friction coefficient", 0.3);
+              scene_text.set("Contact/Friction coefficient", 0.3);
               note("friction");
             }
           note(std::string(is_thrown ? "thrown " : "moved ") +
@@ -436,17 +270,8 @@ namespace auxfem
                text(body.radius / thickness) + " thicknesses");
         }
 
-        std::mt19937       generator;
-        RandomScene        scene;
-        unsigned int       dimension;
-        const double       length = 0.1; ///< of struts (m)
-        std::vector<Point> points;       ///< joints (m)
-        std::vector<std::array<unsigned int, 2>> ends;
-        double thickness, area, modulus, density, bending;
-        double period;      ///< s
-        double force_scale; ///< that bends a strut by about its length (N)
-        double end_time;    ///< s
-        bool   has_rigid_part = false, has_mass = false, has_releases = false;
+        RandomScene scene;
+        double      end_time; ///< s
       };
     } // namespace
 
