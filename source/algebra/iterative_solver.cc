@@ -1,6 +1,8 @@
-#include <auxfem/algebra/elimination_stages.h>
+#include <auxfem/algebra/joint_elimination.h>
 #include <auxfem/algebra/krylov_solver.h>
 #include <auxfem/algebra/linear_solver_method.h>
+
+#include <deal.II/base/exceptions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,10 +23,13 @@ namespace auxfem
                                    const Unknowns &unknowns) override
       {
         n_multipliers = unknowns.n_of(UnknownKind::multiplier);
-        n_before      = n_iterations();
-        layout        = &unknowns.layout;
-        stages        = std::make_unique<EliminationStages>(unknowns);
-        krylov        = load_krylov_solver(parameters);
+        Assert(n_multipliers == 0 || unknowns.layout.n_ranks() == 1,
+               dealii::ExcMessage("Multipliers at boundaries between ranks "
+                                  "would stay in the iteration."));
+        n_before    = n_iterations();
+        layout      = &unknowns.layout;
+        elimination = std::make_unique<JointElimination>(unknowns);
+        krylov      = load_krylov_solver(parameters);
         known_pattern.reset();
         return FactorizationOutcome::done;
       }
@@ -37,30 +42,30 @@ namespace auxfem
                       [](const double entry) { return !std::isfinite(entry); });
         if (layout->largest(has_wrong ? 1. : 0.) > 0)
           return FactorizationOutcome::not_finite;
-        if (!stages->factorize(matrix))
+        if (!elimination->factorize(matrix))
           return FactorizationOutcome::singular;
         n_negative_eliminated = count_negative(matrix);
         if (nothing_is_left())
           return FactorizationOutcome::done;
-        const bool is_new = known_pattern != stages->version();
+        const bool is_new = known_pattern != elimination->version();
         known_pattern.reset();
-        if (!krylov->factorize(stages->matrix(),
-                               stages->rows(),
+        if (!krylov->factorize(elimination->matrix(),
+                               elimination->rows(),
                                is_new,
                                may_be_definite()))
           return FactorizationOutcome::singular;
-        known_pattern = stages->version();
+        known_pattern = elimination->version();
         return FactorizationOutcome::done;
       }
 
       std::string solve(double *x) override
       {
-        stages->reduce(x);
+        left.resize(elimination->rows().layout().n_owned());
+        elimination->reduce(x, left.data());
         std::string failure;
-        double     *left = stages->x().data();
         if (!nothing_is_left())
-          failure = krylov->solve(left, left);
-        stages->expand(x);
+          failure = krylov->solve(left.data(), left.data());
+        elimination->expand(left.data(), x);
         return failure;
       }
 
@@ -71,7 +76,7 @@ namespace auxfem
 
       std::size_t memory() const override
       {
-        return stages ? stages->memory() : 0;
+        return elimination ? elimination->memory() : 0;
       }
 
       std::optional<Inertia> inertia() const override
@@ -81,7 +86,6 @@ namespace auxfem
 
       std::optional<unsigned long> n_negative_at_least() override
       {
-        // Multipliers that are not eliminated have theirs in what is left.
         if (!n_negative_eliminated || *n_negative_eliminated < 0)
           return std::nullopt;
         if (*n_negative_eliminated > 0 || nothing_is_left())
@@ -97,14 +101,14 @@ namespace auxfem
     private:
       bool nothing_is_left() const
       {
-        return stages->rows().layout().n_global() == 0;
+        return elimination->rows().layout().n_global() == 0;
       }
 
       /** Negative pivots of all that is eliminated beyond one a multiplier;
        * nothing if @p matrix is not symmetric. */
       std::optional<long> count_negative(const SparseMatrix &matrix) const
       {
-        const double negative      = stages->n_negative(),
+        const double negative      = elimination->n_negative(),
                      n_unsymmetric = matrix.is_symmetric ? 0 : 1;
         const std::vector<double> sums =
           layout->sum(std::vector<double>{negative, n_unsymmetric});
@@ -119,16 +123,17 @@ namespace auxfem
         return n_negative_eliminated && *n_negative_eliminated <= 0;
       }
 
-      const SolverParameters             parameters;
-      const UnknownLayout               *layout = nullptr;
-      std::unique_ptr<EliminationStages> stages;
-      std::unique_ptr<KrylovSolver>      krylov;
-      /** Version of the stages that the preconditioner was last made of; none
-       * if it has failed. */
+      const SolverParameters            parameters;
+      const UnknownLayout              *layout = nullptr;
+      std::unique_ptr<JointElimination> elimination;
+      std::unique_ptr<KrylovSolver>     krylov;
+      /** Version of the elimination that the preconditioner was last made of;
+       * none if it has failed. */
       std::optional<unsigned int> known_pattern;
       long                        n_multipliers = 0;
       std::optional<long> n_negative_eliminated; ///< see count_negative()
       unsigned long       n_before = 0;
+      std::vector<double> left; ///< right-hand side of S, then its solution
     };
   } // namespace
 

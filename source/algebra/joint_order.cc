@@ -64,25 +64,19 @@ namespace auxfem
     };
   } // namespace
 
-  JointOrder::JointOrder(const SparseMatrix     &matrix,
-                         const JointGroups      &groups,
-                         const Unknowns         &unknowns,
-                         const std::vector<int> &kept,
-                         const unsigned int      most_neighbours,
-                         const std::size_t       most_at_once)
+  JointOrder::JointOrder(const SparseMatrix &matrix,
+                         const JointGroups  &groups,
+                         const Unknowns     &unknowns,
+                         const unsigned int  most_neighbours)
     : groups(groups)
     , adjacent(groups.n_groups())
     , is_gone(groups.n_groups(), false)
     , must_stay(groups.n_groups(), false)
   {
     connect(matrix, unknowns);
-    for (const int row : kept)
-      must_stay[*groups.group(row)] = true;
     at_first = adjacent;
     eliminate_groups(true, std::numeric_limits<std::size_t>::max());
     eliminate_groups(false, most_neighbours);
-    if (n_rows_left() < most_at_once)
-      eliminate_groups(false, std::numeric_limits<std::size_t>::max());
     for (unsigned int group = 0; group < groups.n_groups(); ++group)
       if (!is_gone[group])
         staying.push_back(group);
@@ -196,14 +190,5 @@ namespace auxfem
         n_used += groups.rows(row).size() * groups.rows(column).size();
       }
     return link->block;
-  }
-
-  std::size_t JointOrder::n_rows_left() const
-  {
-    std::size_t sum = 0;
-    for (unsigned int group = 0; group < groups.n_groups(); ++group)
-      if (!is_gone[group])
-        sum += groups.rows(group).size();
-    return sum;
   }
 } // namespace auxfem

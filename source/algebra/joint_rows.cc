@@ -83,30 +83,6 @@ namespace auxfem
     row_layout = std::make_unique<UnknownLayout>(of_unknowns.communicator(),
                                                  unknown_of_row.size(),
                                                  ghosts);
-    describe();
-  }
-
-  void JointRows::describe()
-  {
-    own_unknowns             = std::make_unique<Unknowns>(*row_layout);
-    own_unknowns->positions  = unknowns.positions;
-    own_unknowns->components = unknowns.components;
-    own_unknowns->length     = unknowns.length;
-    std::fill(own_unknowns->kinds.begin(),
-              own_unknowns->kinds.end(),
-              UnknownKind::prescribed);
-    for (unsigned int row = 0; row < unknown_of_row.size(); ++row)
-      {
-        own_unknowns->joint[row]     = joint_of_block[row / block_size()];
-        own_unknowns->component[row] = unknowns.components[row % block_size()];
-      }
-    for (unsigned int i = 0; i < rows.size(); ++i)
-      if (rows[i])
-        {
-          own_unknowns->kinds[*rows[i]]     = unknowns.kinds[i];
-          own_unknowns->joint[*rows[i]]     = unknowns.joint[i];
-          own_unknowns->component[*rows[i]] = unknowns.component[i];
-        }
   }
 
   unsigned int JointRows::block_size() const

@@ -29,27 +29,24 @@ namespace
   {
     std::string name;
     std::unique_ptr<DirectSolver> (*make)();
-    bool takes_unsymmetric, pivots, has_inertia, counts_zeros, is_sparse;
+    bool takes_unsymmetric, pivots, has_inertia, counts_zeros;
   };
 
-  const std::array<Kind, 5> kinds = {
+  const std::array<Kind, 4> kinds = {
     {{"CHOLMOD",
       [] { return make_cholmod(EliminationOrder::minimum_degree); },
       false,
       false,
       true,
-      false,
-      true},
+      false},
      {"KLU",
       [] { return make_klu(EliminationOrder::nested_dissection); },
       true,
       true,
       false,
-      false,
-      true},
+      false},
      {"MUMPS on the first rank",
       [] { return make_mumps(MumpsRanks::first); },
-      true,
       true,
       true,
       true,
@@ -59,9 +56,7 @@ namespace
       true,
       true,
       true,
-      true,
-      true},
-     {"dense", make_dense, false, true, true, false, false}}};
+      true}}};
 
   /** Ascending. */
   std::vector<double> eigenvalues(const Entries &entries)
@@ -204,14 +199,12 @@ TEST(DirectSolver, AllSolveDefiniteMatrices)
       }
 }
 
-TEST(DirectSolver, SparseOnesSolveLatticesThatMetisOrders)
+TEST(DirectSolver, LatticesThatMetisOrdersAreSolved)
 {
   const Entries     entries = supported_grid(45, 1e3);
   DistributedMatrix of(entries);
   for (const Kind &kind : kinds)
     {
-      if (!kind.is_sparse)
-        continue;
       SCOPED_TRACE(kind.name);
       const auto solver = kind.make();
       ASSERT_EQ(solver->analyse(of.matrix), FactorizationOutcome::done);
@@ -314,9 +307,6 @@ TEST(DirectSolver, FreeLatticesAreSingular)
         const DistributedMatrix of(free_grid(n, slenderness));
         for (const Kind &kind : kinds)
           {
-            // Full factors of 60 x 60 joints take 1 GB.
-            if (!kind.is_sparse && n > 12)
-              continue;
             SCOPED_TRACE(kind.name + ", " + std::to_string(n) +
                          ", slenderness " + std::to_string(slenderness));
             EXPECT_EQ(outcome(kind, of), FactorizationOutcome::singular);

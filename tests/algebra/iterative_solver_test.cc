@@ -12,6 +12,9 @@
 using namespace auxfem;
 using namespace auxfem::testing_support;
 
+// Suite IterativeSolver: equations with multipliers, which are solved by
+// iteration on one rank only.
+
 namespace
 {
   SolverParameters accurate()
@@ -119,15 +122,20 @@ namespace
    * solves directly, on one to four ranks.
    */
   constexpr unsigned int n_for_two_levels = 45;
+
+  unsigned int n_ranks()
+  {
+    return dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+  }
 } // namespace
 
-TEST(IterativeSolver, SmallLatticesAreSolvedAsByADenseFactorization)
+TEST(IterativeSolverOnRanks, SmallLatticesAreSolvedAsByADenseFactorization)
 {
   expect_dense_solution(BeamSystem(2, plane));
   expect_dense_solution(BeamSystem(3, space));
 }
 
-TEST(IterativeSolver, UnsymmetricMatrices)
+TEST(IterativeSolverOnRanks, UnsymmetricMatrices)
 {
   BeamOptions options;
   options.follower = 3.;
@@ -157,8 +165,10 @@ TEST(IterativeSolver, MoreMultipliersThanTheirJointsHaveRoomFor)
   expect_dense_solution(BeamSystem(2, plane, options));
 }
 
-TEST(IterativeSolver, IterationsOfStaticLatticesAreFew)
+TEST(IterativeSolverOnRanks, IterationsOfStaticLatticesAreFew)
 {
+  // Slender joints stay at boundaries between ranks.
+  const unsigned int most = n_ranks() == 1 ? 60 : 250;
   for (const auto &[dimension, n] :
        {std::make_pair(2u, n_for_two_levels), {3u, 5u}})
     {
@@ -168,7 +178,7 @@ TEST(IterativeSolver, IterationsOfStaticLatticesAreFew)
       solver->analyse(*system.matrix, *system.unknowns);
       const std::vector<double> b = system.loads(),
                                 x = solve(*solver, system, b);
-      EXPECT_LE(solver->n_iterations(), 60u);
+      EXPECT_LE(solver->n_iterations(), most);
       EXPECT_GE(solver->n_iterations(), 1u);
       // The tolerance counts by the right-hand side, which is far smaller than
       // the sum of the terms of a row.
@@ -190,7 +200,7 @@ TEST(IterativeSolver, IterationsWithRigidStrutsAreFew)
   EXPECT_LT(system.residual(x, b), 1e-9);
 }
 
-TEST(IterativeSolver, IncompleteFactorizationServesShortSteps)
+TEST(IterativeSolverOnRanks, IncompleteFactorizationServesShortSteps)
 {
   BeamOptions options;
   options.inertia = 1e6;
@@ -210,7 +220,7 @@ TEST(IterativeSolver, IncompleteFactorizationServesShortSteps)
     }
 }
 
-TEST(IterativeSolver, IndefiniteMatrices)
+TEST(IterativeSolverOnRanks, IndefiniteMatrices)
 {
   // Compressed beyond buckling in many modes.
   BeamOptions options;
@@ -222,7 +232,7 @@ TEST(IterativeSolver, IndefiniteMatrices)
   EXPECT_LT(system.residual(x, b), 1e-9);
 }
 
-TEST(IterativeSolver, TellsStableFromUnstable)
+TEST(IterativeSolverOnRanks, TellsStableFromUnstable)
 {
   struct Loads
   {
@@ -236,6 +246,8 @@ TEST(IterativeSolver, TellsStableFromUnstable)
     for (const double tension : {loads.before, loads.after})
       {
         SCOPED_TRACE(tension);
+        if (loads.has_rigid_struts && n_ranks() > 1)
+          continue; // see IterativeSolver
         const unsigned int n       = loads.n_cells;
         const BeamLattice  lattice = star_lattice(loads.dimension, {{n, n, n}});
         BeamOptions        options;
@@ -258,7 +270,7 @@ TEST(IterativeSolver, TellsStableFromUnstable)
       }
 }
 
-TEST(IterativeSolver, StabilityThatCannotBeTold)
+TEST(IterativeSolverOnRanks, StabilityThatCannotBeTold)
 {
   BeamOptions options;
   options.follower = 3.;
@@ -300,7 +312,7 @@ TEST(IterativeSolver, OneOrderServesChangingEntries)
       }
 }
 
-TEST(IterativeSolver, BadMatricesAreTold)
+TEST(IterativeSolverOnRanks, BadMatricesAreTold)
 {
   BeamSystem                                system(2, plane);
   const std::unique_ptr<LinearSolverMethod> solver = make_iterative_solver({});
@@ -314,7 +326,7 @@ TEST(IterativeSolver, BadMatricesAreTold)
   EXPECT_EQ(solver->factorize(*system.matrix), FactorizationOutcome::singular);
 }
 
-TEST(IterativeSolver, WhatIsNotSolvedIsTold)
+TEST(IterativeSolverOnRanks, WhatIsNotSolvedIsTold)
 {
   const BeamSystem system(
     2,
@@ -340,15 +352,9 @@ TEST(JointElimination, EveryMultiplierMakesOneNegativeEigenvalue)
   BeamOptions options;
   options.rigid_struts = {1, 30, 31};
   const BeamSystem system(2, plane, options);
-  JointElimination elimination(*system.unknowns, 4, 1000);
+  JointElimination elimination(*system.unknowns);
   ASSERT_TRUE(elimination.factorize(*system.matrix));
-  // On several ranks some are at the boundary and stay.
-  const double n = system.layout->sum(elimination.n_negative());
-  if (system.layout->n_ranks() == 1)
-    {
-      EXPECT_EQ(n, 9.);
-    }
-  EXPECT_LE(n, 9.);
+  EXPECT_EQ(elimination.n_negative(), 9ul);
 }
 
 TEST(JointElimination, CompressedStrutsMakeNegativeEigenvalues)
@@ -356,7 +362,7 @@ TEST(JointElimination, CompressedStrutsMakeNegativeEigenvalues)
   BeamOptions options;
   options.tension = -100.;
   const BeamSystem system(2, plane, options);
-  JointElimination elimination(*system.unknowns, 4, 1000);
+  JointElimination elimination(*system.unknowns);
   ASSERT_TRUE(elimination.factorize(*system.matrix));
   EXPECT_GT(system.layout->sum(elimination.n_negative()), 0.);
 }

@@ -42,12 +42,6 @@ namespace auxfem
    * pivots of one and two rows for symmetric ones, else LU.
    */
   std::unique_ptr<DirectSolver> make_mumps(MumpsRanks ranks);
-
-  /**
-   * LAPACK's LDL' with pivots of one and two rows (Bunch, Kaufman 1977), for
-   * any symmetric matrix that is small or full: all n x n entries are kept.
-   */
-  std::unique_ptr<DirectSolver> make_dense();
   ///@}
 } // namespace auxfem
 

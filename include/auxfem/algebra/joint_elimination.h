@@ -9,12 +9,13 @@
 namespace auxfem
 {
   /**
-   * Exact elimination of joints with few neighbours and of all multipliers,
-   * rank by rank. What is left of A x = b is
+   * Exact elimination of joints with few neighbours and of multipliers, by each
+   * rank inside its own part: what is coupled with rows of other ranks stays.
+   * With E eliminated and L left, A x = b becomes
    *
-   *     S z = g,  S = A_LL - A_LE A_EE^-1 A_EL,
+   *     S z = g,  S = A_LL - A_LE A_EE^-1 A_EL.
    *
-   * E eliminated, L left. It has fewer, stouter members between joints than the
+   * S has fewer, stouter members between joints than the
    * lattice: multigrid finds their bending less soft against their extension.
    * Moments are divided by a length and rotations measured in that length times
    * radian, constraints and multipliers measured by the largest stiffness, so
@@ -23,21 +24,8 @@ namespace auxfem
   class JointElimination
   {
   public:
-    /**
-     * @param unknowns of the rows and columns of all matrices to come
-     * @param most_neighbours joints with more of them stay
-     * @param most_at_once on one rank: goes on to the end if that leaves fewer
-     * rows
-     */
-    JointElimination(const Unknowns &unknowns,
-                     unsigned int    most_neighbours,
-                     std::size_t     most_at_once);
-
-    /** Of rows that an elimination has left, which are measured in N/m already;
-     * those in @p kept stay. */
-    JointElimination(const Unknowns  &unknowns,
-                     unsigned int     most_neighbours,
-                     std::vector<int> kept);
+    /** @param unknowns of the rows and columns of all matrices to come */
+    explicit JointElimination(const Unknowns &unknowns);
 
     /**
      * Makes S, with a new order if there is none yet or if the one there is
@@ -56,13 +44,6 @@ namespace auxfem
     const JointRows &rows() const
     {
       return *joint_rows;
-    }
-
-    /** What rows that stand for nothing have on the diagonal of S: the largest
-     * stiffness between joints, over all ranks (N/m). */
-    double largest_stiffness() const
-    {
-      return stiffness;
     }
 
     /** S. */
@@ -123,12 +104,10 @@ namespace auxfem
       return is_definite[pivot] ? nullptr : &exchanges[first_exchange[pivot]];
     }
 
-    const Unknowns                  &unknowns;
-    const unsigned int               most_neighbours;
-    const std::size_t                most_at_once;
-    const bool                       is_measured;
-    const std::vector<int>           kept;
-    std::vector<double>              scale; ///< by local unknown
+    const Unknowns     &unknowns;
+    std::vector<double> scale; ///< by local unknown
+    /** Largest stiffness between joints, over all ranks (N/m), on the diagonal
+     * of S in rows that stand for nothing. */
     double                           stiffness = 0;
     std::vector<std::pair<int, int>> merged;
     std::unique_ptr<JointGroups>     groups;

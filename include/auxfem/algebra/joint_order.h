@@ -33,17 +33,14 @@ namespace auxfem
     };
 
     /**
-     * Groups with multipliers first, however many neighbours they have, then
-     * others while they have at most @p most_neighbours. All that acts on rows
-     * of other ranks stays, and the rows @p kept. Goes on to the end if that
-     * leaves less than @p most_at_once rows.
+     * Takes groups with multipliers first, however many neighbours they have,
+     * then others while they have at most @p most_neighbours. Groups coupled
+     * with rows of other ranks stay.
      */
-    JointOrder(const SparseMatrix     &matrix,
-               const JointGroups      &groups,
-               const Unknowns         &unknowns,
-               const std::vector<int> &kept,
-               unsigned int            most_neighbours,
-               std::size_t             most_at_once);
+    JointOrder(const SparseMatrix &matrix,
+               const JointGroups  &groups,
+               const Unknowns     &unknowns,
+               unsigned int        most_neighbours);
 
     const std::vector<Pivot> &pivots() const
     {
@@ -80,7 +77,6 @@ namespace auxfem
     void eliminate(unsigned int group);
     /** The block (row, column), a new one if there is none yet. */
     std::size_t block(unsigned int row, unsigned int column);
-    std::size_t n_rows_left() const;
 
     const JointGroups &groups;
     /** Of every group, itself included, before and during elimination. */

@@ -41,15 +41,6 @@ namespace auxfem
     }
 
     /**
-     * The rows as unknowns of their own, those that stand for nothing
-     * prescribed; rotations need no length any more.
-     */
-    const Unknowns &as_unknowns() const
-    {
-      return *own_unknowns;
-    }
-
-    /**
      * Motions of the lattice as a rigid body: the translations, then the
      * rotations about its middle (one in the plane, three in space), over the
      * owned rows, rotations measured in Unknowns::length times radian. Zero in
@@ -60,14 +51,12 @@ namespace auxfem
   private:
     void add(unsigned int unknown, std::vector<unsigned int> &blocks);
     void share();
-    void describe();
 
     const Unknowns                          &unknowns;
     std::vector<std::optional<unsigned int>> rows;
     std::vector<std::optional<unsigned int>> unknown_of_row;
     std::vector<unsigned int>                joint_of_block;
     std::unique_ptr<UnknownLayout>           row_layout;
-    std::unique_ptr<Unknowns>                own_unknowns;
   };
 } // namespace auxfem
 

@@ -132,8 +132,8 @@ namespace auxfem
    * Iteration for the unknowns at joints, none of them inside struts: joints
    * with few neighbours and multipliers are eliminated (JointElimination), the
    * rest is solved by a Krylov method with multigrid or an incomplete
-   * factorization (KrylovSolver), or eliminated too where it is small. Rows and
-   * columns of prescribed unknowns are those of the identity. The order of
+   * factorization (KrylovSolver). Multipliers are taken on one rank only. Rows
+   * and columns of prescribed unknowns are those of the identity. The order of
    * elimination is made with the first matrix, as multipliers need entries. The
    * inertia is not known, and memory() is without the preconditioner's; a
    * solution that misses the tolerance is the best that was found or not

@@ -31,7 +31,7 @@ namespace auxfem
     using Utilities    = MueLu::Utilities<double>;
 
     /**
-     * The coarsest level, factorized by a direct solver of ours: Amesos2, which
+     * The coarsest level, factorized by MUMPS on the first rank. Amesos2, which
      * MueLu would use, returns wrong solutions on several ranks (Trilinos 13.2,
      * KLU2).
      */
@@ -41,18 +41,11 @@ namespace auxfem
       /** Throws std::runtime_error if @p matrix is singular. Collective. */
       CoarsestLevel(const TpetraMatrix &matrix, const bool is_symmetric)
         : layout(make_layout(matrix))
+        , factors(make_mumps(MumpsRanks::first))
       {
         const SparseMatrix rows = take_rows(matrix, is_symmetric);
-        factors                 = is_symmetric ? make_symmetric_solver(rows)
-                                               : make_klu(EliminationOrder::minimum_degree);
-        bool is_done            = factorize(rows);
-        // CHOLMOD does not take every indefinite matrix.
-        if (!is_done && is_symmetric)
-          {
-            factors = make_mumps(MumpsRanks::first);
-            is_done = factorize(rows);
-          }
-        if (!is_done)
+        if (factors->analyse(rows) != FactorizationOutcome::done ||
+            factors->factorize(rows) != FactorizationOutcome::done)
           throw std::runtime_error("the coarsest level is singular");
       }
 
@@ -62,7 +55,7 @@ namespace auxfem
         factors->solve(x);
       }
 
-      /** Negative eigenvalues; KLU does not know them. */
+      /** Negative eigenvalues of a symmetric level. */
       std::optional<unsigned long> n_negative() const
       {
         const std::optional<Inertia> inertia = factors->inertia();
@@ -114,26 +107,8 @@ namespace auxfem
         return rows;
       }
 
-      /** Where a quarter of the entries are there, in space, factors are full.
-       */
-      std::unique_ptr<DirectSolver>
-      make_symmetric_solver(const SparseMatrix &rows) const
-      {
-        const double n         = layout.n_global();
-        const double n_entries = layout.sum(1. * rows.entries.size());
-        return n_entries > n * n / 4
-          ? make_dense()
-          : make_cholmod(EliminationOrder::minimum_degree);
-      }
-
-      bool factorize(const SparseMatrix &rows)
-      {
-        return factors->analyse(rows) == FactorizationOutcome::done &&
-          factors->factorize(rows) == FactorizationOutcome::done;
-      }
-
-      const UnknownLayout           layout;
-      std::unique_ptr<DirectSolver> factors;
+      const UnknownLayout                 layout;
+      const std::unique_ptr<DirectSolver> factors;
     };
 
     class CoarseSolver : public MueLu::SmootherBase<double>
@@ -176,15 +151,9 @@ namespace auxfem
     /**
      * Chebyshev smoothing does the same on any number of ranks. With MueLu's
      * own bounds of eigenvalues conjugate gradients break down. Aggregates of
-     * at most 6 joints instead of 4 cost a quarter less a solution in the plane
-     * (60 x 60 cells of prm/star-10x10.prm in statics, joints with up to 4
-     * neighbours eliminated: 21 iterations either way), in space a seventh more
-     * iterations (prm/lattice-3d.prm, 6 cells a side, four ranks: 38 and 34). A
-     * larger coarsest level in the plane saves a level that costs iterations
-     * (200 x 200 cells on one and two ranks: 27 and 28 with 4000 rows at most,
-     * 32 and 34 with 1000); in space its factors would be dense. Keeping the
-     * hierarchy's structure for the next matrix was measured and saves a tenth
-     * of a factorization at most.
+     * at most 6 joints make cheaper iterations in the plane, but cost
+     * iterations in space. A larger coarsest level saves a level, which costs
+     * iterations; in space its factors would be dense.
      */
     ParameterList settings(const unsigned int block_size)
     {
