@@ -19,18 +19,16 @@ namespace auxfem
         : parameters(parameters)
       {}
 
-      FactorizationOutcome analyse(const SparseMatrix & /*matrix*/,
-                                   const Unknowns &unknowns) override
+      FactorizationOutcome analyse(const SparseMatrix &matrix,
+                                   const Unknowns     &unknowns) override
       {
-        n_multipliers = unknowns.n_of(UnknownKind::multiplier);
-        Assert(n_multipliers == 0 || unknowns.layout.n_ranks() == 1,
-               dealii::ExcMessage("Multipliers at boundaries between ranks "
-                                  "would stay in the iteration."));
-        n_before    = n_iterations();
-        layout      = &unknowns.layout;
-        elimination = std::make_unique<JointElimination>(unknowns);
-        krylov      = load_krylov_solver(parameters);
-        known_pattern.reset();
+        Assert(unknowns.n_of(UnknownKind::multiplier) == 0,
+               dealii::ExcMessage("Multipliers are left to direct solvers."));
+        n_before       = n_iterations();
+        layout         = &unknowns.layout;
+        elimination    = std::make_unique<JointElimination>(matrix, unknowns);
+        krylov         = load_krylov_solver(parameters);
+        is_new_pattern = true;
         return FactorizationOutcome::done;
       }
 
@@ -47,14 +45,12 @@ namespace auxfem
         n_negative_eliminated = count_negative(matrix);
         if (nothing_is_left())
           return FactorizationOutcome::done;
-        const bool is_new = known_pattern != elimination->version();
-        known_pattern.reset();
         if (!krylov->factorize(elimination->matrix(),
                                elimination->rows(),
-                               is_new,
-                               may_be_definite()))
+                               is_new_pattern,
+                               n_negative_eliminated == 0))
           return FactorizationOutcome::singular;
-        known_pattern = elimination->version();
+        is_new_pattern = false;
         return FactorizationOutcome::done;
       }
 
@@ -86,10 +82,8 @@ namespace auxfem
 
       std::optional<unsigned long> n_negative_at_least() override
       {
-        if (!n_negative_eliminated || *n_negative_eliminated < 0)
-          return std::nullopt;
-        if (*n_negative_eliminated > 0 || nothing_is_left())
-          return *n_negative_eliminated;
+        if (n_negative_eliminated != 0 || nothing_is_left())
+          return n_negative_eliminated;
         return krylov->n_negative();
       }
 
@@ -104,35 +98,27 @@ namespace auxfem
         return elimination->rows().layout().n_global() == 0;
       }
 
-      /** Negative pivots of all that is eliminated beyond one a multiplier;
-       * nothing if @p matrix is not symmetric. */
-      std::optional<long> count_negative(const SparseMatrix &matrix) const
+      /** Negative eigenvalues of all that is eliminated; nothing if @p matrix is
+       * not symmetric. Without any, conjugate gradients may serve the rest. */
+      std::optional<unsigned long>
+      count_negative(const SparseMatrix &matrix) const
       {
         const double negative      = elimination->n_negative(),
                      n_unsymmetric = matrix.is_symmetric ? 0 : 1;
         const std::vector<double> sums =
           layout->sum(std::vector<double>{negative, n_unsymmetric});
-        return sums[1] == 0
-          ? std::optional(std::lround(sums[0]) - n_multipliers)
-          : std::nullopt;
-      }
-
-      /** Whether all that is eliminated allows conjugate gradients. */
-      bool may_be_definite() const
-      {
-        return n_negative_eliminated && *n_negative_eliminated <= 0;
+        return sums[1] == 0 ? std::optional<unsigned long>(std::lround(sums[0]))
+                            : std::nullopt;
       }
 
       const SolverParameters            parameters;
       const UnknownLayout              *layout = nullptr;
       std::unique_ptr<JointElimination> elimination;
       std::unique_ptr<KrylovSolver>     krylov;
-      /** Version of the elimination that the preconditioner was last made of;
-       * none if it has failed. */
-      std::optional<unsigned int> known_pattern;
-      long                        n_multipliers = 0;
-      std::optional<long> n_negative_eliminated; ///< see count_negative()
-      unsigned long       n_before = 0;
+      /** Whether the preconditioner has not been made of the pattern yet. */
+      bool                         is_new_pattern = true;
+      std::optional<unsigned long> n_negative_eliminated;
+      unsigned long                n_before = 0;
       std::vector<double> left; ///< right-hand side of S, then its solution
     };
   } // namespace

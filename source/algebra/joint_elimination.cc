@@ -10,9 +10,6 @@ namespace auxfem
 {
   namespace
   {
-    constexpr unsigned int n_attempts  = 8;
-    constexpr unsigned int most_merged = 300; ///< rows
-
     /** Pivots of this size, relative to the rows, are rounding. */
     constexpr double negligible = 16 * std::numeric_limits<double>::epsilon();
 
@@ -27,125 +24,82 @@ namespace auxfem
     }
   } // namespace
 
-  JointElimination::JointElimination(const Unknowns &unknowns)
+  JointElimination::JointElimination(const SparseMatrix &matrix,
+                                     const Unknowns     &unknowns)
     : unknowns(unknowns)
-  {}
+    , groups(unknowns)
+    , order(matrix, groups, unknowns, most_neighbours(unknowns))
+    , joint_rows(make_rows())
+    , left(joint_rows.layout())
+    , first_exchange(1, 0)
+  {
+    for (unsigned int i = 0; i < unknowns.layout.n_local(); ++i)
+      scale.push_back(unknowns.unit(i));
+    for (const Pivot &pivot : order.pivots())
+      first_exchange.push_back(first_exchange.back() + size(pivot.group));
+    exchanges.resize(first_exchange.back());
+    make_pattern(matrix);
+  }
 
   unsigned int JointElimination::size(const unsigned int group) const
   {
-    return groups->rows(group).size();
+    return groups.rows[group].size();
   }
 
   bool JointElimination::factorize(const SparseMatrix &matrix)
   {
-    measure(matrix);
-    const UnknownLayout &layout     = unknowns.layout;
-    const bool           has_failed = !eliminate_with_some_order(matrix);
-    if (layout.largest(has_failed ? 1. : 0.) > 0)
+    stiffness             = find_largest_stiffness(matrix);
+    const bool has_failed = !eliminate(matrix);
+    if (unknowns.layout.largest(has_failed ? 1. : 0.) > 0)
       return false;
-    if (layout.largest(has_pattern ? 0. : 1.) > 0)
-      make_pattern(matrix);
     fill_matrix(matrix);
     return true;
   }
 
-  void JointElimination::measure(const SparseMatrix &matrix)
+  double
+  JointElimination::find_largest_stiffness(const SparseMatrix &matrix) const
   {
-    const UnknownLayout &layout = unknowns.layout;
-    scale.resize(layout.n_local());
-    for (unsigned int i = 0; i < layout.n_local(); ++i)
-      scale[i] = unknowns.unit(i);
-
     const auto is_free = [this](const int i) {
-      return unknowns.kinds[i] != UnknownKind::prescribed &&
-        unknowns.kinds[i] != UnknownKind::multiplier;
+      return unknowns.kinds[i] != UnknownKind::prescribed;
     };
-    stiffness = 0;
-    for (unsigned int row = 0; row < layout.n_owned(); ++row)
+    double largest = 0;
+    for (unsigned int row = 0; row < unknowns.layout.n_owned(); ++row)
       for (std::size_t i = matrix.first[row]; i < matrix.first[row + 1]; ++i)
         if (const int column = matrix.columns[i];
             is_free(row) && is_free(column))
-          stiffness =
-            std::max(stiffness,
+          largest =
+            std::max(largest,
                      std::abs(matrix.entries[i]) * scale[row] * scale[column]);
-    stiffness = layout.largest(stiffness);
-    for (unsigned int row = 0; row < layout.n_owned(); ++row)
-      if (unknowns.kinds[row] == UnknownKind::multiplier)
-        {
-          double largest = 0;
-          for (std::size_t i = matrix.first[row]; i < matrix.first[row + 1];
-               ++i)
-            largest =
-              std::max(largest,
-                       std::abs(matrix.entries[i]) * scale[matrix.columns[i]]);
-          if (largest > 0)
-            scale[row] = stiffness / largest;
-        }
-    layout.update_ghosts(scale.data());
+    return unknowns.layout.largest(largest);
   }
 
-  bool JointElimination::eliminate_with_some_order(const SparseMatrix &matrix)
-  {
-    for (unsigned int attempt = 0; attempt < n_attempts; ++attempt)
-      {
-        const bool is_new = order == nullptr;
-        if (is_new)
-          find_order(matrix);
-        const Pivot *weak = eliminate(matrix);
-        if (weak == nullptr)
-          return true;
-        // Constraints turn with the motion: an order that has served may fail
-        // where one that is made for the matrix as it is now does not.
-        const bool may_improve = !is_new || merge_with_neighbour(*weak);
-        order.reset();
-        if (!may_improve)
-          return false;
-      }
-    return false;
-  }
-
-  void JointElimination::find_order(const SparseMatrix &matrix)
-  {
-    groups = std::make_unique<JointGroups>(matrix, unknowns, scale, merged);
-    order  = std::make_unique<JointOrder>(matrix,
-                                         *groups,
-                                         unknowns,
-                                         most_neighbours(unknowns));
-    has_pattern = false;
-    first_exchange.assign(1, 0);
-    for (const Pivot &pivot : order->pivots())
-      first_exchange.push_back(first_exchange.back() + size(pivot.group));
-    exchanges.resize(first_exchange.back());
-  }
-
-  const JointElimination::Pivot *
-  JointElimination::eliminate(const SparseMatrix &matrix)
+  bool JointElimination::eliminate(const SparseMatrix &matrix)
   {
     fill_blocks(matrix);
     negative = 0;
-    is_definite.assign(order->pivots().size(), false);
-    for (std::size_t p = 0; p < order->pivots().size(); ++p)
+    is_definite.assign(order.pivots().size(), false);
+    for (std::size_t p = 0; p < order.pivots().size(); ++p)
       {
         if (!factorize_pivot(p, matrix.is_symmetric))
-          return &order->pivots()[p];
+          return false;
         update_neighbours(p);
       }
-    return nullptr;
+    return true;
   }
 
   void JointElimination::fill_blocks(const SparseMatrix &matrix)
   {
-    blocks.assign(order->n_entries(), 0.);
+    blocks.assign(order.n_entries(), 0.);
     largest_in_row.assign(unknowns.layout.n_owned(), 0.);
     for (unsigned int row = 0; row < unknowns.layout.n_owned(); ++row)
-      if (groups->group(row))
+      if (groups.group[row])
         fill_row(matrix, row);
   }
 
   void JointElimination::fill_row(const SparseMatrix &matrix,
                                   const unsigned int  row)
   {
-    const unsigned int group = *groups->group(row);
+    const unsigned int group = *groups.group[row];
     // Columns of a group are side by side mostly: its block is sought once for
     // them.
     std::optional<unsigned int> last;
@@ -153,16 +107,16 @@ namespace auxfem
     for (std::size_t i = matrix.first[row]; i < matrix.first[row + 1]; ++i)
       {
         const int column = matrix.columns[i];
-        if (!unknowns.layout.is_owned(column) || !groups->group(column))
+        if (!unknowns.layout.is_owned(column) || !groups.group[column])
           continue;
-        if (const unsigned int other = *groups->group(column); other != last)
+        if (const unsigned int other = *groups.group[column]; other != last)
           {
             last   = other;
-            of_row = &blocks[order->block_at_first(group, other)] +
-              groups->number_in_group(row) * size(other);
+            of_row = &blocks[order.block_at_first(group, other)] +
+              groups.number[row] * size(other);
           }
         const double entry = matrix.entries[i] * scale[row] * scale[column];
-        of_row[groups->number_in_group(column)] = entry;
+        of_row[groups.number[column]] = entry;
         largest_in_row[row] = std::max(largest_in_row[row], std::abs(entry));
       }
   }
@@ -170,11 +124,11 @@ namespace auxfem
   bool JointElimination::factorize_pivot(const std::size_t number,
                                          const bool        is_symmetric)
   {
-    const Pivot       &pivot   = order->pivots()[number];
+    const Pivot       &pivot   = order.pivots()[number];
     const unsigned int n       = size(pivot.group);
     double            *block   = &blocks[pivot.block];
     double             largest = 0;
-    for (const int row : groups->rows(pivot.group))
+    for (const int row : groups.rows[pivot.group])
       largest = std::max(largest, largest_in_row[row]);
     room.assign(block, block + n * n);
     if (is_symmetric &&
@@ -193,7 +147,7 @@ namespace auxfem
 
   void JointElimination::update_neighbours(const std::size_t number)
   {
-    const Pivot       &pivot = order->pivots()[number];
+    const Pivot       &pivot = order.pivots()[number];
     const unsigned int n     = size(pivot.group);
     for (const JointOrder::Link &link : pivot.right)
       solve_with_block(&blocks[pivot.block],
@@ -212,69 +166,50 @@ namespace auxfem
                          size(column.group));
   }
 
-  bool JointElimination::merge_with_neighbour(const Pivot &pivot)
+  JointRows JointElimination::make_rows() const
   {
-    const unsigned int          n         = size(pivot.group);
-    double                      strongest = 0;
-    std::optional<unsigned int> neighbour;
-    for (const JointOrder::Link &link : pivot.left)
-      for (unsigned int i = 0; i < n * size(link.group); ++i)
-        if (const double entry = std::abs(blocks[link.block + i]);
-            entry > strongest && n + size(link.group) <= most_merged)
-          {
-            strongest = entry;
-            neighbour = link.group;
-          }
-    if (neighbour)
-      merged.emplace_back(groups->rows(pivot.group).front(),
-                          groups->rows(*neighbour).front());
-    return neighbour.has_value();
+    std::vector<int> taken;
+    for (const unsigned int group : order.left())
+      taken.insert(taken.end(),
+                   groups.rows[group].begin(),
+                   groups.rows[group].end());
+    return JointRows(unknowns, taken);
   }
 
   void JointElimination::make_pattern(const SparseMatrix &matrix)
   {
-    std::vector<int> taken;
-    for (const unsigned int group : order->left())
-      taken.insert(taken.end(),
-                   groups->rows(group).begin(),
-                   groups->rows(group).end());
-    joint_rows = std::make_unique<JointRows>(unknowns, taken);
-    left       = std::make_unique<SparseMatrix>(joint_rows->layout());
     const std::size_t n_entries = count_entries_left(matrix);
-    left->columns.reserve(n_entries);
-    sources.clear();
+    left.columns.reserve(n_entries);
     sources.reserve(n_entries);
     std::vector<Source> row_of_sources;
-    for (unsigned int row = 0; row < joint_rows->layout().n_owned(); ++row)
+    for (unsigned int row = 0; row < joint_rows.layout().n_owned(); ++row)
       {
-        if (const auto unknown = joint_rows->unknown(row))
+        if (const auto unknown = joint_rows.unknown(row))
           find_sources(matrix, *unknown, row_of_sources);
         else
           row_of_sources.assign(1, {row, 0});
         for (const Source &source : row_of_sources)
           {
-            left->columns.push_back(source.column);
+            left.columns.push_back(source.column);
             sources.push_back(source.position);
           }
-        left->first[row + 1] = left->columns.size();
+        left.first[row + 1] = left.columns.size();
       }
-    left->entries.resize(left->columns.size());
-    has_pattern = true;
-    ++n_patterns;
+    left.entries.resize(left.columns.size());
   }
 
   std::size_t
   JointElimination::count_entries_left(const SparseMatrix &matrix) const
   {
     // Rows that stand for nothing have one.
-    std::size_t sum = joint_rows->layout().n_owned();
-    for (const unsigned int group : order->left())
+    std::size_t sum = joint_rows.layout().n_owned();
+    for (const unsigned int group : order.left())
       {
         std::size_t n_columns = 0;
-        for (const JointOrder::Link &link : order->links(group))
+        for (const JointOrder::Link &link : order.links(group))
           n_columns += size(link.group);
         sum += n_columns * size(group);
-        for (const int row : groups->rows(group))
+        for (const int row : groups.rows[group])
           sum += std::count_if(matrix.columns.begin() + matrix.first[row],
                                matrix.columns.begin() + matrix.first[row + 1],
                                [this](const int column) {
@@ -289,34 +224,34 @@ namespace auxfem
                                       std::vector<Source> &row) const
   {
     row.clear();
-    for (const JointOrder::Link &link : order->links(*groups->group(unknown)))
+    for (const JointOrder::Link &link : order.links(*groups.group[unknown]))
       {
         std::size_t position =
-          link.block + groups->number_in_group(unknown) * size(link.group);
-        for (const int other : groups->rows(link.group))
-          row.push_back({*joint_rows->row(other), position++});
+          link.block + groups.number[unknown] * size(link.group);
+        for (const int other : groups.rows[link.group])
+          row.push_back({*joint_rows.row(other), position++});
       }
     for (std::size_t i = matrix.first[unknown]; i < matrix.first[unknown + 1];
          ++i)
       if (const int column = matrix.columns[i];
-          !unknowns.layout.is_owned(column) && joint_rows->row(column))
-        row.push_back({*joint_rows->row(column), i});
+          !unknowns.layout.is_owned(column) && joint_rows.row(column))
+        row.push_back({*joint_rows.row(column), i});
     sort_by_column(row);
   }
 
   void JointElimination::fill_matrix(const SparseMatrix &matrix)
   {
-    left->is_symmetric = matrix.is_symmetric;
-    for (unsigned int row = 0; row < joint_rows->layout().n_owned(); ++row)
+    left.is_symmetric = matrix.is_symmetric;
+    for (unsigned int row = 0; row < joint_rows.layout().n_owned(); ++row)
       {
-        const auto unknown = joint_rows->unknown(row);
-        for (std::size_t i = left->first[row]; i < left->first[row + 1]; ++i)
+        const auto unknown = joint_rows.unknown(row);
+        for (std::size_t i = left.first[row]; i < left.first[row + 1]; ++i)
           if (!unknown)
-            left->entries[i] = stiffness;
-          else if (joint_rows->layout().is_owned(left->columns[i]))
-            left->entries[i] = blocks[sources[i]];
+            left.entries[i] = stiffness;
+          else if (joint_rows.layout().is_owned(left.columns[i]))
+            left.entries[i] = blocks[sources[i]];
           else
-            left->entries[i] = matrix.entries[sources[i]] * scale[*unknown] *
+            left.entries[i] = matrix.entries[sources[i]] * scale[*unknown] *
               scale[matrix.columns[sources[i]]];
       }
   }
@@ -325,11 +260,11 @@ namespace auxfem
   {
     values.resize(unknowns.layout.n_owned());
     for (unsigned int i = 0; i < values.size(); ++i)
-      values[i] = groups->group(i) ? b[i] * scale[i] : b[i];
-    for (std::size_t p = 0; p < order->pivots().size(); ++p)
+      values[i] = groups.group[i] ? b[i] * scale[i] : b[i];
+    for (std::size_t p = 0; p < order.pivots().size(); ++p)
       {
-        const Pivot            &pivot = order->pivots()[p];
-        const std::vector<int> &own   = groups->rows(pivot.group);
+        const Pivot            &pivot = order.pivots()[p];
+        const std::vector<int> &own   = groups.rows[pivot.group];
         room.resize(own.size());
         for (unsigned int i = 0; i < own.size(); ++i)
           room[i] = values[own[i]];
@@ -343,36 +278,36 @@ namespace auxfem
         for (const JointOrder::Link &link : pivot.left)
           {
             const double *entry = &blocks[link.block];
-            for (const int row : groups->rows(link.group))
+            for (const int row : groups.rows[link.group])
               for (const double value : room)
                 values[row] -= *entry++ * value;
           }
       }
-    for (unsigned int row = 0; row < joint_rows->layout().n_owned(); ++row)
+    for (unsigned int row = 0; row < joint_rows.layout().n_owned(); ++row)
       {
-        const auto unknown = joint_rows->unknown(row);
+        const auto unknown = joint_rows.unknown(row);
         g[row]             = unknown ? values[*unknown] : 0.;
       }
   }
 
   void JointElimination::expand(const double *z, double *x)
   {
-    for (unsigned int row = 0; row < joint_rows->layout().n_owned(); ++row)
-      if (const auto unknown = joint_rows->unknown(row))
+    for (unsigned int row = 0; row < joint_rows.layout().n_owned(); ++row)
+      if (const auto unknown = joint_rows.unknown(row))
         values[*unknown] = z[row];
-    for (std::size_t p = order->pivots().size(); p-- > 0;)
+    for (std::size_t p = order.pivots().size(); p-- > 0;)
       {
-        const Pivot &pivot = order->pivots()[p];
+        const Pivot &pivot = order.pivots()[p];
         for (const JointOrder::Link &link : pivot.right)
           {
             const double *entry = &blocks[link.block];
-            for (const int row : groups->rows(pivot.group))
-              for (const int other : groups->rows(link.group))
+            for (const int row : groups.rows[pivot.group])
+              for (const int other : groups.rows[link.group])
                 values[row] -= *entry++ * values[other];
           }
       }
     for (unsigned int i = 0; i < values.size(); ++i)
-      x[i] = groups->group(i) ? values[i] * scale[i] : values[i];
+      x[i] = groups.group[i] ? values[i] * scale[i] : values[i];
   }
 
   std::size_t JointElimination::memory() const
@@ -380,11 +315,7 @@ namespace auxfem
     std::size_t sum = blocks.capacity() * sizeof(double) +
       exchanges.capacity() * sizeof(int) +
       sources.capacity() * sizeof(std::size_t);
-    if (order)
-      sum += order->memory();
-    if (left)
-      sum += left->entries.capacity() * sizeof(double) +
-        left->columns.capacity() * sizeof(int);
-    return sum;
+    return sum + order.memory() + left.entries.capacity() * sizeof(double) +
+      left.columns.capacity() * sizeof(int);
   }
 } // namespace auxfem

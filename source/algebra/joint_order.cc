@@ -1,7 +1,7 @@
 #include <auxfem/algebra/joint_order.h>
 
 #include <algorithm>
-#include <limits>
+#include <unordered_map>
 
 namespace auxfem
 {
@@ -64,20 +64,37 @@ namespace auxfem
     };
   } // namespace
 
+  JointGroups::JointGroups(const Unknowns &unknowns)
+    : group(unknowns.layout.n_owned())
+    , number(unknowns.layout.n_owned(), 0)
+  {
+    std::unordered_map<unsigned int, unsigned int> group_of_joint;
+    for (unsigned int row = 0; row < group.size(); ++row)
+      {
+        if (unknowns.kinds[row] == UnknownKind::prescribed)
+          continue;
+        group[row] = group_of_joint.emplace(unknowns.joint[row], rows.size())
+                       .first->second;
+        if (*group[row] == rows.size())
+          rows.emplace_back();
+        number[row] = rows[*group[row]].size();
+        rows[*group[row]].push_back(row);
+      }
+  }
+
   JointOrder::JointOrder(const SparseMatrix &matrix,
                          const JointGroups  &groups,
                          const Unknowns     &unknowns,
                          const unsigned int  most_neighbours)
     : groups(groups)
-    , adjacent(groups.n_groups())
-    , is_gone(groups.n_groups(), false)
-    , must_stay(groups.n_groups(), false)
+    , adjacent(groups.rows.size())
+    , is_gone(groups.rows.size(), false)
+    , must_stay(groups.rows.size(), false)
   {
     connect(matrix, unknowns);
     at_first = adjacent;
-    eliminate_groups(true, std::numeric_limits<std::size_t>::max());
-    eliminate_groups(false, most_neighbours);
-    for (unsigned int group = 0; group < groups.n_groups(); ++group)
+    eliminate_groups(most_neighbours);
+    for (unsigned int group = 0; group < groups.rows.size(); ++group)
       if (!is_gone[group])
         staying.push_back(group);
   }
@@ -105,10 +122,10 @@ namespace auxfem
   void JointOrder::connect(const SparseMatrix &matrix, const Unknowns &unknowns)
   {
     std::vector<unsigned int> seen;
-    for (unsigned int group = 0; group < groups.n_groups(); ++group)
+    for (unsigned int group = 0; group < groups.rows.size(); ++group)
       {
         seen.assign(1, group);
-        for (const int row : groups.rows(group))
+        for (const int row : groups.rows[group])
           for (std::size_t i = matrix.first[row]; i < matrix.first[row + 1];
                ++i)
             if (const int column = matrix.columns[i];
@@ -117,7 +134,7 @@ namespace auxfem
                 if (!matrix.layout->is_owned(column))
                   must_stay[group] = true;
                 // Columns of a group are side by side mostly.
-                else if (const unsigned int other = *groups.group(column);
+                else if (const unsigned int other = *groups.group[column];
                          other != seen.back())
                   seen.push_back(other);
               }
@@ -129,18 +146,16 @@ namespace auxfem
       }
   }
 
-  void JointOrder::eliminate_groups(const bool        constrained_only,
-                                    const std::size_t most_neighbours)
+  void JointOrder::eliminate_groups(const std::size_t most_neighbours)
   {
     const auto may_go = [&](const unsigned int group) {
-      return !is_gone[group] && !must_stay[group] &&
-        (!constrained_only || groups.has_multipliers(group));
+      return !is_gone[group] && !must_stay[group];
     };
     const auto degree = [this](const unsigned int group) {
       return adjacent[group].size() - 1;
     };
     Queue queue;
-    for (unsigned int group = 0; group < groups.n_groups(); ++group)
+    for (unsigned int group = 0; group < groups.rows.size(); ++group)
       if (may_go(group))
         queue.push(group, degree(group));
     while (const std::optional<unsigned int> group = queue.pop(most_neighbours))
@@ -187,7 +202,7 @@ namespace auxfem
     if (link == links.end() || link->group != column)
       {
         link = links.insert(link, {column, n_used});
-        n_used += groups.rows(row).size() * groups.rows(column).size();
+        n_used += groups.rows[row].size() * groups.rows[column].size();
       }
     return link->block;
   }

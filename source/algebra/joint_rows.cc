@@ -41,14 +41,11 @@ namespace auxfem
                       std::vector<unsigned int> &blocks)
   {
     const std::vector<unsigned int> &components = unknowns.components;
-    const bool is_motion = unknowns.kinds[unknown] != UnknownKind::multiplier;
-    const unsigned int number = is_motion
-      ? std::find(components.begin(),
-                  components.end(),
-                  unknowns.component[unknown]) -
-        components.begin()
-      : 0;
-    auto               block =
+    const unsigned int               number     = std::find(components.begin(),
+                                          components.end(),
+                                          unknowns.component[unknown]) -
+      components.begin();
+    auto block =
       std::find_if(blocks.begin(), blocks.end(), [&](const unsigned int b) {
         return !unknown_of_row[b * block_size() + number];
       });
@@ -105,8 +102,7 @@ namespace auxfem
       {
         if (!unknown_of_row[row])
           continue;
-        const UnknownKind kind = unknowns.kinds[*unknown_of_row[row]];
-        if (kind == UnknownKind::multiplier || kind == UnknownKind::prescribed)
+        if (unknowns.kinds[*unknown_of_row[row]] == UnknownKind::prescribed)
           continue;
         const dealii::Tensor<1, 3> arm =
           (joints[joint_of_block[row / block_size()]] - middle) /

@@ -73,13 +73,6 @@ namespace auxfem
      */
     constexpr unsigned long iteration_limit = 1000000;
 
-    /** Constraints that tie unknowns of several ranks cannot be eliminated
-     * within a rank, and multigrid does not converge with multipliers. */
-    bool iteration_serves(const EquationsAtJoints &equations)
-    {
-      return equations.n_multipliers == 0 || equations.n_ranks == 1;
-    }
-
     LinearSolverChoice asked_for(const SolverParameters  &parameters,
                                  const EquationsAtJoints &equations)
     {
@@ -88,10 +81,11 @@ namespace auxfem
         return {LinearSolverType::klu, reason};
       if (parameters.type == "mumps")
         return {LinearSolverType::mumps, reason};
-      if (parameters.type == "gmres" && !iteration_serves(equations))
+      if (parameters.type == "gmres" && equations.n_multipliers > 0)
         return {LinearSolverType::mumps,
-                reason + " takes " + std::to_string(equations.n_multipliers) +
-                  " multipliers of rigid parts and hinges on one rank only"};
+                reason + " does not serve the " +
+                  std::to_string(equations.n_multipliers) +
+                  " multipliers of rigid parts and hinges"};
       if (parameters.type == "gmres")
         return {LinearSolverType::iterative, reason};
       AssertThrow(parameters.type == "cholmod",
@@ -191,7 +185,7 @@ namespace auxfem
 
     const std::string size = size_text(equations);
     if (is_in_space(equations) && !parameters.needs_inertia &&
-        iteration_serves(equations) &&
+        equations.n_multipliers == 0 &&
         equations.n_unknowns > iteration_limit * equations.n_ranks)
       return {LinearSolverType::iterative,
               "in space, " + size + ", the factors of which need more memory"};

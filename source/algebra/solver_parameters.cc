@@ -10,7 +10,8 @@ namespace auxfem
       {"auto", "cholmod", "klu", "mumps", "gmres"},
       "Direct solvers, or gmres, iterative, for lattices that are too large for "
       "these. cholmod takes the symmetric part of the tangent and no rigid "
-      "parts or revolute hinges; klu and mumps take all. auto chooses by kind "
+      "parts or revolute hinges; klu and mumps take all; with rigid parts or "
+      "hinges mumps takes the place of gmres. auto chooses by kind "
       "and size, as the last lines of a run tell."};
     const Choice preconditioner = {
       "Preconditioner",

@@ -361,13 +361,8 @@ TEST(LinearSolverChoice, FollowsTheUser)
             LinearSolverType::cholmod);
   EXPECT_EQ(choose_linear_solver(of_type("gmres"), some).type,
             LinearSolverType::iterative);
-  // Multipliers are eliminated on one rank only.
   EXPECT_EQ(choose_linear_solver(of_type("gmres"),
                                  equations(Symmetry::given, 1000, 7, 1))
-              .type,
-            LinearSolverType::iterative);
-  EXPECT_EQ(choose_linear_solver(of_type("gmres"),
-                                 equations(Symmetry::given, 1000, 7, 2))
               .type,
             LinearSolverType::mumps);
   try

@@ -12,7 +12,6 @@ TEST(RowSums, AreOfTheGivenRowsOnly)
   const std::vector<double> values = {100, -1, 2, 100, 3, -4, 5, -6};
   std::vector<int>          rows;
   double                    squares = 0, largest = 0;
-  // Any number of rows, multiples of four or not.
   for (const int row : {1, 2, 4, 5, 6, 7})
     {
       EXPECT_EQ(sum_of_squares(values.data(), rows), squares);

@@ -87,12 +87,8 @@ namespace auxfem::testing_support
     /** Axial forces of all struts (N), by the string stiffness. */
     double tension = 0;
     /** A moment about z proportional to x displacements (N). */
-    double follower = 0;
-    /** Struts that both ends follow as one rigid body, by multipliers. */
-    std::vector<unsigned int> rigid_struts;
-    /** Struts that keep their length, by a multiplier. */
-    std::vector<unsigned int> stiff_struts;
-    bool                      has_supports = true;
+    double follower     = 0;
+    bool   has_supports = true;
   };
 
   /** The joint system of a lattice, spread over the ranks in blocks. */
@@ -106,9 +102,8 @@ namespace auxfem::testing_support
       , components(dimension == 2 ? std::vector<unsigned int>{0, 1, 5}
                                   : std::vector<unsigned int>{0, 1, 2, 3, 4, 5})
     {
-      number_unknowns(options);
+      number_unknowns();
       add_struts(options);
-      add_constraints(options);
       if (!options.has_supports)
         this->lattice.base.clear();
       make_layout();
@@ -154,11 +149,8 @@ namespace auxfem::testing_support
           for (std::size_t i = matrix->first[row]; i < matrix->first[row + 1];
                ++i)
             sum += std::abs(matrix->entries[i] * local[matrix->columns[i]]);
-          const bool is_force = unknowns->kinds[row] != UnknownKind::multiplier;
-          error               = std::max(error,
-                           std::abs(image[row] - b[row]) * factor *
-                             (is_force ? 1 : stretch));
-          size = std::max(size, sum * factor * (is_force ? 1 : stretch));
+          error = std::max(error, std::abs(image[row] - b[row]) * factor);
+          size  = std::max(size, sum * factor);
           if (std::isnan(image[row]))
             return image[row];
         }
@@ -166,14 +158,13 @@ namespace auxfem::testing_support
     }
 
     static constexpr double side = 0.0004, young = 70e9;
-    static constexpr double stretch = young * side * side / 0.01;
 
   private:
     static constexpr double second_moment = side * side * side * side / 12,
                             shear         = young / 2.66,
                             torsion       = 0.141 * side * side * side * side;
 
-    void number_unknowns(const BeamOptions &options)
+    void number_unknowns()
     {
       n_ranks = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
       rank    = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
@@ -197,21 +188,10 @@ namespace auxfem::testing_support
                             part(joint[1], largest[1], up));
           position.push_back(count[rank_of.back()]++);
         }
-      n_constraints.assign(n_ranks, 0);
-      const auto count_constraint = [&](const unsigned int strut, const int n) {
-        n_constraints[rank_of[lattice.struts[strut][0]]] += n;
-      };
-      for (const unsigned int strut : options.rigid_struts)
-        count_constraint(strut, components.size());
-      for (const unsigned int strut : options.stiff_struts)
-        count_constraint(strut, 1);
       first.assign(1, 0);
       for (unsigned int r = 0; r < n_ranks; ++r)
-        {
-          first_constraint.push_back(
-            first.back() + count[r] * static_cast<int>(components.size()));
-          first.push_back(first_constraint.back() + n_constraints[r]);
-        }
+        first.push_back(first.back() +
+                        count[r] * static_cast<int>(components.size()));
       rows.resize(first[rank + 1] - first[rank]);
     }
 
@@ -297,58 +277,6 @@ namespace auxfem::testing_support
           }
     }
 
-    void add_pair(const int row, const int column, const double entry)
-    {
-      add(row, column, entry);
-      add(column, row, entry);
-    }
-
-    void add_constraints(const BeamOptions &options)
-    {
-      std::vector<int> next           = first_constraint;
-      const auto       new_constraint = [&](const unsigned int strut) {
-        const unsigned int joint = lattice.struts[strut][0];
-        const int          row   = next[rank_of[joint]]++;
-        joint_of_constraint[row] = joint;
-        add(row, row, 0.);
-        return row;
-      };
-      for (const unsigned int strut : options.rigid_struts)
-        {
-          const auto &[a, b] = lattice.struts[strut];
-          const dealii::Tensor<1, 3> arm =
-            lattice.joints[b] - lattice.joints[a];
-          for (unsigned int c = 0; c < components.size(); ++c)
-            {
-              const int row = new_constraint(strut);
-              add_pair(row, number(a, c), components[c] < 3 ? -1. : -0.01);
-              add_pair(row, number(b, c), components[c] < 3 ? 1. : 0.01);
-              for (unsigned int r = 0; r < components.size(); ++r)
-                if (components[c] < 3 && components[r] >= 3)
-                  {
-                    dealii::Tensor<1, 3> axis;
-                    axis[components[r] - 3] = 1;
-                    add_pair(row,
-                             number(a, r),
-                             -dealii::cross_product_3d(axis,
-                                                       arm)[components[c]]);
-                  }
-            }
-        }
-      for (const unsigned int strut : options.stiff_struts)
-        {
-          const auto &[a, b] = lattice.struts[strut];
-          const auto along   = axes(strut)[0];
-          const int  row     = new_constraint(strut);
-          for (unsigned int c = 0; c < components.size(); ++c)
-            if (components[c] < 3 && along[components[c]] != 0)
-              {
-                add_pair(row, number(a, c), -along[components[c]]);
-                add_pair(row, number(b, c), along[components[c]]);
-              }
-        }
-    }
-
     void make_layout()
     {
       std::vector<int> ghosts;
@@ -378,12 +306,6 @@ namespace auxfem::testing_support
                       : components[c] >= 3 ? UnknownKind::rotation
                                            : UnknownKind::translation;
             }
-      for (const auto &[row, joint] : joint_of_constraint)
-        if (const int local = layout->local(row); local >= 0)
-          {
-            unknowns->joint[local] = joint;
-            unknowns->kinds[local] = UnknownKind::multiplier;
-          }
     }
 
     void fill(const BeamOptions &options)
@@ -457,8 +379,7 @@ namespace auxfem::testing_support
     std::vector<unsigned int>         components;
     unsigned int                      n_ranks, rank;
     std::vector<unsigned int>         rank_of, position;
-    std::vector<int>                  first, first_constraint, n_constraints;
-    std::map<int, unsigned int>       joint_of_constraint;
+    std::vector<int>                  first;
     std::vector<std::vector<Summand>> rows; ///< of this rank
   };
 } // namespace auxfem::testing_support

@@ -4,52 +4,44 @@
 #include <auxfem/algebra/joint_order.h>
 #include <auxfem/algebra/joint_rows.h>
 
-#include <memory>
-
 namespace auxfem
 {
   /**
-   * Exact elimination of joints with few neighbours and of multipliers, by each
-   * rank inside its own part: what is coupled with rows of other ranks stays.
-   * With E eliminated and L left, A x = b becomes
+   * Exact elimination of joints with few neighbours, by each rank inside its
+   * own part: what is coupled with rows of other ranks stays. With E eliminated
+   * and L left, A x = b becomes
    *
    *     S z = g,  S = A_LL - A_LE A_EE^-1 A_EL.
    *
-   * S has fewer, stouter members between joints than the
-   * lattice: multigrid finds their bending less soft against their extension.
-   * Moments are divided by a length and rotations measured in that length times
-   * radian, constraints and multipliers measured by the largest stiffness, so
-   * that all entries of S have the unit N/m.
+   * S has fewer, stouter members between joints than the lattice: multigrid
+   * finds their bending less soft against their extension. Moments are divided
+   * by a length and rotations measured in that length times radian, so that all
+   * entries of S have the unit N/m. There are no multipliers.
    */
   class JointElimination
   {
   public:
-    /** @param unknowns of the rows and columns of all matrices to come */
-    explicit JointElimination(const Unknowns &unknowns);
-
     /**
-     * Makes S, with a new order if there is none yet or if the one there is
-     * meets a singular block. Returns false if other orders do so too, on any
-     * rank. Collective.
+     * Collective.
+     * @param matrix has the pattern of all matrices to come
+     * @param unknowns of their rows and columns
      */
-    bool factorize(const SparseMatrix &matrix);
+    JointElimination(const SparseMatrix &matrix, const Unknowns &unknowns);
 
-    /** How often rows() and the pattern of S have changed. */
-    unsigned int version() const
-    {
-      return n_patterns;
-    }
+    /** Makes S. Returns false if a pivot block is singular on any rank.
+     * Collective. */
+    bool factorize(const SparseMatrix &matrix);
 
     /** The rows that are left. */
     const JointRows &rows() const
     {
-      return *joint_rows;
+      return joint_rows;
     }
 
     /** S. */
     const SparseMatrix &matrix() const
     {
-      return *left;
+      return left;
     }
 
     /** Negative eigenvalues of A_EE of this rank, if A is symmetric. */
@@ -78,17 +70,13 @@ namespace auxfem
       std::size_t  position;
     };
 
-    void measure(const SparseMatrix &matrix);
-    bool eliminate_with_some_order(const SparseMatrix &matrix);
-    void find_order(const SparseMatrix &matrix);
-    /** With the order there is; returns the pivot that fails. */
-    const Pivot *eliminate(const SparseMatrix &matrix);
-    void         fill_blocks(const SparseMatrix &matrix);
-    void         fill_row(const SparseMatrix &matrix, unsigned int row);
-    bool         factorize_pivot(std::size_t number, bool is_symmetric);
-    void         update_neighbours(std::size_t number);
-    /** Makes one group of a pivot and its neighbour; false if it has none. */
-    bool        merge_with_neighbour(const Pivot &pivot);
+    double      find_largest_stiffness(const SparseMatrix &matrix) const;
+    bool        eliminate(const SparseMatrix &matrix);
+    void        fill_blocks(const SparseMatrix &matrix);
+    void        fill_row(const SparseMatrix &matrix, unsigned int row);
+    bool        factorize_pivot(std::size_t number, bool is_symmetric);
+    void        update_neighbours(std::size_t number);
+    JointRows   make_rows() const;
     void        make_pattern(const SparseMatrix &matrix);
     std::size_t count_entries_left(const SparseMatrix &matrix) const;
     /** Of the row of @p unknown, by columns. */
@@ -105,19 +93,15 @@ namespace auxfem
     }
 
     const Unknowns     &unknowns;
+    const JointGroups   groups;
+    const JointOrder    order;
+    const JointRows     joint_rows;
+    SparseMatrix        left;
     std::vector<double> scale; ///< by local unknown
     /** Largest stiffness between joints, over all ranks (N/m), on the diagonal
      * of S in rows that stand for nothing. */
-    double                           stiffness = 0;
-    std::vector<std::pair<int, int>> merged;
-    std::unique_ptr<JointGroups>     groups;
-    /** None if the last one has failed. */
-    std::unique_ptr<JointOrder>   order;
-    bool                          has_pattern = false;
-    unsigned int                  n_patterns  = 0;
-    std::unique_ptr<JointRows>    joint_rows;
-    std::unique_ptr<SparseMatrix> left;
-    std::vector<std::size_t>      sources; ///< of all entries of S
+    double                   stiffness = 0;
+    std::vector<std::size_t> sources; ///< of all entries of S
 
     std::vector<double>      blocks;
     std::vector<double>      largest_in_row; ///< before elimination

@@ -1,10 +1,27 @@
 #ifndef auxfem_algebra_joint_order_h
 #define auxfem_algebra_joint_order_h
 
-#include <auxfem/algebra/joint_groups.h>
+#include <auxfem/algebra/sparse_matrix.h>
+#include <auxfem/algebra/unknowns.h>
+
+#include <optional>
 
 namespace auxfem
 {
+  /** The rows of this rank that are not prescribed, in one group a joint, which
+   * is eliminated as one pivot block. */
+  struct JointGroups
+  {
+    explicit JointGroups(const Unknowns &unknowns);
+
+    /** Group of an owned row; none of prescribed ones. */
+    std::vector<std::optional<unsigned int>> group;
+    /** Number of an owned row in its group. */
+    std::vector<unsigned int> number;
+    /** By group, its rows. */
+    std::vector<std::vector<int>> rows;
+  };
+
   /**
    * The order in which groups of rows are eliminated, found from the pattern
    * alone, and where the blocks that come into being are kept. Eliminating a
@@ -32,11 +49,8 @@ namespace auxfem
       std::vector<std::size_t> between;
     };
 
-    /**
-     * Takes groups with multipliers first, however many neighbours they have,
-     * then others while they have at most @p most_neighbours. Groups coupled
-     * with rows of other ranks stay.
-     */
+    /** Takes groups while they have at most @p most_neighbours; those coupled
+     * with rows of other ranks stay. */
     JointOrder(const SparseMatrix &matrix,
                const JointGroups  &groups,
                const Unknowns     &unknowns,
@@ -73,7 +87,7 @@ namespace auxfem
 
   private:
     void connect(const SparseMatrix &matrix, const Unknowns &unknowns);
-    void eliminate_groups(bool constrained_only, std::size_t most_neighbours);
+    void eliminate_groups(std::size_t most_neighbours);
     void eliminate(unsigned int group);
     /** The block (row, column), a new one if there is none yet. */
     std::size_t block(unsigned int row, unsigned int column);

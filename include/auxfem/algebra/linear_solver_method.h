@@ -129,15 +129,13 @@ namespace auxfem
   };
 
   /**
-   * Iteration for the unknowns at joints, none of them inside struts: joints
-   * with few neighbours and multipliers are eliminated (JointElimination), the
-   * rest is solved by a Krylov method with multigrid or an incomplete
-   * factorization (KrylovSolver). Multipliers are taken on one rank only. Rows
-   * and columns of prescribed unknowns are those of the identity. The order of
-   * elimination is made with the first matrix, as multipliers need entries. The
-   * inertia is not known, and memory() is without the preconditioner's; a
-   * solution that misses the tolerance is the best that was found or not
-   * finite. All functions are collective.
+   * Iteration for the unknowns at joints, none of them inside struts or
+   * multipliers: joints with few neighbours are eliminated (JointElimination),
+   * the rest is solved by a Krylov method with multigrid or an incomplete
+   * factorization (KrylovSolver). Rows and columns of prescribed unknowns are
+   * those of the identity. The inertia is not known, and memory() is without
+   * the preconditioner's; a solution that misses the tolerance is the best that
+   * was found or not finite. All functions are collective.
    */
   std::unique_ptr<LinearSolverMethod>
   make_iterative_solver(const SolverParameters &parameters);
