@@ -27,7 +27,7 @@ namespace auxfem
         n_before       = n_iterations();
         layout         = &unknowns.layout;
         elimination    = std::make_unique<JointElimination>(matrix, unknowns);
-        krylov         = load_krylov_solver(parameters);
+        krylov         = make_krylov_solver(parameters);
         is_new_pattern = true;
         return FactorizationOutcome::done;
       }

@@ -62,7 +62,7 @@ namespace
   const SpaceVector angular_at_5({0, 532.2929, 308.9862}),
     angular_at_2_5({0, 241.1748, 121.6439});
 
-  struct Course
+  struct FlyingBeamRun
   {
     std::vector<std::array<SpaceVector, 3>> at_moments;
     double                                  kinetic_at_5 = 0, strain_at_5 = 0;
@@ -77,11 +77,11 @@ namespace
     return t < 2.5 ? 4 * t * t : t < 5 ? 50 - 4 * (5 - t) * (5 - t) : 50;
   }
 
-  Course run_flying_beam(const std::string &scheme, const double dt)
+  FlyingBeamRun run_flying_beam(const std::string &scheme, const double dt)
   {
     SceneRun           run(flying_beam(dt), {"Time/Scheme=" + scheme});
     SpaceMomentumMeter momenta(run);
-    Course             course;
+    FlyingBeamRun      course;
     run.run([&] {
       const double       t   = run.state.time;
       const SpaceMomenta now = momenta();
@@ -111,9 +111,9 @@ namespace
     return course;
   }
 
-  void compare_motion(ComparisonTable &table,
-                      const Course    &coarse,
-                      const Course    &fine)
+  void compare_motion(ComparisonTable     &table,
+                      const FlyingBeamRun &coarse,
+                      const FlyingBeamRun &fine)
   {
     const char *joints[] = {"A", "middle", "B"},
                *axes[]   = {".ux", ".uy", ".uz"};
@@ -132,8 +132,8 @@ namespace
 
   void compare(const std::string &scheme, const double allowed_impulse)
   {
-    const Course coarse = run_flying_beam(scheme, 0.01),
-                 fine   = run_flying_beam(scheme, 0.005);
+    const FlyingBeamRun coarse = run_flying_beam(scheme, 0.01),
+                        fine   = run_flying_beam(scheme, 0.005);
     ComparisonTable table("Flying beam in space, " + scheme);
     compare_motion(table, coarse, fine);
     table.row("kinetic energy, t = 5",

@@ -208,7 +208,7 @@ namespace
   /** From values with n, 2 n and 4 n chords, the error of which begins with
    * 1/n^2 and 1/n^4. */
   double
-  extrapolated(const double coarse, const double middle, const double fine)
+  extrapolated_load(const double coarse, const double middle, const double fine)
   {
     const double one   = (4 * middle - coarse) / 3,
                  other = (4 * fine - middle) / 3;
@@ -227,7 +227,7 @@ namespace
           return 0;
         found.push_back(pressure * path.bifurcations()[0].load_factor);
       }
-    return extrapolated(found[0], found[1], found[2]);
+    return extrapolated_load(found[0], found[1], found[2]);
   }
 
   TEST(FollowerStability, RingsAndArchesUnderPressure)

@@ -18,7 +18,7 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  constexpr double gravity = 9.81;
+  constexpr double standard_gravity = 9.81;
 
   /** A bar of 1 m and 1 kg, hinged at the origin, released along x. */
   SceneText pendulum(const double dt, const double end)
@@ -27,7 +27,7 @@ namespace
       .frame("0 0; 1 0", "0 1")
       .rigid_part("bar", "all", 1)
       .support("pivot", "0", "pin")
-      .set("Gravity/Acceleration y", -gravity)
+      .set("Gravity/Acceleration y", -standard_gravity)
       .time(end, dt);
   }
 
@@ -66,9 +66,11 @@ namespace
                    across =
                      std::sin(down) * force[0] + std::cos(down) * force[1];
       error[0] =
-        std::max(error[0], std::abs(along - 2.5 * gravity * std::sin(down)));
+        std::max(error[0],
+                 std::abs(along - 2.5 * standard_gravity * std::sin(down)));
       error[1] =
-        std::max(error[1], std::abs(across - 0.25 * gravity * std::cos(down)));
+        std::max(error[1],
+                 std::abs(across - 0.25 * standard_gravity * std::cos(down)));
       EXPECT_NEAR(run.reaction("pivot", 0), force[0], 1e-9);
       EXPECT_NEAR(run.reaction("pivot", 1), force[1], 1e-9);
     });
@@ -100,7 +102,7 @@ namespace
 TEST(RigidMechanisms, PeriodOfTheCompoundPendulum)
 {
   // T = 4 sqrt(l / g) K(sin 45 deg), l = 2 L / 3.
-  const double small_period = 2 * pi * std::sqrt(2. / 3 / gravity),
+  const double small_period = 2 * pi * std::sqrt(2. / 3 / standard_gravity),
                ratio        = 1.1803405990;
   const double          end = small_period * ratio / 4 + 0.02;
   std::array<double, 3> found;

@@ -16,17 +16,10 @@ namespace auxfem
    * Matrix Anal. Appl. 23, 601; Trilinos Anasazi on Tpetra) for
    * (K - sigma M)^-1 M in the inner product by M (Ericsson & Ruhe 1980, Math.
    * Comp. 35, 1251) or K - sigma M (Grimes, Lewis & Simon 1994, SIAM J. Matrix
-   * Anal. Appl. 15, 228). Loads the library auxfem_iteration; throws
-   * ComputationError if it is not there. Does not scale vectors. Collective.
+   * Anal. Appl. 15, 228). Does not scale vectors.
+   * Collective.
    */
   Eigenpairs krylov_eigenpairs(const ShiftedEigenproblem &problem,
                                unsigned int               n);
 } // namespace auxfem
-
-/** What krylov_eigenpairs() calls, in auxfem_iteration. */
-extern "C" void
-auxfem_find_eigenpairs(const auxfem::ShiftedEigenproblem &problem,
-                       unsigned int                       n,
-                       auxfem::Eigenpairs                &found);
-
 #endif

@@ -15,10 +15,6 @@ namespace auxfem
    * Iterative solution of S z = g on the rows of joints (Trilinos Belos on
    * Tpetra) with smoothed aggregation (MueLu) or an incomplete factorization
    * (Ifpack2) as preconditioner. All functions are collective.
-   *
-   * It lies in a library of its own, loaded where an iteration is asked for
-   * (load_krylov_solver()): with it come some thirty libraries of Trilinos that
-   * would lengthen the start of every other run.
    */
   class KrylovSolver
   {
@@ -57,20 +53,8 @@ namespace auxfem
     virtual unsigned long n_iterations() const = 0;
   };
 
-  /**
-   * Loads the library auxfem_iteration that was built and installed with the
-   * program, once, and makes a solver. Throws ComputationError if the library
-   * is not there.
-   */
   std::unique_ptr<KrylovSolver>
-  load_krylov_solver(const SolverParameters &parameters);
+  make_krylov_solver(const SolverParameters &parameters);
 } // namespace auxfem
-
-/**
- * What load_krylov_solver() calls, in auxfem_iteration; the caller owns what it
- * returns.
- */
-extern "C" auxfem::KrylovSolver *
-auxfem_make_krylov_solver(const auxfem::SolverParameters &parameters);
 
 #endif

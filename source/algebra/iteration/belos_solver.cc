@@ -301,10 +301,10 @@ namespace auxfem
                        0,
                        rcp(new Teuchos::MpiComm<int>(layout.communicator()))));
   }
-} // namespace auxfem
 
-auxfem::KrylovSolver *
-auxfem_make_krylov_solver(const auxfem::SolverParameters &parameters)
-{
-  return new auxfem::BelosSolver(parameters);
-}
+  std::unique_ptr<KrylovSolver>
+  make_krylov_solver(const SolverParameters &parameters)
+  {
+    return std::make_unique<BelosSolver>(parameters);
+  }
+} // namespace auxfem

@@ -102,75 +102,75 @@ namespace auxfem
       return parameters;
     }
   } // namespace
-} // namespace auxfem
 
-extern "C" void
-auxfem_find_eigenpairs(const auxfem::ShiftedEigenproblem &problem,
-                       const unsigned int                 n,
-                       auxfem::Eigenpairs                &found)
-{
-  using namespace auxfem;
-  const auto map     = make_map(problem.layout, problem.layout.n_owned());
-  const auto product = rcp(new FunctionOperator(map,
-                                                problem.multiply_definite
-                                                  ? problem.multiply_definite
-                                                  : problem.multiply_mass));
-  // (K - sigma M)^-1 M
-  const auto image = [&problem](const double *x, double *y) {
-    problem.multiply_mass(x, y);
-    if (!problem.solve(y))
-      throw SolutionFailed();
-  };
-  const auto shifted_inverse = rcp(new FunctionOperator(map, image));
-  try
-    {
-      const unsigned int n_together = size_of_block(problem.n_finite);
-      // What has no mass must not be there from the start.
-      const auto          start = rcp(new TpetraVectors(map, n_together));
-      std::vector<double> random(problem.layout.n_owned());
-      fill(problem.layout, random.data());
-      for (unsigned int j = 0; j < n_together; ++j)
-        {
-          std::vector<double> next(random.size());
-          image(random.data(), next.data());
-          std::copy(next.begin(),
-                    next.end(),
-                    start->getDataNonConst(j).begin());
-          for (std::size_t i = 0; i < random.size(); ++i)
-            random[i] *= std::cos(problem.layout.global(i));
-        }
-      const auto eigenproblem =
-        rcp(new AnasaziProblem(shifted_inverse, product, start));
-      eigenproblem->setHermitian(true);
-      eigenproblem->setNEV(n);
-      if (!eigenproblem->setProblem())
-        {
-          found.why = "the eigenproblem is not complete";
-          return;
-        }
-      auto        parameters = parameters_for(problem, n);
-      KrylovSchur method(eigenproblem, parameters);
-      if (method.solve() != Anasazi::Converged)
-        found.why = "the Krylov-Schur method has not converged";
-      const auto &solution = eigenproblem->getSolution();
-      for (int j = 0; j < solution.numVecs; ++j)
-        {
-          // One more application takes what round-off has left of unknowns
-          // without mass.
-          std::vector<double> vector(random.size());
-          image(solution.Evecs->getData(j).get(), vector.data());
-          found.pairs.push_back({problem.shift + 1 / solution.Evals[j].realpart,
-                                 std::move(vector)});
-        }
-    }
-  catch (const SolutionFailed &)
-    {
-      found.why = "a linear solution failed";
-    }
-  // Anasazi throws its own break-downs as std::logic_error or runtime_error.
-  catch (const std::exception &error)
-    {
-      found.why =
-        std::string("the Krylov-Schur method broke down: ") + error.what();
-    }
-}
+  Eigenpairs krylov_eigenpairs(const ShiftedEigenproblem &problem,
+                               const unsigned int         n)
+  {
+    Eigenpairs found;
+    const auto map     = make_map(problem.layout, problem.layout.n_owned());
+    const auto product = rcp(new FunctionOperator(map,
+                                                  problem.multiply_definite
+                                                    ? problem.multiply_definite
+                                                    : problem.multiply_mass));
+    // (K - sigma M)^-1 M
+    const auto image = [&problem](const double *x, double *y) {
+      problem.multiply_mass(x, y);
+      if (!problem.solve(y))
+        throw SolutionFailed();
+    };
+    const auto shifted_inverse = rcp(new FunctionOperator(map, image));
+    try
+      {
+        const unsigned int n_together = size_of_block(problem.n_finite);
+        // What has no mass must not be there from the start.
+        const auto          start = rcp(new TpetraVectors(map, n_together));
+        std::vector<double> random(problem.layout.n_owned());
+        fill(problem.layout, random.data());
+        for (unsigned int j = 0; j < n_together; ++j)
+          {
+            std::vector<double> next(random.size());
+            image(random.data(), next.data());
+            std::copy(next.begin(),
+                      next.end(),
+                      start->getDataNonConst(j).begin());
+            for (std::size_t i = 0; i < random.size(); ++i)
+              random[i] *= std::cos(problem.layout.global(i));
+          }
+        const auto eigenproblem =
+          rcp(new AnasaziProblem(shifted_inverse, product, start));
+        eigenproblem->setHermitian(true);
+        eigenproblem->setNEV(n);
+        if (!eigenproblem->setProblem())
+          {
+            found.why = "the eigenproblem is not complete";
+            return found;
+          }
+        auto        parameters = parameters_for(problem, n);
+        KrylovSchur method(eigenproblem, parameters);
+        if (method.solve() != Anasazi::Converged)
+          found.why = "the Krylov-Schur method has not converged";
+        const auto &solution = eigenproblem->getSolution();
+        for (int j = 0; j < solution.numVecs; ++j)
+          {
+            // One more application takes what round-off has left of unknowns
+            // without mass.
+            std::vector<double> vector(random.size());
+            image(solution.Evecs->getData(j).get(), vector.data());
+            found.pairs.push_back(
+              {problem.shift + 1 / solution.Evals[j].realpart,
+               std::move(vector)});
+          }
+      }
+    catch (const SolutionFailed &)
+      {
+        found.why = "a linear solution failed";
+      }
+    // Anasazi throws its own break-downs as std::logic_error or runtime_error.
+    catch (const std::exception &error)
+      {
+        found.why =
+          std::string("the Krylov-Schur method broke down: ") + error.what();
+      }
+    return found;
+  }
+} // namespace auxfem
