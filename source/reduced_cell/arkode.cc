@@ -6,6 +6,7 @@
 #include <deal.II/sundials/arkode.h>
 
 #include <arkode/arkode_arkstep.h>
+#include <sundials/sundials_config.h>
 
 #include <sstream>
 
@@ -58,7 +59,9 @@ namespace auxfem
         ode.custom_setup = [end = scene.time.time_at(1)](void *memory) {
           // Our limit is on evaluations, and the user gets our message.
           ARKStepSetMaxNumSteps(memory, -1);
-          ARKStepSetErrFile(memory, nullptr);
+#if SUNDIALS_VERSION_MAJOR < 7
+          ARKStepSetErrFile(memory, nullptr); // gone in SUNDIALS 7
+#endif
           // deal.II sets it from the second call on. Without it ARKODE steps
           // beyond the end of a step and interpolates, losing digits.
           ARKStepSetStopTime(memory, end);
