@@ -163,7 +163,7 @@ namespace
                                                  {"Output/Directory=" + folder,
                                                          "Output/Graphics=false"});
         const MutedScreen muted;
-        result = run(scene, communicator, StartTimes(), FileRules());
+        result = run(scene, communicator, FolderOptions());
         MPI_Barrier(communicator);
         table.emplace(folder + "/" + table_name);
       });
