@@ -26,11 +26,14 @@ namespace auxfem
       Scene scene = read_scene_from_text(text, "test.prm", overrides);
       if (analysis_of(scene).observe == nullptr)
         {
+          namespace mpi          = dealii::Utilities::MPI;
           scene.output.directory = testing::TempDir() + "auxfem-test-" +
-            dealii::Utilities::MPI::broadcast(communicator,
-                                              std::to_string(getpid()));
-          const RunResult result = run(scene, communicator, FolderOptions());
-          std::filesystem::remove_all(scene.output.directory);
+            mpi::broadcast(communicator, std::to_string(getpid()));
+          const RunResult result =
+            run(scene, communicator, {FileRules{{}, /*replaces*/ true}});
+          MPI_Barrier(communicator);
+          if (mpi::this_mpi_process(communicator) == 0)
+            std::filesystem::remove_all(scene.output.directory);
           return result;
         }
       MemoryRecorder recorder(scene, communicator);
