@@ -18,40 +18,13 @@ namespace auxfem
      */
     constexpr double size_of_difference = 1e-3;
 
-    /** Rows of K' below this part of the largest are round-off. */
-    constexpr double no_entry = 1e-8;
-
     /** Elastic forces below this part of the loads are round-off of the answer:
      * rigid parts and supports bear the loads. */
     constexpr double no_elastic_force = 1e-10;
 
-    /** Asymmetry that is round-off of K'. */
-    constexpr double symmetric_change = 1e-6;
-
-    [[noreturn]] void refuse(const std::string &why)
-    {
-      throw InputError(why);
-    }
-
     [[noreturn]] void fail_to_buckle(const std::string &why)
     {
       throw ComputationError(why + '.');
-    }
-
-    /** Adds @p factor times @p other to @p matrix, of the same pattern. */
-    void add_multiple(const double         factor,
-                      const TangentMatrix &other,
-                      TangentMatrix       &matrix)
-    {
-      std::vector<double> values;
-      for (std::size_t block = 0; block < matrix.pattern().n_blocks(); ++block)
-        {
-          const double *const first = other.values(block);
-          const unsigned int  n     = matrix.pattern().size(block);
-          values.assign(first, first + std::size_t(n) * n);
-          scale(factor, values);
-          matrix.add(block, values.data());
-        }
     }
 
     /** K and K' of an equilibrium, and what is done with them. */
@@ -73,10 +46,10 @@ namespace auxfem
         find_tangent(state, stiffness);
         refuse_loads_that_follow(loads.time);
         if (!factorize(0))
-          refuse("the stiffness is singular: " + solver.why() + '.');
+          throw InputError("the stiffness is singular: " + solver.why() + '.');
         if (const auto n_negative = space.n_negative();
             n_negative && *n_negative > 0)
-          refuse(
+          throw InputError(
             "the state without the loads is not stable: its stiffness has " +
             std::to_string(*n_negative) +
             " negative modes. Take smaller loads at t = 0, or Modes/About "
@@ -91,9 +64,9 @@ namespace auxfem
       {
         TangentMatrix &matrix = solver.matrix();
         matrix.reset();
-        add_multiple(1., stiffness, matrix);
+        matrix.add_multiple(1., stiffness);
         if (factor != 0)
-          add_multiple(factor, change, matrix);
+          matrix.add_multiple(factor, change);
         return solver.factorize();
       }
 
@@ -121,13 +94,10 @@ namespace auxfem
       /** Modes that there can be at most. Collective. */
       unsigned int n_with_change() const
       {
-        const std::vector<double> sizes = change.row_sizes();
-        double                    mine  = 0;
-        for (unsigned int i = 0; i < sizes.size(); ++i)
-          if (space.is_free(i))
-            mine = std::max(mine, sizes[i]);
-        const double largest = layout.largest(mine);
-        double       n       = 0;
+        constexpr double          no_entry = 1e-8; // of the largest: round-off
+        const std::vector<double> sizes    = change.row_sizes();
+        const double              largest  = largest_free(sizes);
+        double                    n        = 0;
         for (unsigned int i = 0; i < sizes.size(); ++i)
           if (space.is_free(i) && sizes[i] > no_entry * largest)
             ++n;
@@ -198,21 +168,14 @@ namespace auxfem
           iterated_products(problem(), shapes, n_iterations);
         if (!products)
           fail_to_buckle(solver.why());
+        Eigenpairs      result;
         const RitzPairs ritz =
           ritz_pairs(products->by_mass, products->by_stiffness);
-        Eigenpairs result;
         for (std::size_t j = 0; j < ritz.values.size() &&
              result.pairs.size() < shapes.size() && ritz.values[j] > 0;
              ++j)
-          {
-            Eigenpair pair{1 / ritz.values[j],
-                           std::vector<double>(layout.n_owned(), 0.)};
-            for (std::size_t i = 0; i < products->vectors.size(); ++i)
-              auxfem::add_multiple(ritz.coefficients(i, j),
-                                   products->vectors[i],
-                                   pair.vector);
-            result.pairs.push_back(std::move(pair));
-          }
+          result.pairs.push_back(
+            {1 / ritz.values[j], products->combination(ritz.coefficients, j)});
         return result;
       }
 
@@ -236,6 +199,16 @@ namespace auxfem
                 /*only_above=*/true};
       }
 
+      /** Largest size of @p values of owned rows among free unknowns. */
+      double largest_free(const std::vector<double> &values) const
+      {
+        double mine = 0;
+        for (unsigned int i = 0; i < layout.n_owned(); ++i)
+          if (space.is_free(i))
+            mine = std::max(mine, std::abs(values[i]));
+        return layout.largest(mine);
+      }
+
       void find_tangent(const State &at, TangentMatrix &matrix)
       {
         State            now        = at;
@@ -256,19 +229,12 @@ namespace auxfem
       {
         TangentMatrix loaded(equations.pattern());
         find_tangent(with_loads_of(time), loaded);
-        add_multiple(-1., stiffness, loaded);
-        const auto largest = [this](const TangentMatrix &matrix) {
-          const std::vector<double> sizes = matrix.row_sizes();
-          double                    mine  = 0;
-          for (unsigned int i = 0; i < sizes.size(); ++i)
-            if (space.is_free(i))
-              mine = std::max(mine, sizes[i]);
-          return layout.largest(mine);
-        };
+        loaded.add_multiple(-1., stiffness);
         constexpr double round_off = 1e-13;
         if (!stiffness.is_symmetric() ||
-            largest(loaded) > round_off * largest(stiffness))
-          refuse(
+            largest_free(loaded.row_sizes()) >
+              round_off * largest_free(stiffness.row_sizes()))
+          throw InputError(
             "the stiffness depends on loads that follow their joints. "
             "Buckling loads are computed for loads that keep their "
             "directions: set Direction = fixed, or leave these loads out.");
@@ -297,7 +263,7 @@ namespace auxfem
                                          "looked at")
                 << ". Set Modes/Time of the loads to a time at which there is "
                    "one.";
-            refuse(why.str());
+            throw InputError(why.str());
           }
         if (!solver.solve(answer))
           fail_to_buckle(solver.why());
@@ -322,10 +288,7 @@ namespace auxfem
       {
         std::vector<double> forces(layout.n_owned());
         space.multiply(stiffness, answer.data(), forces.data());
-        double mine = 0;
-        for (const double force : forces)
-          mine = std::max(mine, std::abs(force));
-        return layout.largest(mine) > no_elastic_force * largest_load;
+        return largest_free(forces) > no_elastic_force * largest_load;
       }
 
       /** @param part of the answer by which states differ from the given one. */
@@ -373,13 +336,14 @@ namespace auxfem
         if (layout.largest(double(multipliers.size())) == 0)
           return;
         find_tangent(forced, change);
-        add_multiple(-1., stiffness, change);
+        change.add_multiple(-1., stiffness);
       }
 
       /** Of moments that keep their axes in space, say. */
       void refuse_asymmetry() const
       {
-        Vector x(layout.n_local()), y(layout.n_local());
+        constexpr double round_off_of_change = 1e-6;
+        Vector           x(layout.n_local()), y(layout.n_local());
         for (unsigned int i = 0; i < layout.n_owned(); ++i)
           {
             x[i] = space.is_free(i) ? std::sin(1. + layout.global(i)) : 0.;
@@ -398,10 +362,11 @@ namespace auxfem
           }
         sums = layout.sum(sums);
         if (std::abs(sums[0] - sums[1]) >
-            symmetric_change * std::sqrt(sums[2] * sums[3]))
-          refuse("the stiffness under the loads is not symmetric, as that of "
-                 "moments in space is not. Buckling loads are computed for "
-                 "forces that keep their directions.");
+            round_off_of_change * std::sqrt(sums[2] * sums[3]))
+          throw InputError(
+            "the stiffness under the loads is not symmetric, as that of "
+            "moments in space is not. Buckling loads are computed for "
+            "forces that keep their directions.");
       }
 
       /** @p y = -K' x between free unknowns. */
@@ -453,7 +418,8 @@ namespace auxfem
           if (*n > 0)
             return buckling.n_until(far_beyond * factor);
         }
-      refuse("the loads make nothing buckle. Try Modes/Reversed loads = true.");
+      throw InputError(
+        "the loads make nothing buckle. Try Modes/Reversed loads = true.");
     }
 
     /** Whether there are as many factors below the widest gap among the last

@@ -160,6 +160,16 @@ namespace auxfem
     }
   } // namespace
 
+  std::vector<double>
+  IteratedProducts::combination(const dealii::FullMatrix<double> &coefficients,
+                                const unsigned int                j) const
+  {
+    std::vector<double> sum(vectors.front().size(), 0.);
+    for (std::size_t i = 0; i < vectors.size(); ++i)
+      add_multiple(coefficients(i, j), vectors[i], sum);
+    return sum;
+  }
+
   std::optional<IteratedProducts>
   iterated_products(const ShiftedEigenproblem &problem,
                     const std::vector<Vector> &shapes,

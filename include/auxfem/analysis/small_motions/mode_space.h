@@ -105,6 +105,11 @@ namespace auxfem
     dealii::FullMatrix<double>       by_stiffness; ///< u_i.(K - sigma M) u_j
     dealii::FullMatrix<double>       by_mass;      ///< u_i.M u_j
     std::vector<std::vector<double>> vectors;      ///< u_i, owned rows
+
+    /** Sum of the u_i times column @p j of @p coefficients. */
+    std::vector<double>
+    combination(const dealii::FullMatrix<double> &coefficients,
+                unsigned int                      j) const;
   };
 
   /**
