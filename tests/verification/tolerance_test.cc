@@ -255,7 +255,7 @@ TEST(Tolerance, IsKeptByAFrameInSpaceUnderATriangularPulse)
   expect_tolerances_kept_by_all("frame in space under a triangular pulse",
                                 scene,
                                 "tip",
-                                6);
+                                5);
 }
 
 TEST(Tolerance, IsKeptByRigidPartsWhoseLoadJumps)

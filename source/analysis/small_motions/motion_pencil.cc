@@ -384,9 +384,10 @@ namespace auxfem
     Complex                s          = root.s;
     for (unsigned int i = 0; i < most_steps; ++i)
       {
-        stiffness.set(s);
-        const Complex change = stiffness.form(root.shape) /
-          product(layout, root.shape, derivative(s, root.shape));
+        const Values slope = derivative(s, root.shape);
+        stiffness.set(s); // derivative() has changed it
+        const Complex change =
+          stiffness.form(root.shape) / product(layout, root.shape, slope);
         // Where two roots are about to be one x.A' x is nearly zero.
         if (!(std::abs(change) <= small * std::abs(s)))
           return;
