@@ -153,7 +153,7 @@ namespace auxfem
       define("^", mu::prPOW, [](double a, double b) { return std::pow(a, b); });
     }
 
-    /** What every formula knows besides muParser's own functions. */
+    /** Functions of every formula besides muParser's own functions. */
     void define_common(mu::Parser &parser)
     {
       define_functions(parser);

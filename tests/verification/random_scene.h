@@ -20,7 +20,7 @@ namespace auxfem
       /** Sum of loads and weight at the end (N); empty if the generator does
        * not know them. */
       std::optional<dealii::Tensor<1, 3>> final_load;
-      /** What it combines, for messages. */
+      /** Names of its features, for messages. */
       std::string features;
     };
 

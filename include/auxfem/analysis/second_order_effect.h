@@ -8,7 +8,7 @@
 
 namespace auxfem
 {
-  /** What axial forces change of a linear answer. */
+  /** The change of a linear answer by axial forces. */
   struct SecondOrderChange
   {
     /** The larger of the change of the displacements over the displacements

@@ -18,7 +18,7 @@ namespace auxfem
    */
   RunResult run_reduced_cell(const Scene &scene, const FolderOptions &options);
 
-  /** What a run prints first: the cell, what is simulated, the scheme. */
+  /** The first lines of a run: the cell, what is simulated, the scheme. */
   std::string cell_overview_text(const Scene &scene);
 } // namespace auxfem
 

@@ -122,7 +122,7 @@ namespace auxfem
     try
       {
         const unsigned int n_together = size_of_block(problem.n_finite);
-        // What has no mass must not be there from the start.
+        // Motions without mass must not be in the first vector.
         const auto          start = rcp(new TpetraVectors(map, n_together));
         std::vector<double> random(problem.layout.n_owned());
         fill(problem.layout, random.data());

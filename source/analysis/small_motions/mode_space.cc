@@ -176,23 +176,25 @@ namespace auxfem
                     const unsigned int         n_iterations)
   {
     const std::size_t n = problem.layout.n_owned(), n_shapes = shapes.size();
-    Columns           inertia, iterated, of_iterated;
+    Columns           inertia, iterated, iterated_products_columns;
     for (std::size_t i = 0; i < n_iterations * n_shapes; ++i)
       {
         inertia.emplace_back(n);
         if (i < n_shapes)
           problem.multiply_mass(shapes[i].data(), inertia.back().data());
         else
-          inertia.back() = of_iterated[i - n_shapes];
+          inertia.back() = iterated_products_columns[i - n_shapes];
         iterated.push_back(inertia.back());
         if (!problem.solve(iterated.back().data()))
           return std::nullopt;
-        of_iterated.emplace_back(n);
+        iterated_products_columns.emplace_back(n);
         problem.multiply_mass(iterated.back().data(),
-                              of_iterated.back().data());
+                              iterated_products_columns.back().data());
       }
     IteratedProducts result{products(problem.layout, iterated, inertia),
-                            products(problem.layout, iterated, of_iterated),
+                            products(problem.layout,
+                                     iterated,
+                                     iterated_products_columns),
                             {}};
     result.vectors = std::move(iterated);
     return result;

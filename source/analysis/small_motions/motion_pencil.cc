@@ -287,10 +287,11 @@ namespace auxfem
           mine = std::max(mine, diagonal[i]);
       return layout.largest(mine);
     };
-    const double of_stiffness = largest(solver.matrix()),
-                 of_mass      = largest(mass);
-    return of_stiffness > 0 && of_mass > 0 ? std::sqrt(of_stiffness / of_mass)
-                                           : 1.;
+    const double largest_stiffness = largest(solver.matrix()),
+                 largest_mass      = largest(mass);
+    return largest_stiffness > 0 && largest_mass > 0
+      ? std::sqrt(largest_stiffness / largest_mass)
+      : 1.;
   }
 
   Values MotionPencil::multiply(const TangentMatrix &matrix,

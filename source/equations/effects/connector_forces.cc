@@ -88,14 +88,14 @@ namespace auxfem
                         double           *residual,
                         EffectResults    *results) const override
       {
-        auto &of_group = static_cast<ConnectorResults &>(*results);
-        lines.find_motion(evaluation, of_group);
-        find_response(evaluation, of_group);
+        auto &group_results = static_cast<ConnectorResults &>(*results);
+        lines.find_motion(evaluation, group_results);
+        find_response(evaluation, group_results);
         for (unsigned int i = 0; i < connectors.size(); ++i)
           for (unsigned int c = 0; c < 3; ++c)
             {
               const double force =
-                of_group.response[i].force * of_group.direction[i][c];
+                group_results.response[i].force * group_results.direction[i][c];
               if (connectors[i].unknowns[c] >= 0)
                 residual[connectors[i].unknowns[c]] -= force;
               if (connectors[i].unknowns[3 + c] >= 0)
@@ -110,29 +110,29 @@ namespace auxfem
       {
         if (factors.stiffness == 0 && factors.damping == 0)
           return;
-        const auto &of_group = static_cast<const ConnectorResults &>(*results);
+        const auto &group_results =
+          static_cast<const ConnectorResults &>(*results);
         if (evaluation.kind == Evaluation::Kind::between)
-          return add_mean_tangent(evaluation, of_group, matrix);
+          return add_mean_tangent(evaluation, group_results, matrix);
         for (unsigned int i = 0; i < connectors.size(); ++i)
           {
-            const auto  &n = of_group.direction[i];
+            const auto  &n = group_results.direction[i];
             const double along =
-              factors.stiffness * of_group.response[i].stiffness +
-              factors.damping * of_group.response[i].damping;
+              factors.stiffness * group_results.response[i].stiffness +
+              factors.damping * group_results.response[i].damping;
             Tensor by_motion = dealii::outer_product(along * n, n);
             if (lines.follow_ends)
               {
                 // Force and rate change direction as the line turns.
                 const double rotating =
-                  factors.stiffness / of_group.current_length[i];
+                  factors.stiffness / group_results.current_length[i];
                 by_motion +=
-                  rotating * of_group.response[i].force * across(n, n);
+                  rotating * group_results.response[i].force * across(n, n);
                 if (evaluation.kind != Evaluation::Kind::static_step)
-                  by_motion +=
-                    dealii::outer_product(rotating *
-                                            of_group.response[i].damping * n,
-                                          of_group.velocity_difference[i] -
-                                            of_group.motion[i].rate * n);
+                  by_motion += dealii::outer_product(
+                    rotating * group_results.response[i].damping * n,
+                    group_results.velocity_difference[i] -
+                      group_results.motion[i].rate * n);
               }
             add_block(i, by_motion, matrix);
           }
@@ -144,13 +144,15 @@ namespace auxfem
       {
         if (!lines.follow_ends)
           return;
-        const auto of_group = [effect](const EvaluationResults &results) {
+        const auto group_results = [effect](const EvaluationResults &results) {
           return static_cast<const ConnectorResults *>(
             results.of_effects[effect].get());
         };
-        const ConnectorResults *const        now    = of_group(change.at_state),
-                                      *const before = of_group(change.at_from),
-                                      *const after  = of_group(change.at_to);
+        const ConnectorResults *const now = group_results(change.at_state),
+                                      *const before =
+                                        group_results(change.at_from),
+                                      *const after =
+                                        group_results(change.at_to);
         for (unsigned int i = 0; i < connectors.size(); ++i)
           {
             const auto  &n     = now->direction[i];
@@ -163,7 +165,8 @@ namespace auxfem
       void add_relaxation_times(const Unknowns      &unknowns,
                                 std::vector<double> &times) const override
       {
-        const std::map<double, double> of_law = law->relaxing_stiffnesses();
+        const std::map<double, double> law_stiffnesses =
+          law->relaxing_stiffnesses();
         for (const unsigned int i : owned)
           {
             const auto &ends = connectors[i].unknowns;
@@ -171,7 +174,7 @@ namespace auxfem
                   return unknown >= 0 &&
                     unknowns.kinds[unknown] != UnknownKind::prescribed;
                 }))
-              for (const auto &[time, stiffness] : of_law)
+              for (const auto &[time, stiffness] : law_stiffnesses)
                 times.push_back(time);
           }
       }
@@ -180,14 +183,16 @@ namespace auxfem
                                   const double         time,
                                   TangentMatrix       &matrix) const override
       {
-        const std::map<double, double> of_law = law->relaxing_stiffnesses();
-        const auto                     found  = of_law.find(time);
-        if (found == of_law.end())
+        const std::map<double, double> law_stiffnesses =
+          law->relaxing_stiffnesses();
+        const auto found = law_stiffnesses.find(time);
+        if (found == law_stiffnesses.end())
           return;
-        const auto &of_group = static_cast<const ConnectorResults &>(*results);
+        const auto &group_results =
+          static_cast<const ConnectorResults &>(*results);
         for (unsigned int i = 0; i < connectors.size(); ++i)
           {
-            const auto &n = of_group.direction[i];
+            const auto &n = group_results.direction[i];
             add_block(i, dealii::outer_product(found->second * n, n), matrix);
           }
       }
@@ -200,7 +205,8 @@ namespace auxfem
       {
         if (!law->is_viscous())
           return;
-        const auto &of_group = static_cast<const ConnectorResults &>(*results);
+        const auto &group_results =
+          static_cast<const ConnectorResults &>(*results);
         const std::complex<double> stiffness =
           law->dynamic_stiffness(s) - law->long_time_stiffness();
         for (unsigned int i = 0; i < connectors.size(); ++i)
@@ -208,7 +214,7 @@ namespace auxfem
                {std::pair(stiffness.real(), &real),
                 std::pair(stiffness.imag(), &imaginary)})
             {
-              const auto &n = of_group.direction[i];
+              const auto &n = group_results.direction[i];
               add_block(i, dealii::outer_product(value * n, n), *matrix);
             }
       }
@@ -230,12 +236,13 @@ namespace auxfem
       {
         if (!law->is_viscous())
           return;
-        const auto &of_group = static_cast<const ConnectorResults &>(*results);
+        const auto &group_results =
+          static_cast<const ConnectorResults &>(*results);
         for (unsigned int i = 0; i < connectors.size(); ++i)
           {
             const std::size_t     at = first_history + i * law->n_history();
             const ConnectorEnergy energy =
-              law->energy(of_group.motion[i],
+              law->energy(group_results.motion[i],
                           step.from.history.data() + at,
                           step.to.history.data() + at);
             step.to.history[first_dissipated + i] =
@@ -246,7 +253,7 @@ namespace auxfem
             // Between two states the mean force does what is stored and lost.
             if (account.takes_time() && step.kind != Evaluation::Kind::between)
               account.add_in_step(numerical_entry,
-                                  taken(i, step, of_group, energy));
+                                  taken(i, step, group_results, energy));
           }
       }
 
@@ -289,10 +296,11 @@ namespace auxfem
                         const EffectResults *results,
                         double              *forces) const override
       {
-        const auto &of_group = static_cast<const ConnectorResults &>(*results);
+        const auto &group_results =
+          static_cast<const ConnectorResults &>(*results);
         for (unsigned int i = 0; i < connectors.size(); ++i)
           for (const int unknown : connectors[i].unknowns)
-            raise(forces, unknown, std::abs(of_group.response[i].force));
+            raise(forces, unknown, std::abs(group_results.response[i].force));
       }
 
       void raise_uncertain_forces(const Evaluation    &evaluation,
@@ -300,16 +308,17 @@ namespace auxfem
                                   const LargestMotion &largest,
                                   double              *forces) const override
       {
-        const auto  &of_group = static_cast<const ConnectorResults &>(*results);
-        const double rate     = evaluation.rates_are_differences()
-              ? largest.displacement / evaluation.dt
-              : largest.velocity;
+        const auto &group_results =
+          static_cast<const ConnectorResults &>(*results);
+        const double rate = evaluation.rates_are_differences()
+          ? largest.displacement / evaluation.dt
+          : largest.velocity;
         for (unsigned int i = 0; i < connectors.size(); ++i)
           for (const int unknown : connectors[i].unknowns)
             raise(forces,
                   unknown,
-                  of_group.response[i].stiffness * largest.displacement +
-                    of_group.response[i].damping * rate);
+                  group_results.response[i].stiffness * largest.displacement +
+                    group_results.response[i].damping * rate);
       }
 
       std::string why_not_finite(const Evaluation    &evaluation,
@@ -333,15 +342,17 @@ namespace auxfem
         VanishingConnector found{least, invalid_index};
         if (!lines.follow_ends)
           return found;
-        const auto &of_group = static_cast<const ConnectorResults &>(results);
+        const auto &group_results =
+          static_cast<const ConnectorResults &>(results);
         for (const unsigned int i : owned)
           {
             // Below zero of a line that has been turned round.
             const ConnectorEnds &ends = connectors[i];
             const double         both = ends.line(step.from.displacement) *
               ends.line(step.to.displacement);
-            const double part =
-              both < 0 ? 0. : of_group.current_length[i] / ends.rest_length;
+            const double part = both < 0
+              ? 0.
+              : group_results.current_length[i] / ends.rest_length;
             if (part < found.part)
               found = {part, ends.first_joint};
           }
@@ -357,7 +368,8 @@ namespace auxfem
                              const State         &state,
                              const EffectResults *results) const override
       {
-        const auto &of_group = static_cast<const ConnectorResults &>(*results);
+        const auto &group_results =
+          static_cast<const ConnectorResults &>(*results);
         const unsigned int   c    = owned[i];
         const ConnectorEnds &ends = connectors[c];
         ConnectorReport      report;
@@ -367,8 +379,8 @@ namespace auxfem
           if (ends.unknowns[k] >= 0)
             report.displacements[k / 3][k % 3] =
               state.displacement[ends.unknowns[k]];
-        report.force     = of_group.response[c].force;
-        report.extension = of_group.motion[c].extension;
+        report.force     = group_results.response[c].force;
+        report.extension = group_results.motion[c].extension;
         report.dissipated =
           law->is_viscous() ? state.history[first_dissipated + c] : 0.;
         report.cell = ends.cell;
