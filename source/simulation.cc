@@ -25,10 +25,10 @@ namespace auxfem
     /** Files that only analyses other than @p entry write. */
     std::vector<std::string> files_of_others(const AnalysisEntry &entry)
     {
-      const std::vector<std::string> own = entry.files();
-      std::vector<std::string>       others;
+      const std::vector<std::string> &own = entry.files;
+      std::vector<std::string>        others;
       for (const AnalysisEntry &other : analysis_registry())
-        for (const std::string &file : other.files())
+        for (const std::string &file : other.files)
           if (std::find(own.begin(), own.end(), file) == own.end())
             others.push_back(file);
       return others;

@@ -70,6 +70,6 @@ namespace auxfem
             run_in_folder,
             observe,
             check_on_first_rank,
-            []() { return std::vector<std::string>(); }};
+            {}};
   }
 } // namespace auxfem

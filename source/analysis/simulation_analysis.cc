@@ -23,6 +23,6 @@ namespace auxfem
       },
       run_lattice,
       check_lattice,
-      []() { return std::vector<std::string>(); }};
+      {}};
   }
 } // namespace auxfem

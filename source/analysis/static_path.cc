@@ -423,6 +423,6 @@ namespace auxfem
             },
             run_path,
             check_path,
-            []() { return path_contents().names(); }};
+            path_contents().names()};
   }
 } // namespace auxfem

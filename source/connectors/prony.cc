@@ -232,11 +232,11 @@ namespace auxfem
 
       std::map<double, double> relaxing_stiffnesses() const override
       {
-        std::map<double, double> of_time;
+        std::map<double, double> stiffnesses;
         for (const MaxwellElement &element : elements)
           if (element.stiffness > 0 && element.relaxation_time > 0)
-            of_time[element.relaxation_time] += element.stiffness;
-        return of_time;
+            stiffnesses[element.relaxation_time] += element.stiffness;
+        return stiffnesses;
       }
 
     private:

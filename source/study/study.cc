@@ -185,9 +185,9 @@ namespace auxfem
 
 
 
-  RunResult run_study(const Scene     &scene,
-                      const MPI_Comm   communicator,
-                      const FileRules &rules)
+  RunResult run_study(const Scene         &scene,
+                      const MPI_Comm       communicator,
+                      const FolderOptions &options)
   {
     // Mistakes in it must not cost the results of an earlier run.
     const StudyTask               task = task_of(scene, communicator);
@@ -198,7 +198,7 @@ namespace auxfem
     std::optional<RunFolder>  files;
     std::optional<StudyLines> lines;
     on_first_rank(communicator, [&]() {
-      files.emplace(scene, rules, FolderContents{study_files(), {}});
+      files.emplace(scene, options.rules, FolderContents{study_files(), {}});
       lines.emplace(dealii::Utilities::MPI::n_mpi_processes(communicator),
                     files->log());
       lines->print(overview(task, plan));
@@ -255,13 +255,9 @@ namespace auxfem
             [](const Scene &scene) {
               return scene.analysis == Analysis::study;
             },
-            [](const Scene         &scene,
-               const MPI_Comm       communicator,
-               const FolderOptions &options) {
-              return run_study(scene, communicator, options.rules);
-            },
+            run_study,
             nullptr,
             check_study,
-            study_files};
+            study_files()};
   }
 } // namespace auxfem

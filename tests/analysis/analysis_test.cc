@@ -39,7 +39,8 @@ TEST(AnalysisRegistry, EntriesAreWhole)
       EXPECT_FALSE(entry.description.empty()) << entry.name;
       EXPECT_NE(entry.run, nullptr) << entry.name;
       EXPECT_NE(entry.check, nullptr) << entry.name;
-      EXPECT_NE(entry.files, nullptr) << entry.name;
+      for (const std::string &file : entry.files)
+        EXPECT_FALSE(file.empty()) << entry.name;
     }
 }
 

@@ -59,9 +59,9 @@ TEST(BackwardDifferences, TakeTheLastValuesOnly)
   BackwardDifferences differences;
   for (const double t : {-1., 0., 1., 2.})
     differences.add(t, {t < 0 ? 100. : t * t});
-  const auto of_square = differences.difference(3, 3, {9.}, 1.);
-  ASSERT_TRUE(of_square.has_value());
-  EXPECT_NEAR((*of_square)[0], 0., 1e-12);
+  const auto third = differences.difference(3, 3, {9.}, 1.);
+  ASSERT_TRUE(third.has_value());
+  EXPECT_NEAR((*third)[0], 0., 1e-12);
   const auto second = differences.difference(2, 3, {9.}, 2.);
   ASSERT_TRUE(second.has_value());
   EXPECT_NEAR((*second)[0], 2 * 4., 1e-12);

@@ -42,7 +42,7 @@ namespace auxfem
     void (*check)(const Scene &scene, MPI_Comm communicator);
 
     /** Files that only this analysis writes into its folder. */
-    std::vector<std::string> (*files)();
+    std::vector<std::string> files;
   };
 
   /** All analyses the program knows (analysis/register.cc). */

@@ -26,8 +26,9 @@ namespace auxfem
    * folder that @p scene names: study.md, study.csv, pictures with their
    * scripts, log.txt, and the runs, with which it goes on if it is interrupted.
    */
-  RunResult
-  run_study(const Scene &scene, MPI_Comm communicator, const FileRules &rules);
+  RunResult run_study(const Scene         &scene,
+                      MPI_Comm             communicator,
+                      const FolderOptions &options);
 
   /** What run_study() leaves in its folder besides what every run does, of all
    * kinds of studies. The runs that are kept do not belong to it. */

@@ -96,7 +96,7 @@ namespace auxfem
       {
         constexpr double          no_entry = 1e-8; // of the largest: round-off
         const std::vector<double> sizes    = change.row_sizes();
-        const double              largest  = largest_free(sizes);
+        const double              largest  = space.largest_free(sizes);
         double                    n        = 0;
         for (unsigned int i = 0; i < sizes.size(); ++i)
           if (space.is_free(i) && sizes[i] > no_entry * largest)
@@ -199,16 +199,6 @@ namespace auxfem
                 /*only_above=*/true};
       }
 
-      /** Largest size of @p values of owned rows among free unknowns. */
-      double largest_free(const std::vector<double> &values) const
-      {
-        double mine = 0;
-        for (unsigned int i = 0; i < layout.n_owned(); ++i)
-          if (space.is_free(i))
-            mine = std::max(mine, std::abs(values[i]));
-        return layout.largest(mine);
-      }
-
       void find_tangent(const State &at, TangentMatrix &matrix)
       {
         State            now        = at;
@@ -232,8 +222,8 @@ namespace auxfem
         loaded.add_multiple(-1., stiffness);
         constexpr double round_off = 1e-13;
         if (!stiffness.is_symmetric() ||
-            largest_free(loaded.row_sizes()) >
-              round_off * largest_free(stiffness.row_sizes()))
+            space.largest_free(loaded.row_sizes()) >
+              round_off * space.largest_free(stiffness.row_sizes()))
           throw InputError(
             "the stiffness depends on loads that follow their joints. "
             "Buckling loads are computed for loads that keep their "
@@ -288,7 +278,7 @@ namespace auxfem
       {
         std::vector<double> forces(layout.n_owned());
         space.multiply(stiffness, answer.data(), forces.data());
-        return largest_free(forces) > no_elastic_force * largest_load;
+        return space.largest_free(forces) > no_elastic_force * largest_load;
       }
 
       /** @param part of the answer by which states differ from the given one. */

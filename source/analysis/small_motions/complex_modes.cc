@@ -74,9 +74,7 @@ namespace auxfem
                              const unsigned int n,
                              const Damping      damping)
   {
-    // Below all that swings, and hardly a root itself.
-    constexpr double     part   = 0.0917;
-    const double         shift  = part * lowest_frequency(solver, state);
+    const double shift = shift_below_roots * lowest_frequency(solver, state);
     const UnknownLayout &layout = solver.equations().unknowns().layout;
     MotionPencil         pencil(solver, state, damping);
     // The order by distance from the shift is nearly that by |s|.

@@ -48,8 +48,8 @@ namespace auxfem
                         const State   &state,
                         NaturalModes  &found)
   {
-    // Neither is likely to be a root.
-    constexpr double    below = 0.0917, above = 1.0437;
+    // Just above the highest frequency, where hardly a root lies.
+    constexpr double    above = 1.0437;
     std::vector<double> frequencies;
     for (const NaturalMode &mode : found.modes)
       if (mode.eigenvalue > 0)
@@ -61,7 +61,7 @@ namespace auxfem
     const double              reach = above * *highest;
     MotionPencil              pencil(solver, state, Damping::all);
     const MotionPencil::Roots damped = pencil.nearest(
-      below * *lowest,
+      shift_below_roots * *lowest,
       {swings, static_cast<unsigned int>(frequencies.size()), reach});
 
     std::vector<char> is_taken(damped.roots.size(), false);

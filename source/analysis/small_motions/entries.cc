@@ -4,16 +4,6 @@
 
 namespace auxfem
 {
-  namespace
-  {
-    RunResult run_modes_in_folder(const Scene         &scene,
-                                  const MPI_Comm       communicator,
-                                  const FolderOptions &options)
-    {
-      return run_modes(scene, communicator, options.rules);
-    }
-  } // namespace
-
   AnalysisEntry modes_entry()
   {
     return {"modes",
@@ -22,10 +12,10 @@ namespace auxfem
             [](const Scene &scene) {
               return scene.analysis == Analysis::modes;
             },
-            run_modes_in_folder,
+            run_modes,
             nullptr,
             check_modes,
-            modes_files};
+            modes_files()};
   }
 
   AnalysisEntry buckling_entry()
@@ -35,10 +25,10 @@ namespace auxfem
       "Factors of the loads at which a lattice buckles, by linear theory, "
       "and its buckling modes.",
       [](const Scene &scene) { return scene.analysis == Analysis::buckling; },
-      run_modes_in_folder,
+      run_modes,
       nullptr,
       check_modes,
-      modes_files};
+      modes_files()};
   }
 
   AnalysisEntry frequency_response_entry()
@@ -48,13 +38,9 @@ namespace auxfem
             [](const Scene &scene) {
               return scene.analysis == Analysis::frequency_response;
             },
-            [](const Scene         &scene,
-               const MPI_Comm       communicator,
-               const FolderOptions &options) {
-              return run_frequency_response(scene, communicator, options.rules);
-            },
+            run_frequency_response,
             nullptr,
             check_frequency_response,
-            []() { return frequency_response_contents().names(); }};
+            frequency_response_contents().names()};
   }
 } // namespace auxfem

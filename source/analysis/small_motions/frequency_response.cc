@@ -289,9 +289,9 @@ namespace auxfem
     return {{table_name, "frequency_response.units.csv"}, {}};
   }
 
-  RunResult run_frequency_response(const Scene     &given,
-                                   const MPI_Comm   communicator,
-                                   const FileRules &rules)
+  RunResult run_frequency_response(const Scene         &given,
+                                   const MPI_Comm       communicator,
+                                   const FolderOptions &options)
   {
     const Scene base  = vibrating(given);
     const Scene first = with_elements_for_band(base);
@@ -301,7 +301,7 @@ namespace auxfem
     const SignalsWaitForStep  signals;
     RunReport                 report(base,
                      computation->run.equations,
-                     rules,
+                     options.rules,
                      frequency_response_contents());
     const std::vector<Column> quantities = computation->history.sum_columns();
     on_first_rank(communicator, [&]() {

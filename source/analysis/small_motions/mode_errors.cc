@@ -86,7 +86,8 @@ namespace auxfem
                  const Damping               damping,
                  const std::vector<Complex> &coarse)
       {
-        constexpr double below = 0.0917, above = 1.2;
+        // Roots of finer elements are sought up to a fifth above.
+        constexpr double above = 1.2;
         double least = std::numeric_limits<double>::infinity(), greatest = 0;
         for (const Complex s : coarse)
           {
@@ -98,7 +99,7 @@ namespace auxfem
         MotionPencil pencil(finer.solver(), finer.state(), damping);
         for (const MotionRoot &root :
              pencil
-               .nearest(below * least,
+               .nearest(shift_below_roots * least,
                         {[](const Complex s) { return !relaxes(s); },
                          static_cast<unsigned int>(coarse.size()),
                          above * greatest})
@@ -108,7 +109,7 @@ namespace auxfem
 
       /** By how much the nearest root of finer elements differs from @p s, over
        * |s|; NaN where there is none. */
-      double of(const Complex s) const
+      double relative_error(const Complex s) const
       {
         double error = std::numeric_limits<double>::quiet_NaN();
         for (const Complex root : roots)
@@ -140,11 +141,11 @@ namespace auxfem
       const RootErrors roots(finer, Damping::all, coarse);
       for (std::size_t i = 0; i < found.modes.size(); ++i)
         if (NaturalMode &mode = found.modes[i]; mode.damped)
-          if (const double error = roots.of(value_of(*mode.damped));
+          if (const double error = roots.relative_error(value_of(*mode.damped));
               !(error <= mode.mesh_error))
             errors.relative[i] = mode.mesh_error = error;
       for (const NaturalMode::Damped &damped : found.further_damped)
-        errors.relative.push_back(roots.of(value_of(damped)));
+        errors.relative.push_back(roots.relative_error(value_of(damped)));
     }
   } // namespace
 
@@ -183,7 +184,7 @@ namespace auxfem
       MeshErrors       errors;
       for (ComplexMode &mode : found.modes)
         {
-          mode.mesh_error = roots.of(mode.s);
+          mode.mesh_error = roots.relative_error(mode.s);
           errors.relative.push_back(mode.mesh_error);
         }
       return errors;

@@ -32,6 +32,15 @@ namespace auxfem
     return std::max(0., layout.sum(n) - n_constraints);
   }
 
+  double ModeSpace::largest_free(const std::vector<double> &values) const
+  {
+    double mine = 0;
+    for (unsigned int i = 0; i < layout.n_owned(); ++i)
+      if (is_free(i))
+        mine = std::max(mine, std::abs(values[i]));
+    return layout.largest(mine);
+  }
+
   void ModeSpace::multiply(const TangentMatrix &matrix,
                            const double        *x,
                            double              *y) const
@@ -176,25 +185,25 @@ namespace auxfem
                     const unsigned int         n_iterations)
   {
     const std::size_t n = problem.layout.n_owned(), n_shapes = shapes.size();
-    Columns           inertia, iterated, iterated_products_columns;
+    Columns           inertia, iterated, iterated_inertia;
     for (std::size_t i = 0; i < n_iterations * n_shapes; ++i)
       {
         inertia.emplace_back(n);
         if (i < n_shapes)
           problem.multiply_mass(shapes[i].data(), inertia.back().data());
         else
-          inertia.back() = iterated_products_columns[i - n_shapes];
+          inertia.back() = iterated_inertia[i - n_shapes];
         iterated.push_back(inertia.back());
         if (!problem.solve(iterated.back().data()))
           return std::nullopt;
-        iterated_products_columns.emplace_back(n);
+        iterated_inertia.emplace_back(n);
         problem.multiply_mass(iterated.back().data(),
-                              iterated_products_columns.back().data());
+                              iterated_inertia.back().data());
       }
     IteratedProducts result{products(problem.layout, iterated, inertia),
                             products(problem.layout,
                                      iterated,
-                                     iterated_products_columns),
+                                     iterated_inertia),
                             {}};
     result.vectors = std::move(iterated);
     return result;

@@ -351,9 +351,9 @@ namespace auxfem
     return mode_contents().names();
   }
 
-  RunResult run_modes(const Scene     &given,
-                      const MPI_Comm   communicator,
-                      const FileRules &rules)
+  RunResult run_modes(const Scene         &given,
+                      const MPI_Comm       communicator,
+                      const FolderOptions &options)
   {
     const Scene base = scene_of_modes(given);
     // Mistakes it finds must not cost the results of an earlier run.
@@ -361,7 +361,10 @@ namespace auxfem
       std::make_unique<ModeComputation>(with_elements_for_modes(base),
                                         communicator);
     const SignalsWaitForStep signals;
-    RunReport report(base, computation->run.equations, rules, mode_contents());
+    RunReport                report(base,
+                     computation->run.equations,
+                     options.rules,
+                     mode_contents());
     computation->find_modes();
     const Scene first = computation->scene;
     for (Scene scene = first; !are_accepted(scene, computation->errors) &&

@@ -42,12 +42,8 @@ namespace auxfem
       scale_of_part = {1., 10 * std::abs(shift)};
       for (const Relaxing &relaxing : pencil.relaxing)
         {
-          double      largest  = 0;
-          const auto &diagonal = relaxing.stiffness.diagonal();
-          for (unsigned int i = 0; i < n; ++i)
-            if (pencil.space.is_free(i))
-              largest = std::max(largest, diagonal[i]);
-          largest = pencil.layout.largest(largest);
+          const double largest =
+            pencil.space.largest_free(relaxing.stiffness.diagonal());
           scale_of_part.push_back(largest > 0 ? largest : 1.);
         }
       constexpr unsigned int n_start = 3;
@@ -279,16 +275,9 @@ namespace auxfem
 
   double MotionPencil::fastest_rate() const
   {
-    const auto largest = [this](const TangentMatrix &matrix) {
-      const Values diagonal = matrix.diagonal();
-      double       mine     = 0;
-      for (unsigned int i = 0; i < diagonal.size(); ++i)
-        if (space.is_free(i))
-          mine = std::max(mine, diagonal[i]);
-      return layout.largest(mine);
-    };
-    const double largest_stiffness = largest(solver.matrix()),
-                 largest_mass      = largest(mass);
+    const double largest_stiffness =
+                   space.largest_free(solver.matrix().diagonal()),
+                 largest_mass = space.largest_free(mass.diagonal());
     return largest_stiffness > 0 && largest_mass > 0
       ? std::sqrt(largest_stiffness / largest_mass)
       : 1.;

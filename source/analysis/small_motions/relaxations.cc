@@ -75,11 +75,11 @@ namespace auxfem
   Relaxations
   relaxations(TangentSolver &solver, const State &state, const unsigned int n)
   {
-    // Hardly roots themselves.
-    constexpr double          slow = 0.0917, beside = 1.1437;
+    // A shift beside a rate is hardly a root itself.
+    constexpr double          beside = 1.1437;
     const UnknownLayout      &layout = solver.equations().unknowns().layout;
     const std::vector<double> rates  = typical_rates(solver, state);
-    std::vector<double>       shifts{slow * rates.front()};
+    std::vector<double>       shifts{shift_below_roots * rates.front()};
     for (const double rate : rates)
       shifts.push_back(-beside * rate);
     MotionPencil            pencil(solver, state, Damping::all);

@@ -88,14 +88,14 @@ namespace auxfem
                         double           *residual,
                         EffectResults    *results) const override
       {
-        auto &group_results = static_cast<ConnectorResults &>(*results);
-        lines.find_motion(evaluation, group_results);
-        find_response(evaluation, group_results);
+        auto &cache = static_cast<ConnectorResults &>(*results);
+        lines.find_motion(evaluation, cache);
+        find_response(evaluation, cache);
         for (unsigned int i = 0; i < connectors.size(); ++i)
           for (unsigned int c = 0; c < 3; ++c)
             {
               const double force =
-                group_results.response[i].force * group_results.direction[i][c];
+                cache.response[i].force * cache.direction[i][c];
               if (connectors[i].unknowns[c] >= 0)
                 residual[connectors[i].unknowns[c]] -= force;
               if (connectors[i].unknowns[3 + c] >= 0)
@@ -110,29 +110,26 @@ namespace auxfem
       {
         if (factors.stiffness == 0 && factors.damping == 0)
           return;
-        const auto &group_results =
-          static_cast<const ConnectorResults &>(*results);
+        const ConnectorResults &cache = connector_cache(*results);
         if (evaluation.kind == Evaluation::Kind::between)
-          return add_mean_tangent(evaluation, group_results, matrix);
+          return add_mean_tangent(evaluation, cache, matrix);
         for (unsigned int i = 0; i < connectors.size(); ++i)
           {
-            const auto  &n = group_results.direction[i];
+            const auto  &n = cache.direction[i];
             const double along =
-              factors.stiffness * group_results.response[i].stiffness +
-              factors.damping * group_results.response[i].damping;
+              factors.stiffness * cache.response[i].stiffness +
+              factors.damping * cache.response[i].damping;
             Tensor by_motion = dealii::outer_product(along * n, n);
             if (lines.follow_ends)
               {
                 // Force and rate change direction as the line turns.
                 const double rotating =
-                  factors.stiffness / group_results.current_length[i];
-                by_motion +=
-                  rotating * group_results.response[i].force * across(n, n);
+                  factors.stiffness / cache.current_length[i];
+                by_motion += rotating * cache.response[i].force * across(n, n);
                 if (evaluation.kind != Evaluation::Kind::static_step)
                   by_motion += dealii::outer_product(
-                    rotating * group_results.response[i].damping * n,
-                    group_results.velocity_difference[i] -
-                      group_results.motion[i].rate * n);
+                    rotating * cache.response[i].damping * n,
+                    cache.velocity_difference[i] - cache.motion[i].rate * n);
               }
             add_block(i, by_motion, matrix);
           }
@@ -144,29 +141,25 @@ namespace auxfem
       {
         if (!lines.follow_ends)
           return;
-        const auto group_results = [effect](const EvaluationResults &results) {
-          return static_cast<const ConnectorResults *>(
-            results.of_effects[effect].get());
+        const auto in = [effect](const EvaluationResults &results) {
+          return &connector_cache(*results.of_effects[effect]);
         };
-        const ConnectorResults *const now = group_results(change.at_state),
-                                      *const before =
-                                        group_results(change.at_from),
-                                      *const after =
-                                        group_results(change.at_to);
+        const ConnectorResults &now    = *in(change.at_state),
+                               &before = *in(change.at_from),
+                               &after  = *in(change.at_to);
         for (unsigned int i = 0; i < connectors.size(); ++i)
           {
-            const auto  &n     = now->direction[i];
+            const auto  &n     = now.direction[i];
             const double force = change.factor *
-              (after->response[i].force - before->response[i].force);
-            add_block(i, force / now->current_length[i] * across(n, n), matrix);
+              (after.response[i].force - before.response[i].force);
+            add_block(i, force / now.current_length[i] * across(n, n), matrix);
           }
       }
 
       void add_relaxation_times(const Unknowns      &unknowns,
                                 std::vector<double> &times) const override
       {
-        const std::map<double, double> law_stiffnesses =
-          law->relaxing_stiffnesses();
+        const std::map<double, double> relaxing = law->relaxing_stiffnesses();
         for (const unsigned int i : owned)
           {
             const auto &ends = connectors[i].unknowns;
@@ -174,7 +167,7 @@ namespace auxfem
                   return unknown >= 0 &&
                     unknowns.kinds[unknown] != UnknownKind::prescribed;
                 }))
-              for (const auto &[time, stiffness] : law_stiffnesses)
+              for (const auto &[time, stiffness] : relaxing)
                 times.push_back(time);
           }
       }
@@ -183,18 +176,9 @@ namespace auxfem
                                   const double         time,
                                   TangentMatrix       &matrix) const override
       {
-        const std::map<double, double> law_stiffnesses =
-          law->relaxing_stiffnesses();
-        const auto found = law_stiffnesses.find(time);
-        if (found == law_stiffnesses.end())
-          return;
-        const auto &group_results =
-          static_cast<const ConnectorResults &>(*results);
-        for (unsigned int i = 0; i < connectors.size(); ++i)
-          {
-            const auto &n = group_results.direction[i];
-            add_block(i, dealii::outer_product(found->second * n, n), matrix);
-          }
+        const std::map<double, double> relaxing = law->relaxing_stiffnesses();
+        if (const auto found = relaxing.find(time); found != relaxing.end())
+          add_stiffness(found->second, *results, matrix);
       }
 
       void add_viscous_stiffness(const Evaluation & /*evaluation*/,
@@ -205,18 +189,10 @@ namespace auxfem
       {
         if (!law->is_viscous())
           return;
-        const auto &group_results =
-          static_cast<const ConnectorResults &>(*results);
         const std::complex<double> stiffness =
           law->dynamic_stiffness(s) - law->long_time_stiffness();
-        for (unsigned int i = 0; i < connectors.size(); ++i)
-          for (const auto &[value, matrix] :
-               {std::pair(stiffness.real(), &real),
-                std::pair(stiffness.imag(), &imaginary)})
-            {
-              const auto &n = group_results.direction[i];
-              add_block(i, dealii::outer_product(value * n, n), *matrix);
-            }
+        add_stiffness(stiffness.real(), *results, real);
+        add_stiffness(stiffness.imag(), *results, imaginary);
       }
 
       void account(const Evaluation    &evaluation,
@@ -236,13 +212,12 @@ namespace auxfem
       {
         if (!law->is_viscous())
           return;
-        const auto &group_results =
-          static_cast<const ConnectorResults &>(*results);
+        const ConnectorResults &cache = connector_cache(*results);
         for (unsigned int i = 0; i < connectors.size(); ++i)
           {
             const std::size_t     at = first_history + i * law->n_history();
             const ConnectorEnergy energy =
-              law->energy(group_results.motion[i],
+              law->energy(cache.motion[i],
                           step.from.history.data() + at,
                           step.to.history.data() + at);
             step.to.history[first_dissipated + i] =
@@ -253,7 +228,7 @@ namespace auxfem
             // Between two states the mean force does what is stored and lost.
             if (account.takes_time() && step.kind != Evaluation::Kind::between)
               account.add_in_step(numerical_entry,
-                                  taken(i, step, group_results, energy));
+                                  taken(i, step, cache, energy));
           }
       }
 
@@ -296,11 +271,10 @@ namespace auxfem
                         const EffectResults *results,
                         double              *forces) const override
       {
-        const auto &group_results =
-          static_cast<const ConnectorResults &>(*results);
+        const ConnectorResults &cache = connector_cache(*results);
         for (unsigned int i = 0; i < connectors.size(); ++i)
           for (const int unknown : connectors[i].unknowns)
-            raise(forces, unknown, std::abs(group_results.response[i].force));
+            raise(forces, unknown, std::abs(cache.response[i].force));
       }
 
       void raise_uncertain_forces(const Evaluation    &evaluation,
@@ -308,17 +282,16 @@ namespace auxfem
                                   const LargestMotion &largest,
                                   double              *forces) const override
       {
-        const auto &group_results =
-          static_cast<const ConnectorResults &>(*results);
-        const double rate = evaluation.rates_are_differences()
-          ? largest.displacement / evaluation.dt
-          : largest.velocity;
+        const ConnectorResults &cache = connector_cache(*results);
+        const double            rate  = evaluation.rates_are_differences()
+                      ? largest.displacement / evaluation.dt
+                      : largest.velocity;
         for (unsigned int i = 0; i < connectors.size(); ++i)
           for (const int unknown : connectors[i].unknowns)
             raise(forces,
                   unknown,
-                  group_results.response[i].stiffness * largest.displacement +
-                    group_results.response[i].damping * rate);
+                  cache.response[i].stiffness * largest.displacement +
+                    cache.response[i].damping * rate);
       }
 
       std::string why_not_finite(const Evaluation    &evaluation,
@@ -326,8 +299,7 @@ namespace auxfem
       {
         return lines.why_not_finite(group_name,
                                     evaluation.to.time,
-                                    static_cast<const ConnectorResults &>(
-                                      *results));
+                                    connector_cache(*results));
       }
 
       const std::string &name() const override
@@ -342,17 +314,15 @@ namespace auxfem
         VanishingConnector found{least, invalid_index};
         if (!lines.follow_ends)
           return found;
-        const auto &group_results =
-          static_cast<const ConnectorResults &>(results);
+        const ConnectorResults &cache = connector_cache(results);
         for (const unsigned int i : owned)
           {
             // Below zero of a line that has been turned round.
             const ConnectorEnds &ends = connectors[i];
             const double         both = ends.line(step.from.displacement) *
               ends.line(step.to.displacement);
-            const double part = both < 0
-              ? 0.
-              : group_results.current_length[i] / ends.rest_length;
+            const double part =
+              both < 0 ? 0. : cache.current_length[i] / ends.rest_length;
             if (part < found.part)
               found = {part, ends.first_joint};
           }
@@ -368,19 +338,18 @@ namespace auxfem
                              const State         &state,
                              const EffectResults *results) const override
       {
-        const auto &group_results =
-          static_cast<const ConnectorResults &>(*results);
-        const unsigned int   c    = owned[i];
-        const ConnectorEnds &ends = connectors[c];
-        ConnectorReport      report;
+        const ConnectorResults &cache = connector_cache(*results);
+        const unsigned int      c     = owned[i];
+        const ConnectorEnds    &ends  = connectors[c];
+        ConnectorReport         report;
         report.ends[0] = lattice.joints[ends.first_joint];
         report.ends[1] = report.ends[0] + ends.span;
         for (unsigned int k = 0; k < 6; ++k)
           if (ends.unknowns[k] >= 0)
             report.displacements[k / 3][k % 3] =
               state.displacement[ends.unknowns[k]];
-        report.force     = group_results.response[c].force;
-        report.extension = group_results.motion[c].extension;
+        report.force     = cache.response[c].force;
+        report.extension = cache.motion[c].extension;
         report.dissipated =
           law->is_viscous() ? state.history[first_dissipated + c] : 0.;
         report.cell = ends.cell;
@@ -395,8 +364,7 @@ namespace auxfem
                                     const EffectResults &results,
                                     double              *internal_rates) const
       {
-        const ConnectorMotion &motion =
-          static_cast<const ConnectorResults &>(results).motion[i];
+        const ConnectorMotion &motion = connector_cache(results).motion[i];
         return law->continuous(motion.extension,
                                motion.rate,
                                state.history.data() + first_history +
@@ -478,6 +446,18 @@ namespace auxfem
                       dealii::outer_product(response.stiffness * e, now) +
                         rotating * across(e, now),
                       matrix);
+          }
+      }
+
+      /** Adds the stiffness @p k (N/m) along each connector. */
+      void add_stiffness(const double         k,
+                         const EffectResults &results,
+                         TangentMatrix       &matrix) const
+      {
+        for (unsigned int i = 0; i < connectors.size(); ++i)
+          {
+            const auto &n = connector_cache(results).direction[i];
+            add_block(i, dealii::outer_product(k * n, n), matrix);
           }
       }
 

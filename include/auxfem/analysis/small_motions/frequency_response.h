@@ -15,9 +15,9 @@ namespace auxfem
    * summary.json) and, the largest, onto the screen. Throws InputError,
    * ComputationError; rows until then are kept. Collective.
    */
-  RunResult run_frequency_response(const Scene     &scene,
-                                   MPI_Comm         communicator,
-                                   const FileRules &rules);
+  RunResult run_frequency_response(const Scene         &scene,
+                                   MPI_Comm             communicator,
+                                   const FolderOptions &options);
 
   /** The dry run: builds everything, prints counts and effects. Collective. */
   void check_frequency_response(const Scene &scene, MPI_Comm communicator);

@@ -30,6 +30,10 @@ namespace auxfem
     /** How many free unknowns there are that constraints leave. */
     unsigned int n_free() const;
 
+    /** Largest size of @p values of owned rows among free unknowns.
+     * Collective. */
+    double largest_free(const std::vector<double> &values) const;
+
     /** @p y = A x of owned rows, between free unknowns. */
     void
     multiply(const TangentMatrix &matrix, const double *x, double *y) const;

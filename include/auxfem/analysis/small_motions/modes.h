@@ -17,8 +17,9 @@ namespace auxfem
    * `Analysis = buckling`: factors of loads and buckling modes (buckling.csv).
    * Throws InputError, ComputationError. Collective.
    */
-  RunResult
-  run_modes(const Scene &scene, MPI_Comm communicator, const FileRules &rules);
+  RunResult run_modes(const Scene         &scene,
+                      MPI_Comm             communicator,
+                      const FolderOptions &options);
 
   /** The dry run: builds everything, prints counts and effects. Collective. */
   void check_modes(const Scene &scene, MPI_Comm communicator);

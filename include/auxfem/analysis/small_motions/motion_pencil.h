@@ -9,6 +9,10 @@
 
 namespace auxfem
 {
+  /** Shift of MotionPencil::nearest() over the size of the smallest root: below
+   * it, and no simple fraction, so that it is hardly a root itself. */
+  constexpr double shift_below_roots = 0.0917;
+
   /** A small motion x e^(s t): A(s) x = 0. */
   struct MotionRoot
   {

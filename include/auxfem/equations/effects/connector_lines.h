@@ -30,6 +30,12 @@ namespace auxfem
     std::vector<double>               current_length; ///< m
   };
 
+  /** @p results of a group of connectors as what they are. */
+  inline const ConnectorResults &connector_cache(const EffectResults &results)
+  {
+    return static_cast<const ConnectorResults &>(results);
+  }
+
   /** The two ends of a connector. */
   struct ConnectorEnds
   {
