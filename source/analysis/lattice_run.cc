@@ -3,6 +3,8 @@
 #include <auxfem/analysis/inverse_iteration.h>
 #include <auxfem/analysis/lattice_run.h>
 #include <auxfem/analysis/saved_state.h>
+#include <auxfem/analysis/small_displacement_limit.h>
+#include <auxfem/model/effect_definition.h>
 #include <auxfem/model/load_course.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/out_of_memory.h>
@@ -62,12 +64,12 @@ namespace auxfem
     set_up_watch.reset();
   }
 
-  LatticeRun::LatticeRun(const Scene &scene, const LatticeRun &other)
+  LatticeRun::LatticeRun(const LatticeRun &other, SimulatedEffects simulated)
     : set_up_watch(std::in_place, work_done.wall.setup)
     , shared_lattice(other.shared_lattice)
-    , scene(scene)
+    , scene(other.scene)
     , lattice(*shared_lattice)
-    , model(scene, other.model)
+    , model(scene, other.model, std::move(simulated))
     , equations(scene, model)
     , solution(equations.initial_solution())
     , stepper(equations, scene, work_done)
@@ -118,15 +120,19 @@ namespace auxfem
     Records taken;
     save_state(solution.state, equations, taken);
     stepper.save(taken);
+    save(model.decision(large_rotation_effect().name), taken);
+    if (limit != nullptr)
+      limit->save(taken);
     recorder.save(taken);
+    const Work work = work_of_all();
     taken.keep(work_record,
-               {double(work_done.steps),
-                double(work_done.iterations),
-                double(work_done.factorizations),
-                double(work_done.retries),
-                double(work_done.linear_solutions),
-                double(work_done.linear_iterations),
-                double(work_done.shortened)});
+               {double(work.steps),
+                double(work.iterations),
+                double(work.factorizations),
+                double(work.retries),
+                double(work.linear_solutions),
+                double(work.linear_iterations),
+                double(work.shortened)});
     return taken;
   }
 
@@ -146,6 +152,8 @@ namespace auxfem
            scene.time.time_at(solution.state.step) > solution.state.time)
       --solution.state.step;
     stepper.resume(solution, checkpoint);
+    if (limit != nullptr)
+      limit->resume(checkpoint);
     recorder.resume(solution, checkpoint);
   }
 
@@ -186,6 +194,20 @@ namespace auxfem
     recorder.start(solution);
   }
 
+  void LatticeRun::set_limit(SmallDisplacementLimit &of_run)
+  {
+    limit = &of_run;
+    stepper.set_limit(of_run);
+  }
+
+  Work LatticeRun::work_of_all() const
+  {
+    Work all = work_done;
+    if (limit != nullptr)
+      all.add_effort(limit->effort());
+    return all;
+  }
+
   void LatticeRun::add_effort(const Work &elsewhere)
   {
     work_done.add_effort(elsewhere);
@@ -195,10 +217,12 @@ namespace auxfem
   {
     RunResult result           = {exit_state,
                                   solution.state.time,
-                                  work_done,
+                                  work_of_all(),
                                   stepper.findings(),
                                   stepper.estimated_error()};
     result.largest_penetration = stepper.watches().largest_penetration();
+    if (limit != nullptr)
+      result.small_displacement_error = limit->error();
     return result;
   }
 
@@ -231,6 +255,10 @@ namespace auxfem
         of_way = advance(recorder);
       }
     catch (const InputError &)
+      {
+        throw;
+      }
+    catch (const BeyondSmallDisplacements &)
       {
         throw;
       }

@@ -15,21 +15,17 @@ namespace auxfem
      * part of the forces counts. */
     constexpr double size_of_difference = 1e-3;
 
-    Scene with_large_rotation(const Scene &scene)
+    SimulatedEffects with_large_rotation(SimulatedEffects simulated)
     {
-      Scene exact                  = scene;
-      exact.effects.large_rotation = Switch::on;
-      // Struts that touch are no part of the stiffness at rest.
-      exact.lattice.struts_may_cross = true;
-      return exact;
+      simulated.large_rotation = true;
+      return simulated;
     }
   } // namespace
 
   struct SecondOrderEffect::Exact
   {
-    Exact(const Scene &small_scene, const LatticeModel &small_model, Work &work)
-      : scene(with_large_rotation(small_scene))
-      , model(scene, small_model)
+    Exact(const Scene &scene, const LatticeModel &small_model, Work &work)
+      : model(scene, small_model, with_large_rotation(small_model.simulated))
       , equations(scene, model)
       , solver(equations, scene.solver, work)
     {}
@@ -68,7 +64,6 @@ namespace auxfem
       return solver.factorize(Exactness::approximate);
     }
 
-    const Scene        scene;
     const LatticeModel model;
     Equations          equations;
     TangentSolver      solver;

@@ -1,4 +1,5 @@
 #include <auxfem/analysis/guess_ahead.h>
+#include <auxfem/analysis/small_displacement_limit.h>
 #include <auxfem/analysis/time_stepper.h>
 #include <auxfem/equations/prescribed_motion.h>
 #include <auxfem/parameters/errors.h>
@@ -240,6 +241,8 @@ namespace auxfem
     raise_largest_energy(solution.state, trial.state);
     if (jumps && jumps->is_jump())
       watches_of_scene.expect_jump();
+    if (limit != nullptr)
+      limit->check(step);
     watches_of_scene.step(step, trial.results, solvers->tangent);
     trial.state.step = solution.state.step;
     std::swap(solution, trial);

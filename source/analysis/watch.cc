@@ -53,8 +53,7 @@ namespace auxfem
     // A path counts what is unstable itself.
     if (!equations.is_linear() && scene.analysis != Analysis::static_path)
       watches.push_back(make_stability_watch(scene, equations, work));
-    if (!simulated.large_rotation &&
-        !scene.effects.small_displacements_are_judged)
+    if (!simulated.large_rotation && !simulated.small_displacements_are_limited)
       watches.push_back(make_small_displacement_watch(scene, equations, work));
     if (has_inertia)
       {
@@ -89,14 +88,16 @@ namespace auxfem
     if (has_struts && has_yield_strain(scene))
       watches.push_back(make_yield_watch(equations));
     // Nor does what is in proportion to the loads show by its size.
+    if (has_struts &&
+        (!equations.is_linear() || simulated.small_displacements_are_limited))
+      watches.push_back(make_strain_watch(equations));
     if (has_struts && !equations.is_linear())
-      {
-        watches.push_back(make_strain_watch(equations));
-        watches.push_back(make_local_buckling_watch(scene, equations));
-      }
+      watches.push_back(make_local_buckling_watch(scene, equations));
+    // Small displacements that are limited end where struts touch.
     if (has_struts && !scene.lattice.struts_may_cross &&
         equations.reporting().strut_contact == nullptr &&
-        !scene.effects.small_displacements_are_judged)
+        (!simulated.small_displacements_are_limited ||
+         scene.effects.contact == Switch::off))
       watches.push_back(make_crossing_watch(scene, equations));
   }
 

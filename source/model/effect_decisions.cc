@@ -90,4 +90,40 @@ namespace auxfem
     list.push_back(rigid_parts_decision(scene));
     return effects;
   }
+
+
+
+  namespace
+  {
+    std::string record_of(const std::string &effect)
+    {
+      return "decision on " + effect;
+    }
+  } // namespace
+
+  void save(const EffectDecision &decision, Records &records)
+  {
+    const std::string record  = record_of(decision.name);
+    const auto       &measure = decision.measure;
+    records.keep(record,
+                 {decision.on ? 1. : 0.,
+                  measure ? 1. : 0.,
+                  measure ? measure->change : 0.});
+    records.keep_text(record + ", reason", decision.reason);
+    records.keep_text(record + ", measure of", measure ? measure->of : "");
+  }
+
+  EffectDecision saved_decision(const std::string &effect,
+                                const Records     &records)
+  {
+    const std::string         record = record_of(effect);
+    const std::vector<double> values = records.values(record, 3);
+    EffectDecision            decision{effect,
+                            values[0] != 0,
+                            records.text(record + ", reason")};
+    if (values[1] != 0)
+      decision.measure =
+        EffectMeasure{values[2], records.text(record + ", measure of")};
+    return decision;
+  }
 } // namespace auxfem

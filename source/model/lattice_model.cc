@@ -3,6 +3,7 @@
 #include <auxfem/parameters/errors.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace auxfem
 {
@@ -126,9 +127,11 @@ namespace auxfem
     , bodies(rigid_bodies(lattice, numbering))
   {}
 
-  LatticeModel::LatticeModel(const Scene &scene, const LatticeModel &other)
+  LatticeModel::LatticeModel(const Scene        &scene,
+                             const LatticeModel &other,
+                             SimulatedEffects    simulated)
     : lattice(other.lattice)
-    , simulated(decide_effects(scene, lattice))
+    , simulated(std::move(simulated))
     , sections(other.sections)
     , mean_strut_length(other.mean_strut_length)
     , releases(other.releases)
@@ -137,8 +140,10 @@ namespace auxfem
     , shared_numbering(other.shared_numbering)
     , numbering(*shared_numbering)
     , rows(other.rows)
-    , supports(
-        make_supports(scene, lattice, numbering, simulated.large_rotation))
+    , supports(make_supports(scene,
+                             lattice,
+                             numbering,
+                             this->simulated.large_rotation))
     , bodies(other.bodies)
   {}
 

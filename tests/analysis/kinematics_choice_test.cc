@@ -114,6 +114,17 @@ namespace
   const double critical =
     std::pow(pi / 2, 2) * 70e9 * pi * std::pow(0.005, 4) / 4;
 
+  /** In resonance with its first bending mode, whose amplitude comes to more
+   * than four times the static answer to @p force (N). */
+  SceneText swung(const double force)
+  {
+    const double frequency =
+      std::pow(1.8751, 2) * std::sqrt(70e9 / 2700) * 0.005 / 2;
+    return cantilever(2, {0, 0}).set("Loads/push/Force y",
+                                     text(force) + " * sin(" + text(frequency) +
+                                       " * t)");
+  }
+
   SceneText statics(SceneText scene)
   {
     return scene.set("Time/Scheme", "static").set("Time/Time step", 0.01);
@@ -138,15 +149,13 @@ TEST(KinematicsChoice, SmallLoadsNeedOneIterationAStep)
 
 TEST(KinematicsChoice, ALoadThatGrowsMakesTheRunStartAnew)
 {
-  // The static answer is within ten tolerances.
-  const SceneText scene = cantilever(2, {0, 0.4});
+  const SceneText scene = swung(0.05);
   const Decided   chosen(scene, "auto"), exact(scene, "on");
   EXPECT_EQ(chosen.history.n_beginnings, 2u);
   EXPECT_TRUE(chosen.history.is_exact);
   EXPECT_EQ(chosen.history.rows(), exact.history.rows());
-  for (const char *words : {"small displacements are wrong by",
-                            "joint 1",
-                            "run again from the start"})
+  for (const char *words :
+       {"error of small displacements is", "run again from the start"})
     EXPECT_NE(chosen.history.reason.find(words), std::string::npos)
       << chosen.history.reason;
   EXPECT_GT(chosen.result.work.iterations, exact.result.work.iterations);
@@ -217,11 +226,12 @@ TEST(KinematicsChoice, APulseBetweenTwoLooksIsSeen)
   const auto raised = [](const double part) {
     return statics(cantilever(2, {0, 0}))
       .set("Loads/push/Force y",
-           "0.3 * (1 + " + text(part) + " * exp(-((t - 0.105) / 0.001)^2))")
+           "0.25 * (1 + " + text(part) + " * exp(-((t - 0.105) / 0.001)^2))")
       .set("Time/Time step", 0.0002);
   };
-  EXPECT_FALSE(Decided(raised(0), "auto").history.is_exact);
-  EXPECT_TRUE(Decided(raised(2.5), "auto").history.is_exact);
+  const Decided level(raised(0), "auto");
+  EXPECT_FALSE(level.history.is_exact) << level.history.reason;
+  EXPECT_TRUE(Decided(raised(3), "auto").history.is_exact);
 }
 
 TEST(KinematicsChoice, StrutsMayTouchOnlyWhereTheyMoveFar)
@@ -232,7 +242,8 @@ TEST(KinematicsChoice, StrutsMayTouchOnlyWhereTheyMoveFar)
   EXPECT_NE(small.history.contact.reason.find("small displacements"),
             std::string::npos);
   // Small displacements first, then exact ones.
-  const Decided grown(cantilever(2, {0, 0.4}), "auto");
+  const Decided grown(swung(0.05), "auto");
+  EXPECT_EQ(grown.history.n_beginnings, 2u);
   EXPECT_TRUE(grown.history.contact.on);
   EXPECT_NE(grown.history.contact.reason.find("may touch"), std::string::npos);
 }
@@ -251,8 +262,8 @@ TEST(KinematicsChoice, StrutsThatAreMovedOntoEachOtherTouch)
   };
   const Decided apart(pushed("0.08 * t"), "auto");
   EXPECT_FALSE(apart.history.is_exact);
-  // On the way to the end, and for a tenth of the way from one look at the
-  // error to the next: at 90 mm of the way, the axes 10 mm from each other.
+  // On the way to the end, and for a short time: at 90 mm of the way, the axes
+  // 10 mm from each other.
   const std::array<std::pair<std::string, double>, 2> ways = {
     {{"0.3 * t", 0.3}, {"0.0901 * exp(-((t - 0.525) / 0.01)^2)", 0.525}}};
   for (const auto &[way, time] : ways)
@@ -273,14 +284,12 @@ TEST(KinematicsChoice, StrutsThatAreMovedOntoEachOtherTouch)
 
 TEST(KinematicsChoice, ARunThatIsResumedKeepsToWhatWasDecided)
 {
-  // Small displacements; small ones first; exact ones from the start.
-  for (const double force : {0.03, 0.4, 100.})
-    for (SceneText scene :
-         {cantilever(2, {0, force}), statics(cantilever(3, {0, force, force}))})
-      {
-        SCOPED_TRACE(force);
-        expect_same_when_resumed(scene.set("Effects/Large rotation", "auto"));
-      }
+  // Small displacements; exact ones from the start; small ones first.
+  for (SceneText scene : {cantilever(2, {0, 0.03}),
+                          statics(cantilever(3, {0, 0.03, 0.03})),
+                          cantilever(2, {0, 100}),
+                          swung(0.05)})
+    expect_same_when_resumed(scene.set("Effects/Large rotation", "auto"));
 }
 
 TEST(KinematicsChoice, LargeLoadsAreNotTried)
@@ -341,7 +350,7 @@ TEST(KinematicsChoice, TurnsWhereItMatters)
 TEST(KinematicsChoice, ABuckledColumnIsExact)
 {
   // Straight, so that nothing but its stiffness tells.
-  for (const double part : {0.9, 1.1})
+  for (const double part : {0.7, 1.1})
     {
       const Decided chosen(statics(cantilever(2, {-part * critical, 0})),
                            "auto");
@@ -350,20 +359,48 @@ TEST(KinematicsChoice, ABuckledColumnIsExact)
     }
 }
 
-TEST(KinematicsChoice, LoadsThatFollowTheJointAreLookedAtAsTheyAre)
+TEST(KinematicsChoice, LoadsThatFollowTheJointAreExact)
 {
-  // Pulls that turn with the end of a straight rod of one element, which the
-  // larger ones make unstable: the determinant of the stiffness is negative.
-  const double hinged = 4 * critical;
-  for (const double part : {0.5, 2.5, 20.})
-    {
-      const Decided chosen(statics(cantilever(2, {part * hinged, 0}))
-                             .mesh(3)
-                             .set("Loads/push/Direction", "follows the joint"),
-                           "auto");
-      EXPECT_EQ(chosen.history.is_exact, part > 1) << chosen.history.reason;
-      EXPECT_EQ(chosen.result.findings.empty(), part < 1);
-    }
+  // Their stiffness is that of the load of the moment: a pull that turns with
+  // the end of a straight rod makes it unstable.
+  const Decided chosen(statics(cantilever(2, {critical, 0}))
+                         .mesh(3)
+                         .set("Loads/push/Direction", "follows the joint"),
+                       "auto");
+  EXPECT_TRUE(chosen.history.is_exact) << chosen.history.reason;
+  EXPECT_EQ(chosen.history.n_beginnings, 1u);
+}
+
+TEST(KinematicsChoice, AStretchOfHeldStrutsIsSeen)
+{
+  // Between clamps 1 m apart: pushed across by a millimetre, a rod bears a
+  // quarter of its thickness by membrane forces that small displacements lack.
+  const auto held = [](const double force, const std::string &scheme) {
+    SceneText scene;
+    scene.frame("0 0; 0.5 0; 1 0", "0 1; 1 2");
+    scene.circle("rod", 0.002, {70e9, 2700, 0.3});
+    scene.support("clamp", "0, 2", "clamp").probe("tip", "1");
+    scene.set("Loads/push/Joints", "1")
+      .set("Loads/push/Force y", text(force) + " * min(t / 0.05, 1)");
+    return scene.mesh(3, 4).time(0.2, 0.001, scheme);
+  };
+  for (const std::string scheme : {"static", "newmark"})
+    for (double force = 1e-3; force < 2; force *= 2)
+      {
+        SCOPED_TRACE(scheme + ", " + text(force));
+        const SceneText scene = held(force, scheme);
+        const Decided   chosen(scene, "auto");
+        const double    error =
+          change(Decided(scene, "off"), Decided(scene, "on"));
+        if (error < 1e-4)
+          {
+            EXPECT_FALSE(chosen.history.is_exact) << error;
+          }
+        if (error > 2e-3)
+          {
+            EXPECT_TRUE(chosen.history.is_exact) << error;
+          }
+      }
 }
 
 TEST(KinematicsChoice, WhatBucklesUnseenByTheErrorIsLookedAt)
@@ -433,7 +470,7 @@ TEST(KinematicsChoice, WhatBucklesUnseenByTheErrorIsLookedAt)
       .set("Loads/press/Joints", "12")
       .set("Loads/bend/Joints", "14");
   };
-  for (const double part : {0.4, 1.2})
+  for (const double part : {0.3, 1.2})
     {
       SCOPED_TRACE(part);
       for (const SceneText &scene :

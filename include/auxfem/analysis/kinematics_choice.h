@@ -6,11 +6,11 @@
 namespace auxfem
 {
   /**
-   * A run with `Effects/Large rotation = auto`: with small displacements where
-   * the static answer to the loads differs little enough by exact kinematics,
-   * and as long as KinematicCorrection stays within `Effects/Tolerance`. If
-   * it does not, the run is done again from the start with exact kinematics.
-   * Other scenes run as they are. Throws as LatticeRun::run(); collective.
+   * A run with `Effects/Large rotation = auto`: by small displacements where
+   * their error in the static answer to the loads is within
+   * `Effects/Tolerance`. If the run comes to SmallDisplacementLimit, it is
+   * done again from the start with exact kinematics. Other scenes run as they
+   * are. Throws as LatticeRun::run(); collective.
    */
   RunResult run_with_chosen_kinematics(const Scene &scene,
                                        MPI_Comm     communicator,

@@ -38,11 +38,10 @@ namespace auxfem
     LatticeRun(const Scene &scene, MPI_Comm communicator);
 
     /**
-     * The same lattice as that of @p other, which it shares, in a scene of which
-     * kinematics and materials alone may differ. @param scene, other must
-     * outlive the object.
+     * The scene and lattice of @p other, which must outlive the object, with
+     * other effects, as LatticeModel.
      */
-    LatticeRun(const Scene &scene, const LatticeRun &other);
+    LatticeRun(const LatticeRun &other, SimulatedEffects simulated);
 
     LatticeRun(const LatticeRun &)            = delete;
     LatticeRun &operator=(const LatticeRun &) = delete;
@@ -126,6 +125,12 @@ namespace auxfem
     }
     ///@}
 
+    /** Ends the run where @p limit, which must outlive it, throws. */
+    void set_limit(SmallDisplacementLimit &limit);
+
+    /** With that of the limit. */
+    Work work_of_all() const;
+
     /** What was done elsewhere counts here too, but for its steps. */
     void add_effort(const Work &elsewhere);
 
@@ -143,7 +148,8 @@ namespace auxfem
     /** prepare() and start(), or resume(), with @p recorder told of it. */
     void begin(Recorder &recorder, bool &has_begun);
 
-    TimeStepper stepper;
+    TimeStepper             stepper;
+    SmallDisplacementLimit *limit = nullptr;
   };
 } // namespace auxfem
 

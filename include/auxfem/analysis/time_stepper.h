@@ -13,6 +13,8 @@
 
 namespace auxfem
 {
+  class SmallDisplacementLimit;
+
   /**
    * Takes the lattice through time. A step that does not converge is undone and
    * repeated as the step control says; an unconverged trial never becomes the
@@ -79,6 +81,12 @@ namespace auxfem
     const Watches &watches() const
     {
       return watches_of_scene;
+    }
+
+    /** Ends the run where @p limit, which must outlive it, throws. */
+    void set_limit(SmallDisplacementLimit &of_run)
+    {
+      limit = &of_run;
     }
 
     /** What the watches have found so far. */
@@ -194,8 +202,9 @@ namespace auxfem
     const StepEnds           ends;
     Watches                  watches_of_scene;
     /** One of the watches; only of nonlinear equilibria. */
-    EquilibriumJumps *jumps = nullptr;
-    std::string       last_failure;
+    EquilibriumJumps       *jumps = nullptr;
+    SmallDisplacementLimit *limit = nullptr;
+    std::string             last_failure;
     /** Of the last step, over the one that is allowed; 0: it failed for another
      * reason, or did not. */
     double rejected_error = 0;

@@ -3,6 +3,7 @@
 
 #include <auxfem/mesh/lattice.h>
 #include <auxfem/scene/scene.h>
+#include <auxfem/time/records.h>
 
 #include <optional>
 
@@ -43,6 +44,9 @@ namespace auxfem
   {
     bool large_rotation, shear_flexibility, inertia, rotary_inertia,
       connector_viscosity, strut_damping, gravity, hinges, contact;
+    /** Whether the program has decided on small displacements, and ends the run
+     * where they are wrong (analysis/small_displacement_limit.h). */
+    bool small_displacements_are_limited = false;
 
     /** The same in words, in the order of the `Effects` subsection. */
     std::vector<EffectDecision> decisions;
@@ -55,6 +59,13 @@ namespace auxfem
    * @param lattice of the scene
    */
   SimulatedEffects decide_effects(const Scene &scene, const Lattice &lattice);
+
+  /** @name For runs that are resumed. */
+  ///@{
+  void           save(const EffectDecision &decision, Records &records);
+  EffectDecision saved_decision(const std::string &effect,
+                                const Records     &records);
+  ///@}
 } // namespace auxfem
 
 #endif

@@ -16,6 +16,10 @@ namespace auxfem
   inline const std::string no_rates_on_paths =
     "a path of equilibria has no rates";
 
+  /** Why struts do not touch by small displacements. */
+  inline const std::string struts_hardly_move =
+    "struts hardly move by small displacements";
+
   /** Of effects without which a run takes as long (measured, doc/effects.md).
    */
   std::string saves_nothing(const SimulatedEffects &before);

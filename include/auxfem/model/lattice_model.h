@@ -30,11 +30,13 @@ namespace auxfem
                  MPI_Comm       communicator);
 
     /**
-     * The structure of @p other with what another scene makes of it, whose
-     * kinematics and materials alone may differ; shares the numbering.
+     * The structure of @p other with other effects, of which hinges may not
+     * differ; shares the numbering.
      * @param scene must outlive the model, as the lattice of @p other.
      */
-    LatticeModel(const Scene &scene, const LatticeModel &other);
+    LatticeModel(const Scene        &scene,
+                 const LatticeModel &other,
+                 SimulatedEffects    simulated);
 
     LatticeModel(const LatticeModel &)            = delete;
     LatticeModel &operator=(const LatticeModel &) = delete;

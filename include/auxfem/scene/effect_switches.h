@@ -27,9 +27,6 @@ namespace auxfem
     Switch contact             = Switch::automatic;
     /** Relative change of the answer that may be given away. */
     double tolerance = 1e-3;
-    /** Whether the analysis itself looks at what small displacements leave out
-     * (analysis/kinematics_choice.h). */
-    bool small_displacements_are_judged = false;
   };
 
   /** `Effects`. */

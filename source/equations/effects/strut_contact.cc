@@ -181,9 +181,10 @@ namespace auxfem
         return why.str();
       }
 
-      std::unique_ptr<StrutLookout> lookout() const override
+      std::unique_ptr<FirstContactDetector>
+      first_contact_detector() const override
       {
-        return std::make_unique<StrutLookout>(model, curves, proximity);
+        return std::make_unique<FirstContactDetector>(model, curves, proximity);
       }
 
       const std::vector<StrutOverlap> &overlaps() const override

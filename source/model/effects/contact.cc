@@ -26,7 +26,7 @@ namespace auxfem
       if (scene.lattice.struts_may_cross)
         return {false, "Lattice/Struts may cross = true"};
       if (scene.effects.large_rotation == Switch::off)
-        return {false, "struts hardly move by small displacements"};
+        return {false, struts_hardly_move};
       if (std::none_of(scene.sections.begin(), scene.sections.end(), is_thick))
         return {false, "no section has a thickness"};
       if (scene.effects.contact == Switch::automatic &&

@@ -2,7 +2,7 @@
 #define auxfem_equations_effects_contact_h
 
 #include <auxfem/equations/effect.h>
-#include <auxfem/equations/strut_lookout.h>
+#include <auxfem/equations/first_contact_detector.h>
 #include <auxfem/scene/scene.h>
 
 #include <optional>
@@ -112,7 +112,8 @@ namespace auxfem
   public:
     /** Tells of struts that come to touch in a motion without contact. The
      * object must outlive it. Collective. */
-    virtual std::unique_ptr<StrutLookout> lookout() const = 0;
+    virtual std::unique_ptr<FirstContactDetector>
+    first_contact_detector() const = 0;
 
     /** Struts that overlap at rest. */
     virtual const std::vector<StrutOverlap> &overlaps() const = 0;

@@ -1,4 +1,4 @@
-#include <auxfem/equations/strut_lookout.h>
+#include <auxfem/equations/first_contact_detector.h>
 
 #include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
@@ -33,9 +33,9 @@ namespace
     EquationsOnRanks         of_scene(rods(scheme), {}, communicator);
     std::vector<ContactAxis> axes = make_contact_axes(of_scene.model, 1);
     const StrutCurves        curves(of_scene.model, axes);
-    StrutLookout             lookout(of_scene.model,
-                         curves,
-                         StrutProximity(of_scene.model, curves));
+    FirstContactDetector     detector(of_scene.model,
+                                  curves,
+                                  StrutProximity(of_scene.model, curves));
     State from = of_scene.equations.initial_state(), to = from;
     for (unsigned int step = 1; step <= n_steps; ++step)
       {
@@ -44,7 +44,7 @@ namespace
           if (const int local = of_scene.dofs().layout().local(moved[i]);
               local >= 0)
             to.displacement[local] = -way(step);
-        if (lookout.first_to_touch(from, to))
+        if (detector.find(from, to))
           return step;
         from = to;
       }
@@ -52,14 +52,14 @@ namespace
   }
 } // namespace
 
-TEST(StrutLookout, TellsOfSlowMotionsInTheStepInWhichTheyTouch)
+TEST(FirstContactDetector, TellsOfSlowMotionsInTheStepInWhichTheyTouch)
 {
   const auto steady = [](const unsigned int step) { return 1e-5 * step; };
   EXPECT_EQ(step_of_touch(steady, 8999), 0u);
   EXPECT_NEAR(step_of_touch(steady, 9100), 9001, 1);
 }
 
-TEST(StrutLookout, SeesThePeakOfASwing)
+TEST(FirstContactDetector, SeesThePeakOfASwing)
 {
   // With 20 steps a period; the peaks are between two steps.
   const auto swing = [](const double amplitude) {
@@ -72,7 +72,7 @@ TEST(StrutLookout, SeesThePeakOfASwing)
   EXPECT_EQ(step_of_touch(swing(0.0905 / peak), 200), 5u);
 }
 
-TEST(StrutLookout, SeesThePeakOfASmallSwingNearTheOtherRod)
+TEST(FirstContactDetector, SeesThePeakOfASmallSwingNearTheOtherRod)
 {
   const auto swing = [](const double nearest) {
     return [nearest](const unsigned int step) {
@@ -84,7 +84,7 @@ TEST(StrutLookout, SeesThePeakOfASmallSwingNearTheOtherRod)
   EXPECT_EQ(step_of_touch(swing(0.090003), 200), 5u);
 }
 
-TEST(StrutLookout, SeesMotionsAfterLongRest)
+TEST(FirstContactDetector, SeesMotionsAfterLongRest)
 {
   const auto pushed = [](const unsigned int step) {
     return step > 100 ? 0.0901 * std::min((step - 100) / 5., 1.) : 0.;
@@ -103,7 +103,7 @@ TEST(StrutLookout, SeesMotionsAfterLongRest)
     }
 }
 
-TEST(StrutLookout, PassesOverNoStepWithoutInertia)
+TEST(FirstContactDetector, PassesOverNoStepWithoutInertia)
 {
   const auto jump = [](const unsigned int step) {
     return step == 51 ? 0.0901 : 0.;
@@ -111,7 +111,7 @@ TEST(StrutLookout, PassesOverNoStepWithoutInertia)
   EXPECT_EQ(step_of_touch(jump, 100, "static"), 51u);
 }
 
-TEST(StrutLookoutOnRanks, TellsTheSame)
+TEST(FirstContactDetectorOnRanks, TellsTheSame)
 {
   const auto swing = [](const unsigned int step) {
     return 0.0905 * std::sin(2 * pi * step / 47.);

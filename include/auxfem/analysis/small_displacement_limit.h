@@ -1,0 +1,103 @@
+#ifndef auxfem_analysis_small_displacement_limit_h
+#define auxfem_analysis_small_displacement_limit_h
+
+#include <auxfem/analysis/large_rotation_error.h>
+#include <auxfem/analysis/small_displacement_error.h>
+#include <auxfem/equations/first_contact_detector.h>
+
+#include <stdexcept>
+
+namespace auxfem
+{
+  /** Small displacements have become wrong; what() says why and when. */
+  class BeyondSmallDisplacements : public std::runtime_error
+  {
+  public:
+    using std::runtime_error::runtime_error;
+  };
+
+  /**
+   * Ends a run by small displacements where their error exceeds
+   * `Effects/Tolerance`, the structure becomes unstable, or struts touch.
+   * Samples the motion in every step, with inertia in every twentieth. What
+   * computes is collective.
+   */
+  class SmallDisplacementLimit
+  {
+  public:
+    /** @param scene, small, exact must outlive the object, as
+     *   LargeRotationErrorEstimator */
+    SmallDisplacementLimit(const Scene     &scene,
+                           const Equations &small,
+                           const Equations &exact);
+
+    /** The error of the static answer to the loads; with inertia of twice that,
+     * as to sudden loads. */
+    LargeRotationError check_static_answer();
+
+    /** Of each accepted step. Throws BeyondSmallDisplacements. */
+    void check(const Evaluation &step);
+
+    /**
+     * Largest so far, over the largest displacements. With inertia vibrations
+     * have gone out of phase: half of it for each radian they have turned by.
+     */
+    double error() const;
+
+    const Work &effort() const
+    {
+      return estimator.effort();
+    }
+
+    /** @name For runs that are resumed. */
+    ///@{
+    void save(Records &records) const;
+    void resume(const Records &records);
+    ///@}
+
+  private:
+    /** Motions that are known to be stable and to have a small error: they are
+     * no larger, and press no strut more, than one for which both were
+     * computed.
+     */
+    struct Envelope
+    {
+      double              size  = 0;                  ///< m
+      double              total = 0, compression = 0; ///< as the estimate
+      std::vector<double> compressions;               ///< by strut
+      double              error = 0; ///< of the largest of them (m)
+    };
+
+    /** Whether a motion of @p size (m) is among them. */
+    bool is_inside(double size, const SmallDisplacementError &motion) const;
+    /** Replaces them by those up to @p factor times a motion, which has the
+     * @p error (m) then. */
+    void extend(double                        factor,
+                double                        size,
+                const SmallDisplacementError &motion,
+                double                        error);
+    /** Why the motion is beyond the limit; empty: it is not. */
+    std::string reason(const State &state);
+    /** The same of @p factor times the motion, with which the envelope is
+     * extended. */
+    std::string compute(double                        factor,
+                        const State                  &state,
+                        double                        size,
+                        const SmallDisplacementError &motion);
+
+    const Scene                          &scene;
+    const UnknownLayout                  &layout;
+    const bool                            has_inertia;
+    LargeRotationErrorEstimator           estimator;
+    const SmallDisplacementEstimate       estimate;
+    Envelope                              envelope;
+    std::unique_ptr<FirstContactDetector> detector;   ///< none: no contact
+    double       largest_error = 0, largest_size = 0; ///< so far (m)
+    double       way      = 0;                        ///< of the motion (m)
+    double       sampled  = 0;                        ///< time (s)
+    double       computed = 0; ///< time of the last error computed (s)
+    unsigned int n_steps  = 0; ///< since the last sample
+  };
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,209 @@
+#include <auxfem/analysis/small_displacement_limit.h>
+#include <auxfem/equations/effects/contact.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace auxfem
+{
+  namespace
+  {
+    /** Compression (SmallDisplacementError) of a strut, and of all, by which
+     * hardly anything buckles: the latter is that of a thousand struts in a
+     * row. */
+    constexpr double little_compression = 1e-2, no_compression = 1e-6;
+
+    /** Multiples of a motion outside the envelope that are computed: the first
+     * one saves further ones. */
+    constexpr double far_ahead = 4, ahead = 1.25;
+
+    /** Inside the envelope motions are computed so many times in a run, unless
+     * their error is known to be no more than such a part of what is allowed:
+     * of another shape it may be larger. */
+    constexpr double n_regular_checks = 4, little_error = 0.3;
+
+    /** Multiples of the static answer that the decision is made for: in
+     * dynamics the overshoot of a sudden load, in statics room for round-off.
+     */
+    constexpr double dynamic_factor = 2, static_factor = 1.01;
+
+    /** A vibration goes four amplitudes while it turns by 2 pi. */
+    constexpr double radians_of_way = dealii::numbers::PI / 2;
+
+    const std::string limit_record = "limit of small displacements",
+                      strut_record = limit_record + " by strut";
+  } // namespace
+
+  SmallDisplacementLimit::SmallDisplacementLimit(const Scene     &scene,
+                                                 const Equations &small,
+                                                 const Equations &exact)
+    : scene(scene)
+    , layout(small.unknowns().layout)
+    , has_inertia(small.model().simulated.inertia)
+    , estimator(scene, small, exact)
+    , estimate(scene, small)
+  {
+    envelope.compressions.resize(estimate.struts().size());
+    if (const auto *const contact = exact.reporting().strut_contact)
+      detector = contact->first_contact_detector();
+  }
+
+  LargeRotationError SmallDisplacementLimit::check_static_answer()
+  {
+    const std::optional<State> answer = estimator.static_answer();
+    if (!answer)
+      return {};
+    const double factor = has_inertia ? dynamic_factor : static_factor;
+    Vector       motion = answer->displacement;
+    scale(factor, motion);
+    const LargeRotationError found = estimator.at(motion);
+    const double             size  = estimator.size(answer->displacement);
+    if (found.reason(scene.effects.tolerance).empty())
+      extend(factor,
+             size,
+             estimate.at(*answer),
+             found.relative * factor * size);
+    return found;
+  }
+
+  bool
+  SmallDisplacementLimit::is_inside(const double                  size,
+                                    const SmallDisplacementError &motion) const
+  {
+    if (!(size <= envelope.size && motion.total() <= envelope.total &&
+          motion.compression <= envelope.compression))
+      return false;
+    bool mine = true;
+    for (std::size_t i = 0; i < envelope.compressions.size() && mine; ++i)
+      mine = motion.compressions[i] <=
+        std::max(envelope.compressions[i], little_compression);
+    return layout.largest(mine ? 0. : 1.) == 0;
+  }
+
+  void SmallDisplacementLimit::extend(const double                  factor,
+                                      const double                  size,
+                                      const SmallDisplacementError &motion,
+                                      const double                  error)
+  {
+    envelope = {factor * size,
+                factor * motion.total(),
+                factor * std::max(motion.compression, no_compression),
+                motion.compressions,
+                error};
+    for (double &compression : envelope.compressions)
+      compression *= factor;
+  }
+
+  void SmallDisplacementLimit::check(const Evaluation &step)
+  {
+    const State &state = step.to;
+    std::string  why;
+    if (const auto struts =
+          detector ? detector->find(step.from, state) : std::nullopt)
+      why = "struts " + std::to_string((*struts)[0]) + " and " +
+        std::to_string((*struts)[1]) + " touch";
+    else if (++n_steps >= SmallDisplacementEstimate::distance_in_motion ||
+             !has_inertia || state.time >= scene.time.end_time)
+      {
+        n_steps = 0;
+        why     = reason(state);
+      }
+    if (why.empty())
+      return;
+    std::ostringstream text;
+    text << why << " (t = " << state.time << " s)";
+    throw BeyondSmallDisplacements(text.str());
+  }
+
+  std::string SmallDisplacementLimit::reason(const State &state)
+  {
+    if (has_inertia)
+      way += (state.time - sampled) * estimator.size(*state.velocity);
+    sampled                             = state.time;
+    const double size                   = estimator.size(state.displacement);
+    largest_size                        = std::max(largest_size, size);
+    const SmallDisplacementError motion = estimate.at(state);
+    const double                 known =
+      size > 0 ? envelope.error * std::pow(size / envelope.size, 2) : 0.;
+    std::string why;
+    if (!is_inside(size, motion))
+      {
+        why = compute(far_ahead, state, size, motion);
+        if (!why.empty())
+          why = compute(ahead, state, size, motion);
+      }
+    else if (state.time - computed < scene.time.end_time / n_regular_checks ||
+             known <= little_error * scene.effects.tolerance * largest_size)
+      largest_error = std::max(largest_error, known);
+    else
+      why = compute(ahead, state, size, motion);
+    if (why.empty() && error() > scene.effects.tolerance)
+      why = small_displacement_error_text(error()) +
+        ", as vibrations get out of phase";
+    return why;
+  }
+
+  std::string
+  SmallDisplacementLimit::compute(const double                  factor,
+                                  const State                  &state,
+                                  const double                  size,
+                                  const SmallDisplacementError &motion)
+  {
+    Vector multiple = state.displacement;
+    scale(factor, multiple);
+    LargeRotationError found = estimator.at(multiple);
+    found.relative *= size / largest_size;
+    std::string why = found.reason(scene.effects.tolerance);
+    if (!why.empty())
+      return why;
+    computed = state.time;
+    largest_error =
+      std::max(largest_error, found.relative * largest_size / factor);
+    if (factor * size >= envelope.size || !is_inside(size, motion))
+      extend(factor, size, motion, found.relative * factor * largest_size);
+    return "";
+  }
+
+  double SmallDisplacementLimit::error() const
+  {
+    if (largest_size == 0)
+      return 0;
+    const double turns = std::max(0., way / largest_size - 1) * radians_of_way;
+    return (1 + turns / 2) * largest_error / largest_size;
+  }
+
+  void SmallDisplacementLimit::save(Records &records) const
+  {
+    records.keep(limit_record,
+                 {largest_error,
+                  largest_size,
+                  way,
+                  sampled,
+                  computed,
+                  double(n_steps),
+                  envelope.size,
+                  envelope.total,
+                  envelope.compression,
+                  envelope.error});
+    records.keep(strut_record, estimate.struts(), 1, envelope.compressions);
+  }
+
+  void SmallDisplacementLimit::resume(const Records &records)
+  {
+    const std::vector<double> values = records.values(limit_record, 10);
+    largest_error                    = values[0];
+    largest_size                     = values[1];
+    way                              = values[2];
+    sampled                          = values[3];
+    computed                         = values[4];
+    n_steps                          = values[5];
+    envelope                         = {values[6],
+                                        values[7],
+                                        values[8],
+                                        records.values(strut_record, estimate.struts(), 1),
+                                        values[9]};
+  }
+} // namespace auxfem
