@@ -119,11 +119,12 @@ namespace auxfem
       explain_small_displacements(decision, exact.model);
   }
 
-  RunResult run_with_chosen_kinematics(const Scene   &scene,
-                                       const MPI_Comm communicator,
-                                       Recorder      &recorder)
+  RunResult run_with_chosen_kinematics(const Scene          &scene,
+                                       const MPI_Comm        communicator,
+                                       Recorder             &recorder,
+                                       const ChosenElements *elements)
   {
-    LatticeRun exact(scene, communicator);
+    LatticeRun exact(scene, communicator, elements);
     if (has_choice(scene, exact.equations))
       if (const auto result = run_by_small_displacements(exact, recorder))
         return *result;

@@ -50,16 +50,22 @@ namespace auxfem
     };
   } // namespace
 
-  LatticeRun::LatticeRun(const Scene &scene, const MPI_Comm communicator)
+  LatticeRun::LatticeRun(const Scene                &scene,
+                         const MPI_Comm              communicator,
+                         const ChosenElements *const elements)
     : set_up_watch(std::in_place, work_done.wall.setup)
     , shared_lattice(
         std::make_shared<const Lattice>(imperfect_lattice(scene, communicator)))
     , scene(scene)
     , lattice(*shared_lattice)
-    , model(scene, lattice, communicator)
+    , model(scene,
+            lattice,
+            communicator,
+            elements ? elements->divisions : std::vector<StrutDivision>())
     , equations(scene, model)
     , solution(equations.initial_solution())
     , stepper(equations, scene, work_done)
+    , elements(elements)
   {
     set_up_watch.reset();
   }
@@ -73,6 +79,7 @@ namespace auxfem
     , equations(scene, model)
     , solution(equations.initial_solution())
     , stepper(equations, scene, work_done)
+    , elements(other.elements)
   {
     set_up_watch.reset();
   }
@@ -113,6 +120,16 @@ namespace auxfem
   void LatticeRun::start()
   {
     stepper.start(solution);
+    if (elements != nullptr)
+      observer.emplace(scene, model, elements->report).start(solution.state);
+  }
+
+  StepReport LatticeRun::advance(Recorder &recorder)
+  {
+    const StepReport report = stepper.advance(solution, recorder);
+    if (observer)
+      observer->step(solution.state, report);
+    return report;
   }
 
   Records LatticeRun::checkpoint(const Recorder &recorder) const
@@ -123,6 +140,10 @@ namespace auxfem
     save(model.decision(large_rotation_effect().name), taken);
     if (limit != nullptr)
       limit->save(taken);
+    if (elements != nullptr)
+      elements->save(taken);
+    if (observer)
+      observer->save(taken);
     recorder.save(taken);
     const Work work = work_of_all();
     taken.keep(work_record,
@@ -154,13 +175,15 @@ namespace auxfem
     stepper.resume(solution, checkpoint);
     if (limit != nullptr)
       limit->resume(checkpoint);
+    if (elements != nullptr)
+      observer.emplace(scene, model, elements->report).resume(checkpoint);
     recorder.resume(solution, checkpoint);
   }
 
   void LatticeRun::advance_to_end(Recorder &recorder)
   {
     const MPI_Comm communicator = model.numbering.layout().communicator();
-    while (solution.state.time < scene.time.end_time && !recorder.ends_run())
+    while (solution.state.time < scene.time.end_time)
       {
         const int signal = noted_signal(communicator);
         if (signal != 0 ? recorder.keeps_checkpoints()
@@ -171,7 +194,7 @@ namespace auxfem
         const StepReport report = advance(recorder);
         recorder.step(solution, report);
       }
-    if (recorder.keeps_checkpoints() && !recorder.ends_run())
+    if (recorder.keeps_checkpoints())
       recorder.take(checkpoint(recorder));
   }
 
@@ -223,6 +246,10 @@ namespace auxfem
     result.largest_penetration = stepper.watches().largest_penetration();
     if (limit != nullptr)
       result.small_displacement_error = limit->error();
+    if (observer)
+      observer->add_to(result);
+    else if (elements != nullptr)
+      result.orders = elements->report;
     return result;
   }
 
@@ -279,8 +306,6 @@ namespace auxfem
           finish(failure.what());
         throw;
       }
-    if (recorder.ends_run())
-      return result("ended before its end time");
     RunResult completed = result("completed");
     completed.findings.insert(completed.findings.end(),
                               of_way.begin(),

@@ -1,7 +1,6 @@
 #include <auxfem/analysis/division_table.h>
 #include <auxfem/analysis/kinematics_choice.h>
 #include <auxfem/analysis/lattice_run.h>
-#include <auxfem/analysis/mesh_error_recorder.h>
 #include <auxfem/analysis/order_choice.h>
 #include <auxfem/elements/strut_order.h>
 #include <auxfem/output/history.h>
@@ -53,11 +52,10 @@ namespace auxfem
       Recorder    &told;
     };
 
-    /** The scene with fewer steps; @p divisions as in with_divisions(). */
-    Scene search_scene(const Scene                      &scene,
-                       const std::vector<StrutDivision> &divisions)
+    /** The scene with fewer steps. */
+    Scene search_scene(const Scene &scene)
     {
-      Scene search                = with_divisions(scene, divisions);
+      Scene search                = scene;
       search.discretization.order = search_order;
       search.newton.tolerance =
         std::max(scene.newton.tolerance, loose_residual);
@@ -106,20 +104,20 @@ namespace auxfem
                          Recorder       &told,
                          ChosenElements &chosen)
     {
-      LatticeRun run(search, communicator);
+      const ChosenElements before = chosen;
+      LatticeRun           run(search, communicator, &before);
       // What ends the run at its begin may not cost a search.
       refuse_columns_of_nothing(search, run.lattice);
-      SearchProgress    progress(search, told);
-      MeshErrorRecorder recorder(search, progress);
+      SearchProgress progress(search, told);
       try
         {
-          run.run(recorder);
+          run.run(progress);
         }
       catch (const ComputationError &)
         {
           // What it has seen until then has to do; the run itself will tell.
         }
-      const MeshError *const error = recorder.error();
+      const MeshError *const error = run.mesh_error();
       chosen.divisions.assign(
         run.lattice.struts.size(),
         {lowest_chosen_order,
@@ -134,90 +132,21 @@ namespace auxfem
       report.reached = run.solution.state.time;
       return error == nullptr || error->relative() <= largest_search_error;
     }
-
-    const std::string division_record = "elements of the struts",
-                      report_record   = "search of the elements of the struts";
-
-    /** Keeps what was chosen with every checkpoint. */
-    class ChoiceRecorder : public ForwardingRecorder
-    {
-    public:
-      ChoiceRecorder(const ChosenElements &chosen, Recorder &recorder)
-        : ForwardingRecorder(recorder)
-        , chosen(chosen)
-      {}
-
-      void save(Records &records) const override
-      {
-        const OrderReport  &report = chosen.report;
-        std::vector<double> numbers;
-        for (const StrutDivision &division : chosen.divisions)
-          {
-            numbers.push_back(division.order);
-            numbers.push_back(division.n_elements);
-          }
-        records.keep(division_record, numbers);
-        records.keep(report_record,
-                     {report.tolerance,
-                      report.predicted_error,
-                      double(report.unknowns),
-                      double(report.steps),
-                      double(report.iterations),
-                      report.cpu_seconds,
-                      report.reached});
-        ForwardingRecorder::save(records);
-      }
-
-    private:
-      const ChosenElements &chosen;
-    };
-
-    ChosenElements saved_elements(const Records &records)
-    {
-      const std::vector<double> numbers =
-        records.values(division_record,
-                       records.values_per_item(division_record));
-      const std::vector<double> values = records.values(report_record, 7);
-      ChosenElements            chosen;
-      for (std::size_t i = 0; i < numbers.size(); i += 2)
-        chosen.divisions.push_back({static_cast<unsigned int>(numbers[i]),
-                                    static_cast<unsigned int>(numbers[i + 1])});
-      OrderReport &report    = chosen.report;
-      report.tolerance       = values[0];
-      report.predicted_error = values[1];
-      report.unknowns        = values[2];
-      report.steps           = values[3];
-      report.iterations      = values[4];
-      report.cpu_seconds     = values[5];
-      report.reached         = values[6];
-      return chosen;
-    }
   } // namespace
-
-  Scene with_divisions(const Scene                      &scene,
-                       const std::vector<StrutDivision> &divisions)
-  {
-    Scene result                    = scene;
-    result.discretization.tolerance = std::nullopt;
-    result.discretization.divisions = divisions;
-    return result;
-  }
 
   ChosenElements choose_elements(const Scene   &scene,
                                  const MPI_Comm communicator,
                                  Recorder      &recorder)
   {
     const double   cpu_before = cpu_seconds();
+    const Scene    search     = search_scene(scene);
     ChosenElements chosen;
     chosen.report.tolerance = *scene.discretization.tolerance;
     for (unsigned int i = 0; i < most_searches; ++i)
       {
         // A motion with large errors asks for the right struts at least.
         const std::vector<StrutDivision> former = chosen.divisions;
-        if (search_elements(search_scene(scene, former),
-                            communicator,
-                            recorder,
-                            chosen) ||
+        if (search_elements(search, communicator, recorder, chosen) ||
             chosen.divisions == former)
           break;
       }
@@ -232,12 +161,8 @@ namespace auxfem
   {
     const Records *const checkpoint = recorder.goes_on_from();
     const ChosenElements found      = checkpoint
-           ? saved_elements(*checkpoint)
+           ? ChosenElements::saved(*checkpoint)
            : choose_elements(scene, communicator, recorder);
-    const Scene          chosen     = with_divisions(scene, found.divisions);
-    ChoiceRecorder       keeping(found, recorder);
-    MeshErrorRecorder    watching(chosen, keeping, found.report);
-    return watching.completed(
-      run_with_chosen_kinematics(chosen, communicator, watching));
+    return run_with_chosen_kinematics(scene, communicator, recorder, &found);
   }
 } // namespace auxfem

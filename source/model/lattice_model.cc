@@ -81,14 +81,15 @@ namespace auxfem
       return pairs;
     }
 
-    std::vector<StrutDivision> divisions_of(const Scene   &scene,
-                                            const Lattice &lattice)
+    std::vector<StrutDivision>
+    all_divisions(std::vector<StrutDivision> divisions,
+                  const Scene               &scene,
+                  const Lattice             &lattice)
     {
-      const DiscretizationParameters &discretization = scene.discretization;
-      if (discretization.divisions.empty())
-        return std::vector<StrutDivision>(lattice.struts.size(),
-                                          discretization.common_division());
-      return discretization.divisions;
+      return divisions.empty()
+        ? std::vector<StrutDivision>(lattice.struts.size(),
+                                     scene.discretization.common_division())
+        : std::move(divisions);
     }
 
     Ties all_ties(const Scene                               &scene,
@@ -104,9 +105,10 @@ namespace auxfem
     }
   } // namespace
 
-  LatticeModel::LatticeModel(const Scene   &scene,
-                             const Lattice &lattice,
-                             const MPI_Comm communicator)
+  LatticeModel::LatticeModel(const Scene               &scene,
+                             const Lattice             &lattice,
+                             const MPI_Comm             communicator,
+                             std::vector<StrutDivision> divisions)
     : lattice(lattice)
     , simulated(decide_effects(scene, lattice))
     , sections(sections_of(scene, lattice))
@@ -117,7 +119,9 @@ namespace auxfem
     , connector_pairs(pairs_of(scene, lattice))
     , shared_numbering(std::make_shared<const DofNumbering>(
         lattice,
-        StrutPartition(lattice, divisions_of(scene, lattice), communicator),
+        StrutPartition(lattice,
+                       all_divisions(std::move(divisions), scene, lattice),
+                       communicator),
         all_ties(scene, lattice, releases, connector_pairs),
         communicator))
     , numbering(*shared_numbering)

@@ -81,13 +81,7 @@ namespace auxfem
             search_console.emplace(std::cout,
                                    terminal_width(n_processes),
                                    nowhere);
-            search_console->print(
-              "Search for the elements of the struts, with " +
-              (search.discretization.divisions.empty()
-                 ? "those of order " +
-                   std::to_string(search.discretization.order)
-                 : std::string("those found so far")) +
-              ':');
+            search_console->print("Search for the elements of the struts:");
             first_search_step = Clock::now();
           }
         Progress progress = progress_of(search.time, state, report);

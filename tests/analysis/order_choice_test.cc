@@ -1,5 +1,4 @@
 #include <auxfem/analysis/lattice_run.h>
-#include <auxfem/analysis/mesh_error_recorder.h>
 #include <auxfem/analysis/order_choice.h>
 #include <auxfem/output/memory_recorder.h>
 #include <auxfem/parameters/errors.h>
@@ -270,12 +269,13 @@ TEST(OrderChoiceOnRanks, EstimateIsNoLessThanTheErrorOfTheJoints)
   const std::vector<double> exact = exact_motion(knee(), 6);
   for (unsigned int order = 2; order <= 5; ++order)
     {
-      const Scene       scene = scene_of_order(knee(), order);
-      MemoryRecorder    memory(scene, MPI_COMM_WORLD);
-      MeshErrorRecorder recorder(scene, memory);
-      LatticeRun(scene, MPI_COMM_WORLD).run(recorder);
+      const Scene          scene = scene_of_order(knee(), order);
+      MemoryRecorder       memory(scene, MPI_COMM_WORLD);
+      const ChosenElements all;
+      LatticeRun           run(scene, MPI_COMM_WORLD, &all);
+      run.run(memory);
       const double error    = relative_difference(tip_motion(memory), exact),
-                   estimate = recorder.error()->relative();
+                   estimate = run.mesh_error()->relative();
       // In the energy norm it is; that of one displacement is about the same.
       EXPECT_GE(estimate, 0.5 * error) << order;
       EXPECT_LE(estimate, 100 * error) << order;
@@ -384,20 +384,16 @@ TEST(OrderChoiceOnRanks, RunThatIsResumedGoesOnAlike)
 {
   for (const SceneText &text : {hit_knee(), space_knee().time(1, 0.1)})
     {
-      const Scene          read   = scene_of(text, 1e-3);
-      const ChosenElements found  = elements_of(read, MPI_COMM_WORLD);
-      const Scene          scene  = with_divisions(read, found.divisions);
-      const auto           end_of = [&](MeshErrorRecorder    &recorder,
-                              const MemoryRecorder &memory,
-                              LatticeRun           &run) {
-        run.advance_to_end(recorder);
+      const Scene          scene = scene_of(text, 1e-3);
+      const ChosenElements found = elements_of(scene, MPI_COMM_WORLD);
+      const auto end_of          = [](MemoryRecorder &memory, LatticeRun &run) {
+        run.advance_to_end(memory);
         return std::make_pair(memory.rows().back(),
-                              recorder.error()->relative());
+                              run.mesh_error()->relative());
       };
 
-      MemoryRecorder    first_memory(scene, MPI_COMM_WORLD);
-      MeshErrorRecorder first(scene, first_memory, found.report);
-      LatticeRun        run(scene, MPI_COMM_WORLD);
+      MemoryRecorder first(scene, MPI_COMM_WORLD);
+      LatticeRun     run(scene, MPI_COMM_WORLD, &found);
       first.begin(run.equations);
       run.start();
       first.start(run.solution);
@@ -407,14 +403,13 @@ TEST(OrderChoiceOnRanks, RunThatIsResumedGoesOnAlike)
           first.step(run.solution, report);
         }
       const Records checkpoint = run.checkpoint(first);
-      const auto    whole      = end_of(first, first_memory, run);
+      const auto    whole      = end_of(first, run);
 
-      MemoryRecorder    second_memory(scene, MPI_COMM_WORLD);
-      MeshErrorRecorder second(scene, second_memory, found.report);
-      LatticeRun        resumed(scene, MPI_COMM_WORLD);
+      MemoryRecorder second(scene, MPI_COMM_WORLD);
+      LatticeRun     resumed(scene, MPI_COMM_WORLD, &found);
       second.begin(resumed.equations);
       resumed.resume(checkpoint, second);
-      const auto half = end_of(second, second_memory, resumed);
+      const auto half = end_of(second, resumed);
       EXPECT_EQ(whole.first, half.first);
       EXPECT_EQ(whole.second, half.second);
     }

@@ -1,5 +1,4 @@
 #include <auxfem/analysis/lattice_run.h>
-#include <auxfem/analysis/mesh_error_recorder.h>
 #include <auxfem/analysis/order_choice.h>
 #include <auxfem/output/memory_recorder.h>
 
@@ -98,15 +97,15 @@ namespace
     std::vector<double>        motion; ///< of the probes at all times
   };
 
-  GradedOutcome graded_outcome(const Scene &scene)
+  GradedOutcome graded_outcome(const Scene          &scene,
+                               const ChosenElements &elements = {})
   {
-    MemoryRecorder    memory(scene, MPI_COMM_WORLD);
-    MeshErrorRecorder recorder(scene, memory);
-    LatticeRun        run(scene, MPI_COMM_WORLD);
-    run.run(recorder);
+    MemoryRecorder memory(scene, MPI_COMM_WORLD);
+    LatticeRun     run(scene, MPI_COMM_WORLD, &elements);
+    run.run(memory);
     GradedOutcome outcome{run.model.numbering.divisions(),
                           run.model.numbering.layout().n_global(),
-                          recorder.error()->relative(),
+                          run.mesh_error()->relative(),
                           {}};
     for (const char *column :
          {"corner.ux", "corner.uy", "middle.ux", "middle.uy"})
@@ -124,7 +123,7 @@ namespace
     Recorder             nobody;
     const ChosenElements chosen =
       choose_elements(scene, MPI_COMM_WORLD, nobody);
-    return graded_outcome(with_divisions(scene, chosen.divisions));
+    return graded_outcome(scene, chosen);
   }
 
   double graded_error(const GradedOutcome &outcome, const GradedOutcome &exact)
@@ -189,9 +188,8 @@ TEST(GradedLattice, OrdersThatDifferMeetATolerance)
       Recorder             nobody;
       const ChosenElements chosen =
         choose_elements(scene, MPI_COMM_WORLD, nobody);
-      const GradedOutcome outcome =
-        graded_outcome(with_divisions(scene, chosen.divisions));
-      const double error = graded_error(outcome, exact);
+      const GradedOutcome outcome = graded_outcome(scene, chosen);
+      const double        error   = graded_error(outcome, exact);
       table.row(graded_cells("auto to " + formatted("%.0e", tolerance),
                              outcome,
                              error));

@@ -1,8 +1,8 @@
 #ifndef auxfem_analysis_lattice_run_h
 #define auxfem_analysis_lattice_run_h
 
+#include <auxfem/analysis/mesh_error_observer.h>
 #include <auxfem/analysis/time_stepper.h>
-#include <auxfem/output/recorder.h>
 #include <auxfem/time/stopwatch.h>
 
 #include <functional>
@@ -32,10 +32,14 @@ namespace auxfem
     /**
      * Sets up lattice, model, equations and solver.
      * @param scene must outlive the object.
+     * @param elements chosen ones, whose error the run estimates, must outlive
+     *   it; none: they are those of the scene
      *
      * Throws InputError for what the lattice shows to be wrong with the scene.
      */
-    LatticeRun(const Scene &scene, MPI_Comm communicator);
+    LatticeRun(const Scene          &scene,
+               MPI_Comm              communicator,
+               const ChosenElements *elements = nullptr);
 
     /**
      * The scene and lattice of @p other, which must outlive the object, with
@@ -65,9 +69,13 @@ namespace auxfem
     void start();
 
     /** The next step of the scene, as TimeStepper::advance(). */
-    StepReport advance(Recorder &recorder)
+    StepReport advance(Recorder &recorder);
+
+    /** Of chosen elements; nullptr: there are none, or the run has not begun.
+     */
+    const MeshError *mesh_error() const
     {
-      return stepper.advance(solution, recorder);
+      return observer ? &observer->error() : nullptr;
     }
 
     /**
@@ -84,8 +92,7 @@ namespace auxfem
     void resume(const Records &checkpoint, Recorder &recorder);
 
     /**
-     * Steps to the end time, of which @p recorder is told, or until it ends
-     * the run. Throws Interrupted after a signal. The recorder gets a
+     * Steps to the end time, of which @p recorder is told. Throws Interrupted after a signal. The recorder gets a
      * checkpoint when it wants one, and at the end of either kind.
      */
     void advance_to_end(Recorder &recorder);
@@ -94,7 +101,7 @@ namespace auxfem
      * Everything from refuse_undetermined() or the checkpoint that @p recorder
      * has to go on from, to the end time. Throws InputError and
      * ComputationError; the recorder has then been told of all that was
-     * computed, as it has at the end if it has not ended the run.
+     * computed, as it has at the end.
      */
     RunResult run(Recorder &recorder);
 
@@ -148,8 +155,10 @@ namespace auxfem
     /** prepare() and start(), or resume(), with @p recorder told of it. */
     void begin(Recorder &recorder, bool &has_begun);
 
-    TimeStepper             stepper;
-    SmallDisplacementLimit *limit = nullptr;
+    TimeStepper                      stepper;
+    SmallDisplacementLimit          *limit = nullptr;
+    const ChosenElements *const      elements;
+    std::optional<MeshErrorObserver> observer; ///< of these
   };
 } // namespace auxfem
 

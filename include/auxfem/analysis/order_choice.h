@@ -1,18 +1,10 @@
 #ifndef auxfem_analysis_order_choice_h
 #define auxfem_analysis_order_choice_h
 
-#include <auxfem/output/order_report.h>
-#include <auxfem/output/recorder.h>
+#include <auxfem/analysis/mesh_error_observer.h>
 
 namespace auxfem
 {
-  /** The elements of the struts, and how they were found. */
-  struct ChosenElements
-  {
-    std::vector<StrutDivision> divisions; ///< by strut
-    OrderReport                report;
-  };
-
   /**
    * Orders and numbers of elements, strut by strut, with which the estimated
    * errors of all struts add up to no more than `Discretization/Tolerance`, and
@@ -33,11 +25,6 @@ namespace auxfem
   RunResult run_with_chosen_elements(const Scene &scene,
                                      MPI_Comm     communicator,
                                      Recorder    &recorder);
-
-  /** The scene with these elements, by strut, not `auto` any more; none: all
-   * struts have common_division(). */
-  Scene with_divisions(const Scene                      &scene,
-                       const std::vector<StrutDivision> &divisions);
 } // namespace auxfem
 
 #endif

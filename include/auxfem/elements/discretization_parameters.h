@@ -5,7 +5,6 @@
 #include <auxfem/parameters/subsection_schema.h>
 
 #include <optional>
-#include <vector>
 
 namespace auxfem
 {
@@ -18,8 +17,6 @@ namespace auxfem
     /** Error that elements are chosen for (1); nothing: they are those given
      * here. */
     std::optional<double> tolerance = {};
-    /** By strut, where they differ; empty: all have common_division(). */
-    std::vector<StrutDivision> divisions = {};
 
     StrutDivision common_division() const
     {

@@ -20,14 +20,16 @@ namespace auxfem
   {
     /**
      * @param scene, lattice must outlive the model.
+     * @param divisions of the struts; none: all have common_division()
      *
      * Throws InputError for contradictions only the lattice can show (a
      * component prescribed twice, a section that its reference vector does not
      * orient).
      */
-    LatticeModel(const Scene   &scene,
-                 const Lattice &lattice,
-                 MPI_Comm       communicator);
+    LatticeModel(const Scene               &scene,
+                 const Lattice             &lattice,
+                 MPI_Comm                   communicator,
+                 std::vector<StrutDivision> divisions = {});
 
     /**
      * The structure of @p other with other effects, of which hinges may not

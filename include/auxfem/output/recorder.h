@@ -148,13 +148,6 @@ namespace auxfem
     {}
     ///@}
 
-    /** Whether the run, of which the recorder has seen enough, shall end here,
-     * without finish(). The same on all ranks. */
-    virtual bool ends_run() const
-    {
-      return false;
-    }
-
     /** @name Analyses of another model than a lattice: rows of numbers. On the
      * first rank alone. */
     ///@{
@@ -165,89 +158,6 @@ namespace auxfem
     virtual void row(const std::vector<double> & /*values*/)
     {}
     ///@}
-  };
-
-  /** Tells another recorder all that it is told of a lattice. */
-  class ForwardingRecorder : public Recorder
-  {
-  public:
-    /** @p recorder must outlive the object. */
-    explicit ForwardingRecorder(Recorder &recorder) : recorder(recorder)
-    {}
-
-    void begin(const Equations &equations) override
-    {
-      recorder.begin(equations);
-    }
-
-    void start(const Solution &solution) override
-    {
-      recorder.start(solution);
-    }
-
-    const Records *goes_on_from() const override
-    {
-      return recorder.goes_on_from();
-    }
-
-    bool keeps_checkpoints() const override
-    {
-      return recorder.keeps_checkpoints();
-    }
-
-    bool wants_checkpoint() override
-    {
-      return recorder.wants_checkpoint();
-    }
-
-    void take(Records checkpoint) override
-    {
-      recorder.take(std::move(checkpoint));
-    }
-
-    void resume(const Solution &solution, const Records &records) override
-    {
-      recorder.resume(solution, records);
-    }
-
-    void save(Records &records) const override
-    {
-      recorder.save(records);
-    }
-
-    std::optional<double> next_time(const double time) const override
-    {
-      return recorder.next_time(time);
-    }
-
-    void between(const Solution &solution) override
-    {
-      recorder.between(solution);
-    }
-
-    void singular_point(const Solution      &solution,
-                        const SingularPoint &point) override
-    {
-      recorder.singular_point(solution, point);
-    }
-
-    void step(const Solution &solution, const StepReport &report) override
-    {
-      recorder.step(solution, report);
-    }
-
-    bool ends_run() const override
-    {
-      return recorder.ends_run();
-    }
-
-    void finish(const Solution &last, const RunResult &result) override
-    {
-      recorder.finish(last, result);
-    }
-
-  private:
-    Recorder &recorder;
   };
 } // namespace auxfem
 
