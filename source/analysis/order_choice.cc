@@ -1,4 +1,3 @@
-#include <auxfem/analysis/division_table.h>
 #include <auxfem/analysis/kinematics_choice.h>
 #include <auxfem/analysis/lattice_run.h>
 #include <auxfem/analysis/order_choice.h>
@@ -11,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace auxfem
 {
@@ -69,30 +69,118 @@ namespace auxfem
       return search;
     }
 
-    /** Takes the elements that the motion found in @p run asks for. */
+    /** By what the number of elements that all struts have may be multiplied.
+     */
+    constexpr unsigned int multiples[] =
+      {1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64};
+
+    /** Numbers of elements that may gain nothing, one after the other. */
+    constexpr unsigned int most_in_vain = 2;
+
+    /** Elements of a strut: the fewest nodes with which its error is allowed,
+     * else the smallest error. */
+    struct BestElements
+    {
+      StrutDivision division{lowest_chosen_order, 1};
+      double        error = std::numeric_limits<double>::infinity(); ///< J
+      bool          is_good_enough = false;
+      unsigned int  n_in_vain      = 0;
+    };
+
+    /** Tries elements for struts in the motion in which each needs them most.
+     */
+    class ElementSearch
+    {
+    public:
+      /** @param allowed error (J) of one strut */
+      ElementSearch(const Scene        &scene,
+                    const LatticeModel &model,
+                    const MeshError    &seen,
+                    const double        allowed)
+        : scene(scene)
+        , model(model)
+        , seen(seen)
+        , allowed(allowed)
+        , best(seen.struts().size())
+      {}
+
+      /** By MeshError::struts(). */
+      const std::vector<BestElements> &find()
+      {
+        for (const unsigned int multiple : multiples)
+          {
+            const std::vector<BestElements> before = best;
+            for (unsigned int order = lowest_chosen_order;
+                 order <= highest_strut_order(model.lattice.dimension);
+                 ++order)
+              try_division(
+                {order,
+                 multiple * scene.discretization.common_division().n_elements});
+            for (std::size_t i = 0; i < best.size(); ++i)
+              best[i].n_in_vain =
+                best[i].error < before[i].error ? 0 : best[i].n_in_vain + 1;
+          }
+        return best;
+      }
+
+    private:
+      void try_division(const StrutDivision &division)
+      {
+        std::vector<unsigned int> tried;
+        for (unsigned int i = 0; i < best.size(); ++i)
+          if (best[i].is_good_enough
+                ? division.n_inner_nodes() < best[i].division.n_inner_nodes()
+                : best[i].n_in_vain < most_in_vain)
+            tried.push_back(i);
+        const std::vector<double> errors =
+          errors_of_division(scene, model, seen, tried, division);
+        for (std::size_t k = 0; k < tried.size(); ++k)
+          {
+            BestElements &of_strut = best[tried[k]];
+            const bool    is_good  = errors[k] <= allowed;
+            // Half the error is no gain: it may be of round-off.
+            if (is_good || errors[k] <= of_strut.error / 4)
+              of_strut = {division, errors[k], is_good, of_strut.n_in_vain};
+          }
+      }
+
+      const Scene              &scene;
+      const LatticeModel       &model;
+      const MeshError          &seen;
+      const double              allowed;
+      std::vector<BestElements> best;
+    };
+
+    /** Takes the elements that the motion found in @p run asks for, of which
+     * each strut has an equal share in the error. */
     void take_divisions(const Scene      &search,
                         const LatticeRun &run,
                         const MeshError  &error,
                         ChosenElements   &chosen)
     {
-      const double wanted =
-        std::pow(aim * chosen.report.tolerance, 2) * error.largest_energy();
-      const DivisionTable              table(search, run.model, error, wanted);
-      const std::vector<StrutDivision> of_rank = table.chosen();
+      const MPI_Comm communicator = run.model.numbering.layout().communicator();
+      const double   n_struts =
+                     mpi::sum(double(error.struts().size()), communicator),
+                   wanted = std::pow(aim * chosen.report.tolerance, 2) *
+        error.largest_energy();
+      ElementSearch find(search, run.model, error, wanted / n_struts);
+      const std::vector<BestElements> &found = find.find();
       // Each is counted by one rank, the others have none.
       std::vector<unsigned int> numbers(2 * chosen.divisions.size(), 0);
-      for (unsigned int i = 0; i < of_rank.size(); ++i)
+      double                    sum = 0;
+      for (std::size_t i = 0; i < found.size(); ++i)
         {
           const unsigned int strut = error.struts()[i];
-          numbers[2 * strut]       = of_rank[i].order;
-          numbers[2 * strut + 1]   = of_rank[i].n_elements;
+          numbers[2 * strut]       = found[i].division.order;
+          numbers[2 * strut + 1]   = found[i].division.n_elements;
+          sum += found[i].error;
         }
-      mpi::max(numbers, run.model.numbering.layout().communicator(), numbers);
+      mpi::max(numbers, communicator, numbers);
       for (unsigned int s = 0; s < chosen.divisions.size(); ++s)
         if (numbers[2 * s] > 0)
           chosen.divisions[s] = {numbers[2 * s], numbers[2 * s + 1]};
       chosen.report.predicted_error =
-        std::sqrt(table.sum_of_errors() / error.largest_energy());
+        std::sqrt(mpi::sum(sum, communicator) / error.largest_energy());
     }
 
     /**

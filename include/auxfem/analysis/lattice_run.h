@@ -1,7 +1,7 @@
 #ifndef auxfem_analysis_lattice_run_h
 #define auxfem_analysis_lattice_run_h
 
-#include <auxfem/analysis/mesh_error_observer.h>
+#include <auxfem/analysis/mesh_error.h>
 #include <auxfem/analysis/time_stepper.h>
 #include <auxfem/time/stopwatch.h>
 

@@ -1,7 +1,7 @@
 #ifndef auxfem_analysis_order_choice_h
 #define auxfem_analysis_order_choice_h
 
-#include <auxfem/analysis/mesh_error_observer.h>
+#include <auxfem/analysis/mesh_error.h>
 
 namespace auxfem
 {

@@ -1,4 +1,4 @@
-#include <auxfem/analysis/mesh_error_observer.h>
+#include <auxfem/analysis/mesh_error.h>
 #include <auxfem/analysis/small_motions/mesh_choice.h>
 #include <auxfem/elements/strut_order.h>
 #include <auxfem/equations/held_struts.h>
