@@ -88,8 +88,8 @@ namespace auxfem
 
     void refuse_end_of_path_before(const Records &reached, const Scene &scene)
     {
-      const double load_factor = saved_path_position(reached)->load_factor;
-      const auto   n_points    = step_of_saved_state(reached);
+      const double       load_factor = load_factor_of_saved_state(reached);
+      const auto         n_points    = step_of_saved_state(reached);
       std::ostringstream message;
       if (std::abs(load_factor) >= scene.path.largest_load_factor)
         message << "load factor " << load_factor

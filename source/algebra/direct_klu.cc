@@ -53,8 +53,7 @@ namespace auxfem
       std::optional<Inertia> inertia() const override;
       std::optional<int>     determinant_sign() const override;
       std::size_t            memory() const override;
-      std::vector<double>    pivot_entries() const override;
-      void take_pivots_of(const std::vector<double> &entries) override;
+      void                   forget_pivots() override;
 
     private:
       FactorizationOutcome outcome_of_failure() const;
@@ -70,8 +69,6 @@ namespace auxfem
       std::vector<int>       offsets;
       /** Of freshly chosen pivots, as klu_rgrowth() defines it. */
       double fresh_growth = 0;
-      /** By which they were chosen; empty if there are none. */
-      std::vector<double> entries_of_pivots;
     };
 
     Klu::Klu(const EliminationOrder order) : elimination(order)
@@ -110,7 +107,6 @@ namespace auxfem
     {
       klu_free_numeric(&numeric, &common);
       klu_free_symbolic(&symbolic, &common);
-      entries_of_pivots.clear();
       n = matrix.layout->n_owned();
       if (!fits_narrow_offsets(matrix))
         return FactorizationOutcome::too_large;
@@ -134,21 +130,14 @@ namespace auxfem
       if (n == 0)
         return FactorizationOutcome::done;
       // KLU reads only.
-      int *const    columns    = const_cast<int *>(matrix.columns.data());
-      double *const entries    = const_cast<double *>(matrix.entries.data());
-      const bool    has_pivots = numeric != nullptr ||
-        (entries_of_pivots.size() == matrix.entries.size() &&
-         choose_pivots(columns, entries_of_pivots.data()));
-      if (!has_pivots || !refactorize(columns, entries))
-        {
-          if (!choose_pivots(columns, entries))
-            return outcome_of_failure();
-          entries_of_pivots = matrix.entries;
-        }
+      int *const    columns = const_cast<int *>(matrix.columns.data());
+      double *const entries = const_cast<double *>(matrix.entries.data());
+      const bool is_done = numeric != nullptr && refactorize(columns, entries);
+      if (!is_done && !choose_pivots(columns, entries))
+        return outcome_of_failure();
       if (!is_singular(matrix))
         return FactorizationOutcome::done;
-      klu_free_numeric(&numeric, &common);
-      entries_of_pivots.clear();
+      forget_pivots();
       return FactorizationOutcome::singular;
     }
 
@@ -220,6 +209,7 @@ namespace auxfem
 
     void Klu::solve(double *x)
     {
+      Assert(n == 0 || numeric != nullptr, dealii::ExcInternalError());
       if (n > 0)
         klu_tsolve(symbolic, numeric, n, 1, x, &common);
     }
@@ -252,19 +242,12 @@ namespace auxfem
         return 0;
       return (static_cast<std::size_t>(numeric->lnz) + numeric->unz) *
         (sizeof(double) + sizeof(int)) +
-        numeric->worksize + 10 * n * sizeof(int) +
-        entries_of_pivots.size() * sizeof(double);
+        numeric->worksize + 10 * n * sizeof(int);
     }
 
-    std::vector<double> Klu::pivot_entries() const
-    {
-      return entries_of_pivots;
-    }
-
-    void Klu::take_pivots_of(const std::vector<double> &entries)
+    void Klu::forget_pivots()
     {
       klu_free_numeric(&numeric, &common);
-      entries_of_pivots = entries;
     }
   } // namespace
 

@@ -166,14 +166,9 @@ namespace auxfem
         return n_ranks == 1 || gathered ? solver->memory() : 0;
       }
 
-      std::vector<double> pivot_entries() const override
+      void forget_pivots() override
       {
-        return solver->pivot_entries();
-      }
-
-      void take_pivots_of(const std::vector<double> &entries) override
-      {
-        solver->take_pivots_of(entries);
+        solver->forget_pivots();
       }
 
     private:

@@ -119,8 +119,6 @@ namespace auxfem
         if (outcome != FactorizationOutcome::done)
           return outcome;
         analysed.version = condensation.version();
-        if (choice.type == LinearSolverType::klu)
-          current->take_pivots_of(std::exchange(given_pivots, {}));
       }
     return current->factorize(condensation.matrix());
   }
@@ -251,11 +249,10 @@ namespace auxfem
     return n;
   }
 
-  std::vector<double> LinearSolver::pivot_entries() const
+  void LinearSolver::forget_pivots()
   {
-    const auto klu = methods.find(LinearSolverType::klu);
-    return klu == methods.end() ? given_pivots
-                                : klu->second.method->pivot_entries();
+    for (const auto &[type, analysed] : methods)
+      analysed.method->forget_pivots();
   }
 
   std::size_t LinearSolver::memory() const

@@ -50,14 +50,9 @@ namespace auxfem
         return solver->memory();
       }
 
-      std::vector<double> pivot_entries() const override
+      void forget_pivots() override
       {
-        return solver->pivot_entries();
-      }
-
-      void take_pivots_of(const std::vector<double> &entries) override
-      {
-        solver->take_pivots_of(entries);
+        solver->forget_pivots();
       }
 
     private:

@@ -29,23 +29,17 @@ namespace auxfem
     return std::min(sum, bounded);
   }
 
-  std::vector<double> AccumulatedError::values() const
+  void AccumulatedError::serialize(const std::string &name,
+                                   CheckpointArchive &archive)
   {
-    std::vector<double> values = {sum, slow, unbounded, largest};
+    archive.values(name, sum, slow, unbounded, largest);
+    std::vector<double> values;
     for (const auto &[exponent, octave] : octaves)
       values.insert(values.end(),
                     {double(exponent), octave.error, octave.largest_amplitude});
-    return values;
-  }
-
-  void AccumulatedError::restore(const std::vector<double> &values)
-  {
-    sum       = values.at(0);
-    slow      = values.at(1);
-    unbounded = values.at(2);
-    largest   = values.at(3);
+    archive.list(name + ", octaves", values);
     octaves.clear();
-    for (std::size_t i = 4; i + 2 < values.size(); i += 3)
+    for (std::size_t i = 0; i < values.size(); i += 3)
       octaves[values[i]] = {values[i + 1], values[i + 2]};
   }
 } // namespace auxfem

@@ -41,27 +41,18 @@ namespace auxfem
     samples.push_back({time, value});
   }
 
-  void BackwardDifferences::save(const std::string    &name,
-                                 const UnknownRecords &unknowns,
-                                 Records              &records) const
+  void BackwardDifferences::serialize(const std::string    &name,
+                                      const UnknownRecords &unknowns,
+                                      CheckpointArchive    &archive)
   {
-    for (unsigned int i = 0; i < samples.size(); ++i)
+    std::size_t n = samples.size();
+    archive.values(name + ": number", n);
+    samples.resize(n);
+    for (std::size_t i = 0; i < n; ++i)
       {
-        const std::string sample_name = name + " " + std::to_string(i);
-        records.keep(sample_name + ": time", {samples[i].time});
-        unknowns.keep(sample_name, samples[i].value, records);
+        const std::string of_sample = name + " " + std::to_string(i);
+        archive.values(of_sample + ": time", samples[i].time);
+        unknowns.serialize(of_sample, samples[i].value, archive);
       }
-  }
-
-  void BackwardDifferences::resume(const std::string    &name,
-                                   const UnknownRecords &unknowns,
-                                   const Records        &records)
-  {
-    clear();
-    for (unsigned int i = 0; i < largest_order; ++i)
-      if (const std::string sample_name = name + " " + std::to_string(i);
-          records.has(sample_name))
-        samples.push_back({records.values(sample_name + ": time", 1)[0],
-                           unknowns.values(sample_name, records)});
   }
 } // namespace auxfem

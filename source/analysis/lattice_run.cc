@@ -16,9 +16,12 @@ namespace auxfem
 {
   namespace
   {
-    const std::string work_record =
-      "work: steps, iterations, factorizations, retries, linear solutions, "
-      "linear iterations, shortened increments";
+    /** 0: there are no checkpoints. */
+    unsigned long steps_between_checkpoints(const Scene &scene)
+    {
+      const unsigned long n = scene.output.checkpoints;
+      return n == 0 ? 0 : (scene.time.n_steps() + n - 1) / n;
+    }
 
     double solver_seconds(const PhaseTimes &wall)
     {
@@ -132,70 +135,77 @@ namespace auxfem
     return report;
   }
 
-  Records LatticeRun::checkpoint(const Recorder &recorder) const
+  void LatticeRun::serialize(CheckpointArchive &archive, Recorder &recorder)
   {
-    Records taken;
-    save_state(solution.state, equations, taken);
-    stepper.save(taken);
-    save(model.decision(large_rotation_effect().name), taken);
+    Work counts = archive.is_saving() ? work_of_all() : Work();
+    archive.values("work",
+                   counts.steps,
+                   counts.iterations,
+                   counts.factorizations,
+                   counts.retries,
+                   counts.linear_solutions,
+                   counts.linear_iterations,
+                   counts.shortened);
+    if (!archive.is_saving())
+      {
+        work_done.add_effort(counts);
+        work_done.steps += counts.steps;
+      }
+    serialize_state(equations, archive, solution.state);
+    stepper.serialize(archive);
     if (limit != nullptr)
-      limit->save(taken);
+      limit->serialize(archive);
+    if (elements != nullptr && !observer)
+      observer.emplace(scene, model, elements->report);
+    if (observer)
+      observer->serialize(archive);
+    recorder.serialize(solution, archive);
+  }
+
+  Records LatticeRun::checkpoint(Recorder &recorder)
+  {
+    Records           taken;
+    CheckpointArchive archive =
+      CheckpointArchive::saving(taken, model.numbering.layout());
+    serialize(archive, recorder);
+    // What a run that is resumed is set up with.
+    save(model.decision(large_rotation_effect().name), taken);
     if (elements != nullptr)
       elements->save(taken);
-    if (observer)
-      observer->save(taken);
-    recorder.save(taken);
-    const Work work = work_of_all();
-    taken.keep(work_record,
-               {double(work.steps),
-                double(work.iterations),
-                double(work.factorizations),
-                double(work.retries),
-                double(work.linear_solutions),
-                double(work.linear_iterations),
-                double(work.shortened)});
+    stepper.restart(solution);
     return taken;
   }
 
   void LatticeRun::resume(const Records &checkpoint, Recorder &recorder)
   {
-    const std::vector<double> before = checkpoint.values(work_record, 7);
-    work_done.steps += before[0];
-    work_done.iterations += before[1];
-    work_done.factorizations += before[2];
-    work_done.retries += before[3];
-    work_done.linear_solutions += before[4];
-    work_done.linear_iterations += before[5];
-    work_done.shortened += before[6];
-    solution.state = saved_state(equations, checkpoint);
+    CheckpointArchive archive =
+      CheckpointArchive::restoring(checkpoint, model.numbering.layout());
+    serialize(archive, recorder);
     // Of a run that has ended between two steps of the scene, and goes on.
     while (!solution.state.path && solution.state.step > 0 &&
            scene.time.time_at(solution.state.step) > solution.state.time)
       --solution.state.step;
-    stepper.resume(solution, checkpoint);
-    if (limit != nullptr)
-      limit->resume(checkpoint);
-    if (elements != nullptr)
-      observer.emplace(scene, model, elements->report).resume(checkpoint);
-    recorder.resume(solution, checkpoint);
+    stepper.restart(solution);
   }
 
   void LatticeRun::advance_to_end(Recorder &recorder)
   {
-    const MPI_Comm communicator = model.numbering.layout().communicator();
+    const unsigned long interval     = steps_between_checkpoints(scene);
+    const MPI_Comm      communicator = model.numbering.layout().communicator();
     while (solution.state.time < scene.time.end_time)
       {
-        const int signal = noted_signal(communicator);
-        if (signal != 0 ? recorder.keeps_checkpoints()
-                        : recorder.wants_checkpoint())
-          recorder.take(checkpoint(recorder));
-        if (signal != 0)
-          throw Interrupted(signal);
+        if (const int signal = noted_signal(communicator); signal != 0)
+          {
+            recorder.keep_checkpoint();
+            throw Interrupted(signal);
+          }
         const StepReport report = advance(recorder);
         recorder.step(solution, report);
+        const bool has_ended = solution.state.time >= scene.time.end_time;
+        if (interval > 0 && (has_ended || solution.state.step % interval == 0))
+          recorder.take(checkpoint(recorder));
       }
-    if (recorder.keeps_checkpoints())
-      recorder.take(checkpoint(recorder));
+    recorder.keep_checkpoint();
   }
 
   void LatticeRun::begin(Recorder &recorder, bool &has_begun)

@@ -96,6 +96,11 @@ namespace auxfem
     return energy > 0 ? std::sqrt(error / energy) : 0.;
   }
 
+  void MeshError::serialize(CheckpointArchive &archive)
+  {
+    archive.values("mesh error: energies of error and motion", error, energy);
+  }
+
   std::vector<double> errors_of_division(const Scene                     &scene,
                                          const LatticeModel              &model,
                                          const MeshError                 &seen,
@@ -123,8 +128,6 @@ namespace auxfem
     /** In a run. */
     constexpr unsigned int n_instants = 64;
 
-    const std::string mesh_error_record =
-      "mesh error: largest error and energy, next look, parts of steps";
     const std::string division_record = "elements of the struts",
                       report_record   = "search of the elements of the struts";
 
@@ -277,19 +280,9 @@ namespace auxfem
                          });
   }
 
-  void MeshErrorObserver::save(Records &records) const
+  void MeshErrorObserver::serialize(CheckpointArchive &archive)
   {
-    std::vector<double> saved = estimate.save();
-    saved.push_back(next);
-    saved.push_back(n_parts);
-    records.keep(mesh_error_record, saved);
-  }
-
-  void MeshErrorObserver::resume(const Records &records)
-  {
-    const std::vector<double> saved = records.values(mesh_error_record, 4);
-    estimate.resume({saved[0], saved[1]});
-    next    = saved[2];
-    n_parts = saved[3];
+    estimate.serialize(archive);
+    archive.values("mesh error: next sample, number of parts", next, n_parts);
   }
 } // namespace auxfem

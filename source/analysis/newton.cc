@@ -44,9 +44,6 @@ namespace auxfem
     /** How often an increment is halved. */
     constexpr unsigned int most_halvings = 5;
 
-    const std::string newton_record  = "Newton's method",
-                      tangent_record = newton_record + ", tangent";
-
     /** Largest rotation increment of the step (rad) over all ranks. */
     double largest_increment(const LatticeModel &model, const Evaluation &step)
     {
@@ -179,49 +176,34 @@ namespace auxfem
         grows     = is_worse;
         reduction = before / size;
         kept->reduction.reset();
-        if (result.iterations == 1 && !kept->is_fresh)
+        if (result.iterations == 1 && (is_linear || !kept->is_fresh))
           kept->reduction = reduction;
       }
   }
 
-  void Newton::save(Records &records) const
+  void Newton::restart()
   {
-    std::vector<double>        values  = {has_failed ? 1. : 0.};
-    const std::optional<Kept> &tangent = kept ? kept : to_assemble;
-    if (tangent)
-      values.insert(values.end(),
-                    {double(tangent->kind),
-                     tangent->dt,
-                     tangent->factors.stiffness,
-                     tangent->factors.damping,
-                     tangent->factors.mass,
-                     tangent->is_exact ? 1. : 0.,
-                     tangent->is_fresh ? 1. : 0.});
-    if (tangent && tangent->reduction)
-      values.push_back(*tangent->reduction);
-    records.keep(newton_record, values);
-    // A linear one is the same whenever it is assembled.
-    solver.save(tangent_record, kept && !is_linear, records);
+    has_failed   = false;
+    allows_slack = false;
+    if (is_linear && kept)
+      kept->reduction.reset();
+    else
+      kept.reset();
+    solver.restart();
   }
 
-  void Newton::resume(const Records &records)
+  void Newton::factorize_ahead(const ImplicitScheme &scheme,
+                               const Evaluation     &evaluation,
+                               EvaluationResults    &results)
   {
-    const std::vector<double> values =
-      records.values(newton_record, records.values_per_item(newton_record));
-    has_failed               = values[0] != 0;
-    const bool is_there      = values.size() > 1,
-               is_factorized = solver.resume(tangent_record, records);
-    if (is_there && (is_linear || is_factorized))
-      (is_linear ? to_assemble : kept) =
-        Kept{static_cast<Evaluation::Kind>(int(values[1])),
-             values[2],
-             {values[3], values[4], values[5]},
-             solver.matrix().version(),
-             values[6] != 0,
-             values[7] != 0};
-    std::optional<Kept> &tangent = is_linear ? to_assemble : kept;
-    if (tangent && values.size() > 8)
-      tangent->reduction = values[8];
+    if (is_linear || !parameters.keep_factorization)
+      return;
+    exactness = Exactness::approximate;
+    solver.residual(evaluation, results);
+    prepare(scheme,
+            evaluation,
+            results,
+            std::numeric_limits<double>::infinity());
   }
 
   bool Newton::prepare(const ImplicitScheme    &scheme,
@@ -251,15 +233,9 @@ namespace auxfem
       exactness = Exactness::exact;
     kept.reset();
     solver.assemble(evaluation, results, factors);
-    const bool                  again = to_assemble && is_of_step(*to_assemble);
-    const std::optional<double> known =
-      again ? to_assemble->reduction : std::nullopt;
-    to_assemble.reset();
-    if (!(again ? solver.factorize_again(exactness)
-                : solver.factorize(exactness)))
+    if (!solver.factorize(exactness))
       return false;
     take_factorization(evaluation, factors);
-    kept->reduction = known;
     return true;
   }
 

@@ -2,7 +2,7 @@
 #include <auxfem/equations/node_rotations.h>
 #include <auxfem/model/unknown_records.h>
 
-#include <deal.II/base/mpi.h>
+#include <algorithm>
 
 namespace auxfem
 {
@@ -11,208 +11,127 @@ namespace auxfem
     const std::string record       = "state",
                       before       = record + " before the last step",
                       position     = record + " on a path",
-                      displacement = ": displacement", residual = ": residual";
+                      displacement = record + ": displacement";
 
-    /** Vectors that a state may have, by name. */
-    template <class StateType>
-    auto optional_vectors(StateType &state)
+    void serialize_before(const UnknownRecords &unknowns,
+                          CheckpointArchive    &archive,
+                          State                &state)
     {
-      return std::array{std::pair(": velocity", &state.velocity),
-                        std::pair(": acceleration", &state.acceleration),
-                        std::pair(": algorithmic acceleration",
-                                  &state.algorithmic_acceleration),
-                        std::pair(": compensation", &state.compensation),
-                        std::pair(": unknowns without mass",
-                                  &state.is_massless)};
+      bool is_there = state.before.has_value();
+      archive.values(before + ": whether it is kept", is_there);
+      if (!is_there)
+        return state.before.reset();
+      if (!archive.is_saving())
+        state.before.emplace();
+      archive.values(before, state.before->time_of_loads, state.before->dt);
+      unknowns.serialize(before + ": displacement",
+                         state.before->displacement,
+                         archive);
+      unknowns.serialize(before + ": residual",
+                         state.before->residual,
+                         archive);
     }
 
     /** Large rotations in space are known by the first of their unknowns. */
-    std::vector<unsigned int> rotation_items(const UnknownRecords &unknowns,
-                                             const DofNumbering   &numbering,
-                                             const std::size_t     n)
+    void serialize_rotations(const UnknownRecords &unknowns,
+                             const DofNumbering   &numbering,
+                             CheckpointArchive    &archive,
+                             State                &state)
     {
       std::vector<unsigned int> items;
-      for (unsigned int i = 0; i < n; ++i)
-        items.push_back(unknowns.serial_number(numbering.rotations()[i][0]));
-      return items;
-    }
-
-    void save_rotations(const State          &state,
-                        const UnknownRecords &unknowns,
-                        const DofNumbering   &numbering,
-                        Records              &records)
-    {
-      std::vector<double> components;
-      for (const Quaternion &rotation : state.rotations)
+      std::vector<double>       components;
+      for (unsigned int i = 0; i < state.rotations.size(); ++i)
         {
+          const Quaternion &rotation = state.rotations[i];
+          items.push_back(unknowns.serial_number(numbering.rotations()[i][0]));
           components.push_back(rotation.scalar);
-          for (unsigned int d = 0; d < 3; ++d)
-            components.push_back(rotation.vector[d]);
+          components.insert(components.end(),
+                            rotation.vector.begin_raw(),
+                            rotation.vector.end_raw());
         }
-      records.keep(record + ": rotations",
-                   rotation_items(unknowns, numbering, state.rotations.size()),
-                   4,
-                   components);
-    }
-
-    void resume_rotations(const UnknownRecords &unknowns,
-                          const DofNumbering   &numbering,
-                          const Records        &records,
-                          State                &state)
-    {
-      const std::vector<double> components = records.values(
-        record + ": rotations",
-        rotation_items(unknowns, numbering, state.rotations.size()),
-        4);
-      auto value = components.begin();
-      for (Quaternion &rotation : state.rotations)
+      archive.items(record + ": rotations", items, 4, components);
+      for (unsigned int i = 0; i < state.rotations.size(); ++i)
         {
-          rotation.scalar = *value++;
-          for (unsigned int d = 0; d < 3; ++d)
-            rotation.vector[d] = *value++;
+          state.rotations[i].scalar = components[4 * i];
+          std::copy_n(components.begin() + 4 * i + 1,
+                      3,
+                      state.rotations[i].vector.begin_raw());
         }
     }
 
-    void save_history(const State        &state,
-                      const RecordLayout &layout,
-                      Records            &records)
+    /** Internal variables. */
+    void serialize_history(const RecordLayout &layout,
+                           CheckpointArchive  &archive,
+                           State              &state)
     {
       for (const Record &of_effect : layout.list())
         {
-          const auto first = state.history.begin() + of_effect.first;
-          records.keep(record + ": " + of_effect.name,
-                       of_effect.items,
-                       of_effect.values_per_item,
-                       {first,
-                        first +
-                          of_effect.items.size() * of_effect.values_per_item});
-        }
-    }
-
-    void resume_history(const RecordLayout &layout,
-                        const Records      &records,
-                        State              &state)
-    {
-      for (const Record &of_effect : layout.list())
-        {
-          const std::vector<double> values =
-            records.values(record + ": " + of_effect.name,
-                           of_effect.items,
-                           of_effect.values_per_item);
-          std::copy(values.begin(),
-                    values.end(),
-                    state.history.begin() + of_effect.first);
+          const auto          first = state.history.begin() + of_effect.first;
+          std::vector<double> values(first,
+                                     first +
+                                       of_effect.items.size() *
+                                         of_effect.values_per_item);
+          archive.items(record + ": " + of_effect.name,
+                        of_effect.items,
+                        of_effect.values_per_item,
+                        values);
+          std::copy(values.begin(), values.end(), first);
         }
     }
 
     /** Signs tell what is known. */
-    void save_position(const PathPosition &at, Records &records)
+    void serialize_position(CheckpointArchive &archive, PathPosition &at)
     {
-      records.keep(position,
-                   {at.load_factor,
-                    at.n_negative ? double(*at.n_negative) : -1.,
-                    double(at.determinant_sign.value_or(0))});
-    }
-
-    /** Each rank has its share of them. */
-    void
-    save_energies(const State &state, const unsigned int rank, Records &records)
-    {
-      records.keep(record + ": energies", state.energies.amounts());
-      records.keep(record + ": sums of energies",
-                   {rank},
-                   state.energy_sums.size(),
-                   state.energy_sums);
-    }
-
-    void resume_energies(const UnknownLayout &layout,
-                         const Records       &records,
-                         State               &state)
-    {
-      state.energies.amounts() =
-        records.values(record + ": energies", state.energies.amounts().size());
-      const std::string        &sums  = record + ": sums of energies";
-      std::vector<unsigned int> ranks = records.items(sums);
-      // Shares of ranks that are no more go on on the first one.
-      state.energy_sums.assign(state.energy_sums.size(), 0.);
-      for (const unsigned int rank : ranks)
-        if (rank == layout.rank() ||
-            (layout.rank() == 0 && rank >= layout.n_ranks()))
-          add_multiple(1.,
-                       records.values(sums, {rank}, state.energy_sums.size()),
-                       state.energy_sums);
+      double n_negative = at.n_negative ? double(*at.n_negative) : -1.,
+             sign       = at.determinant_sign.value_or(0);
+      archive.values(position, at.load_factor, n_negative, sign);
+      at.n_negative.reset();
+      at.determinant_sign.reset();
+      if (n_negative >= 0)
+        at.n_negative = n_negative;
+      if (sign != 0)
+        at.determinant_sign = sign;
     }
   } // namespace
 
-  void
-  save_state(const State &state, const Equations &equations, Records &records)
+  void serialize_state(const Equations   &equations,
+                       CheckpointArchive &archive,
+                       State             &state)
   {
     const DofNumbering  &numbering = equations.model().numbering;
     const UnknownRecords unknowns(numbering);
-    records.keep(record,
-                 {state.time,
-                  double(state.step),
-                  state.largest_force,
-                  state.largest_energy});
-    unknowns.keep(record + displacement, state.displacement, records);
-    unknowns.keep(record + residual, state.residual, records);
-    unknowns.keep(record + ": largest forces", state.largest_forces, records);
-    for (const auto &[name, vector] : optional_vectors(state))
-      if (*vector)
-        unknowns.keep(record + name, **vector, records);
-    if (state.before)
-      {
-        records.keep(before, {state.before->time_of_loads, state.before->dt});
-        unknowns.keep(before + displacement,
-                      state.before->displacement,
-                      records);
-        unknowns.keep(before + residual, state.before->residual, records);
-      }
+    archive.values(record,
+                   state.time,
+                   state.step,
+                   state.largest_force,
+                   state.largest_energy);
+    unknowns.serialize(displacement, state.displacement, archive);
+    unknowns.serialize(record + ": residual", state.residual, archive);
+    unknowns.serialize(record + ": largest forces",
+                       state.largest_forces,
+                       archive);
+    unknowns.serialize(record + ": velocity", state.velocity, archive);
+    unknowns.serialize(record + ": acceleration", state.acceleration, archive);
+    unknowns.serialize(record + ": algorithmic acceleration",
+                       state.algorithmic_acceleration,
+                       archive);
+    unknowns.serialize(record + ": compensation", state.compensation, archive);
+    unknowns.serialize(record + ": unknowns without mass",
+                       state.is_massless,
+                       archive);
+    serialize_before(unknowns, archive, state);
     if (state.path)
-      save_position(*state.path, records);
-    save_rotations(state, unknowns, numbering, records);
-    save_history(state, equations.layout().history, records);
-    save_energies(state, numbering.layout().rank(), records);
-  }
-
-  State saved_state(const Equations &equations, const Records &records)
-  {
-    const DofNumbering  &numbering = equations.model().numbering;
-    const UnknownRecords unknowns(numbering);
-    State                state = equations.initial_state();
-
-    const std::vector<double> scalars = records.values(record, 4);
-    state.time                        = scalars[0];
-    state.step                        = scalars[1];
-    state.largest_force               = scalars[2];
-    state.largest_energy              = scalars[3];
-    state.displacement = unknowns.values(record + displacement, records);
-    state.residual     = unknowns.values(record + residual, records);
-    state.largest_forces =
-      unknowns.values(record + ": largest forces", records);
-    for (const auto &[name, vector] : optional_vectors(state))
-      if (records.has(record + name))
-        *vector = unknowns.values(record + name, records);
-    if (records.has(before))
-      {
-        const std::vector<double> then = records.values(before, 2);
-        state.before.emplace(
-          State::Before{then[0],
-                        then[1],
-                        unknowns.values(before + displacement, records),
-                        unknowns.values(before + residual, records)});
-      }
-    state.path = saved_path_position(records);
-    resume_rotations(unknowns, numbering, records, state);
-    resume_history(equations.layout().history, records, state);
-    resume_energies(numbering.layout(), records, state);
-    return state;
+      serialize_position(archive, *state.path);
+    serialize_rotations(unknowns, numbering, archive, state);
+    serialize_history(equations.layout().history, archive, state);
+    archive.list(record + ": energies", state.energies.amounts());
+    archive.sums(record + ": sums of energies", state.energy_sums);
   }
 
   Vector saved_displacement(const Equations &equations, const Records &records)
   {
     return UnknownRecords(equations.model().numbering)
-      .values(record + displacement, records);
+      .values(displacement, records);
   }
 
   double time_of_saved_state(const Records &records)
@@ -225,17 +144,8 @@ namespace auxfem
     return records.values(record, 4)[1];
   }
 
-  std::optional<PathPosition> saved_path_position(const Records &records)
+  double load_factor_of_saved_state(const Records &records)
   {
-    if (!records.has(position))
-      return std::nullopt;
-    const std::vector<double> saved = records.values(position, 3);
-    PathPosition              at;
-    at.load_factor = saved[0];
-    if (saved[1] >= 0)
-      at.n_negative = saved[1];
-    if (saved[2] != 0)
-      at.determinant_sign = saved[2];
-    return at;
+    return records.values(position, 3)[0];
   }
 } // namespace auxfem

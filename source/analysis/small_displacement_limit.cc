@@ -32,9 +32,6 @@ namespace auxfem
 
     /** A vibration goes four amplitudes while it turns by 2 pi. */
     constexpr double radians_of_way = dealii::numbers::PI / 2;
-
-    const std::string limit_record = "limit of small displacements",
-                      strut_record = limit_record + " by strut";
   } // namespace
 
   SmallDisplacementLimit::SmallDisplacementLimit(const Scene     &scene,
@@ -175,35 +172,22 @@ namespace auxfem
     return (1 + turns / 2) * largest_error / largest_size;
   }
 
-  void SmallDisplacementLimit::save(Records &records) const
+  void SmallDisplacementLimit::serialize(CheckpointArchive &archive)
   {
-    records.keep(limit_record,
-                 {largest_error,
-                  largest_size,
-                  way,
-                  sampled,
-                  computed,
-                  double(n_steps),
-                  envelope.size,
-                  envelope.total,
-                  envelope.compression,
-                  envelope.error});
-    records.keep(strut_record, estimate.struts(), 1, envelope.compressions);
-  }
-
-  void SmallDisplacementLimit::resume(const Records &records)
-  {
-    const std::vector<double> values = records.values(limit_record, 10);
-    largest_error                    = values[0];
-    largest_size                     = values[1];
-    way                              = values[2];
-    sampled                          = values[3];
-    computed                         = values[4];
-    n_steps                          = values[5];
-    envelope                         = {values[6],
-                                        values[7],
-                                        values[8],
-                                        records.values(strut_record, estimate.struts(), 1),
-                                        values[9]};
+    archive.values("limit of small displacements",
+                   largest_error,
+                   largest_size,
+                   way,
+                   sampled,
+                   computed,
+                   n_steps,
+                   envelope.size,
+                   envelope.total,
+                   envelope.compression,
+                   envelope.error);
+    archive.items("limit of small displacements by strut",
+                  estimate.struts(),
+                  1,
+                  envelope.compressions);
   }
 } // namespace auxfem

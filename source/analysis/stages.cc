@@ -1,5 +1,4 @@
 #include <auxfem/analysis/stages.h>
-#include <auxfem/model/unknown_records.h>
 #include <auxfem/time/extrapolation.h>
 
 #include <set>
@@ -8,9 +7,6 @@ namespace auxfem
 {
   namespace
   {
-    const std::string stages_record =
-      "stages of the last step: length, accelerations";
-
     /** Large rotations in space that no support moves or holds as a whole. */
     std::vector<unsigned int> rotations_to_find(const LatticeModel &model)
     {
@@ -282,31 +278,6 @@ namespace auxfem
     for (unsigned int j = 0; j < n(); ++j)
       std::swap(before[j], slopes[j].velocity);
     dt_before = dt;
-  }
-
-  void Stages::save(Records &records) const
-  {
-    if (before.empty())
-      return;
-    const UnknownRecords unknowns(equations.model().numbering);
-    records.keep(stages_record, {dt_before});
-    for (unsigned int j = 0; j < before.size(); ++j)
-      unknowns.keep(stages_record + " " + std::to_string(j),
-                    before[j],
-                    records);
-  }
-
-  void Stages::resume(const Records &records)
-  {
-    forget();
-    if (!records.has(stages_record))
-      return;
-    const UnknownRecords unknowns(equations.model().numbering,
-                                  equations.unknowns().layout);
-    dt_before = records.values(stages_record, 1)[0];
-    for (unsigned int j = 0; j < n(); ++j)
-      before.push_back(
-        unknowns.values(stages_record + " " + std::to_string(j), records));
   }
 
   Stages::Difference Stages::embedded_difference() const

@@ -22,9 +22,6 @@ namespace auxfem
      */
     constexpr double part_between_pairs = 0.02;
 
-    const std::string branches_record =
-      "path: bifurcations so far, load factor of an unstable branch";
-
     /** @p scene with what paths of equilibria are made of: viscous processes
      * have come to rest. */
     Scene at_rest(Scene scene)
@@ -62,17 +59,13 @@ namespace auxfem
         : run(run)
         , path(run.scene.path)
         , stepper(run.solver(), run.scene.newton)
-        , point{{run.solution.state, run.equations.make_results()},
-                PathTangent::saved(run.model.numbering, checkpoint)}
+        , point{{run.solution.state, run.equations.make_results()}, {}}
         , lengths(path.resolution, 0)
-        , n_bifurcations(checkpoint.values(branches_record, 2)[0])
-        , unstable_branch(checkpoint.values(branches_record, 2)[1])
       {
-        lengths.resume(checkpoint);
-        State evaluated = point.solution.state;
-        run.solver().residual(Evaluation::equilibrium(point.solution.state,
-                                                      evaluated),
-                              run.solution.results);
+        CheckpointArchive archive =
+          CheckpointArchive::restoring(checkpoint,
+                                       run.model.numbering.layout());
+        serialize(archive);
       }
 
       /** To where the scene says that the path ends; after a signal throws
@@ -81,23 +74,20 @@ namespace auxfem
       {
         const MPI_Comm communicator =
           run.model.numbering.layout().communicator();
-        // Before the last step, which an end cuts short: a longer path does it
-        // again, and is as if there had been no end.
-        Records here;
         while (!has_ended())
           {
-            const int signal = noted_signal(communicator);
-            if (recorder.keeps_checkpoints())
-              here = checkpoint(recorder);
-            if (signal != 0 ? recorder.keeps_checkpoints()
-                            : recorder.wants_checkpoint())
-              recorder.take(here);
-            if (signal != 0)
-              throw Interrupted(signal);
+            if (const int signal = noted_signal(communicator); signal != 0)
+              {
+                recorder.keep_checkpoint();
+                throw Interrupted(signal);
+              }
+            // Also before the last step, which an end cuts short: a longer path
+            // does it again, and is as if there had been no end.
+            if (run.scene.output.checkpoints > 0)
+              recorder.take(checkpoint(recorder));
             advance(recorder);
           }
-        if (recorder.keeps_checkpoints() && here.has(branches_record))
-          recorder.take(std::move(here));
+        recorder.keep_checkpoint();
       }
 
       /** What is to be said of where it has ended. */
@@ -130,12 +120,25 @@ namespace auxfem
       }
 
     private:
-      Records checkpoint(const Recorder &recorder) const
+      void serialize(CheckpointArchive &archive)
       {
-        Records taken = run.checkpoint(recorder);
-        point.tangent.save(run.model.numbering, taken);
-        lengths.save(taken);
-        taken.keep(branches_record, {double(n_bifurcations), unstable_branch});
+        point.tangent.serialize(run.model.numbering, archive);
+        lengths.serialize(archive);
+        archive.values("path: bifurcations so far, load factor of an unstable "
+                       "branch",
+                       n_bifurcations,
+                       unstable_branch);
+      }
+
+      Records checkpoint(Recorder &recorder)
+      {
+        Records           taken = run.checkpoint(recorder);
+        CheckpointArchive archive =
+          CheckpointArchive::saving(taken, run.model.numbering.layout());
+        serialize(archive);
+        stepper.restart();
+        // It may have gained ghosts.
+        point.solution.state = run.solution.state;
         return taken;
       }
 

@@ -12,11 +12,6 @@ namespace auxfem
 {
   namespace
   {
-    const std::string displacement_record =
-                        "step error: displacements at steps",
-                      sample_record = "step error: sampled displacements",
-                      accumulated_error_record = "step error: error of ";
-
     /** Default absolute tolerance over the relative one and the length of a
      * strut: smaller displacements of lattices are of no interest. */
     constexpr double part_of_strut = 0.02;
@@ -267,38 +262,19 @@ namespace auxfem
     return findings;
   }
 
-  void StepError::save(Records &records) const
-  {
-    for (const Motions &motions : all)
-      {
-        std::vector<double> values = {motions.largest,
-                                      motions.slow_third_derivative.value_or(
-                                        -1)};
-        for (const double value : motions.error.values())
-          values.push_back(value);
-        records.keep(accumulated_error_record + motions.name, values);
-      }
-    const UnknownRecords unknowns(equations.model().numbering);
-    displacements.save(displacement_record, unknowns, records);
-    samples.save(sample_record, unknowns, records);
-  }
-
-  void StepError::resume(const Records &records)
+  void StepError::serialize(CheckpointArchive &archive)
   {
     for (Motions &motions : all)
       {
-        const std::string name = accumulated_error_record + motions.name;
-        const std::vector<double> values =
-          records.values(name, records.values_per_item(name));
-        motions.largest = values.at(0);
-        motions.slow_third_derivative.reset();
-        if (values.at(1) >= 0)
-          motions.slow_third_derivative = values[1];
-        motions.error.restore({values.begin() + 2, values.end()});
+        const std::string name = std::string("error of ") + motions.name;
+        archive.values(name, motions.largest, motions.slow_third_derivative);
+        motions.error.serialize(name + ", accumulated", archive);
       }
     const UnknownRecords unknowns(equations.model().numbering,
                                   equations.unknowns().layout);
-    displacements.resume(displacement_record, unknowns, records);
-    samples.resume(sample_record, unknowns, records);
+    displacements.serialize("step error: displacements at steps",
+                            unknowns,
+                            archive);
+    samples.serialize("step error: sampled displacements", unknowns, archive);
   }
 } // namespace auxfem

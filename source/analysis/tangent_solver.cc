@@ -1,5 +1,4 @@
 #include <auxfem/algebra/conjugate_gradients.h>
-#include <auxfem/analysis/saved_matrix.h>
 #include <auxfem/analysis/tangent_solver.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/time/stopwatch.h>
@@ -8,12 +7,6 @@
 
 namespace auxfem
 {
-  namespace
-  {
-    const std::string pivot_record         = ": entries of pivots",
-                      factorization_record = ": factorization";
-  } // namespace
-
   TangentSolver::TangentSolver(const Equations        &equations,
                                const SolverParameters &parameters,
                                Work                   &work)
@@ -49,6 +42,10 @@ namespace auxfem
   {
     const Stopwatch watch(work.wall.factorize);
     ++work.factorizations;
+    // Few factorizations serve long: they may depend on their matrix alone, so
+    // that restart() can keep them.
+    if (equation_system.is_linear())
+      solver.forget_pivots();
     const FactorizationOutcome outcome = solver.factorize(exactness);
     work.linear_solver                 = solver.method();
     if (outcome == FactorizationOutcome::out_of_memory ||
@@ -94,55 +91,5 @@ namespace auxfem
     if (solver.n_iterations() > before)
       ++work.linear_solutions;
     return modes;
-  }
-
-  bool TangentSolver::factorize_again(const Exactness exactness)
-  {
-    const bool done = factorize(exactness);
-    --work.factorizations;
-    is_new_factorization = false;
-    return done;
-  }
-
-  void TangentSolver::save(const std::string &name,
-                           const bool         with_factorization,
-                           Records           &records) const
-  {
-    const UnknownLayout &layout = equation_system.unknowns().layout;
-    std::vector<double>  pivots = solver.pivot_entries();
-    // Other numbers of ranks put the matrix together in another order.
-    pivots.push_back(layout.n_ranks());
-    records.keep(name + pivot_record, {layout.rank()}, pivots.size(), pivots);
-    if (!with_factorization)
-      return;
-    save_matrix(name, tangent, model().numbering, records);
-    records.keep(name + factorization_record,
-                 {solver.is_exact() ? 1. : 0., is_new_factorization ? 1. : 0.});
-  }
-
-  bool TangentSolver::resume(const std::string &name, const Records &records)
-  {
-    const UnknownLayout &layout = equation_system.unknowns().layout;
-    if (const std::string of_pivots = name + pivot_record;
-        records.has(of_pivots))
-      {
-        std::vector<double> pivots =
-          records.values(of_pivots,
-                         records.items(of_pivots),
-                         records.values_per_item(of_pivots));
-        const bool serve = pivots.back() == layout.n_ranks();
-        pivots.pop_back();
-        if (serve)
-          solver.take_pivots_of(pivots);
-      }
-    if (!records.has(name + factorization_record))
-      return false;
-    resume_matrix(name, model().numbering, records, tangent);
-    const std::vector<double> flags =
-      records.values(name + factorization_record, 2);
-    const bool done      = factorize_again(flags[0] != 0 ? Exactness::exact
-                                                    : Exactness::approximate);
-    is_new_factorization = flags[1] != 0;
-    return done;
   }
 } // namespace auxfem

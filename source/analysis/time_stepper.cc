@@ -128,8 +128,6 @@ namespace auxfem
     trial.state.take_ghosts(equations.unknowns().layout);
     if (stages)
       stages->forget();
-    if (error)
-      error->forget();
   }
 
   void TimeStepper::take_step(Solution    &solution,
@@ -235,6 +233,7 @@ namespace auxfem
                            const Evaluation &step,
                            Recorder         &recorder)
   {
+    last_dt = step.dt;
     control->accepted(error ? error->accept(step) : 0);
     if (stages)
       stages->accept();

@@ -4,11 +4,6 @@
 
 namespace auxfem
 {
-  namespace
-  {
-    const std::string rates_record = "mass matrix";
-  } // namespace
-
   void TimeStepper::start(Solution &solution)
   {
     State &state = solution.state;
@@ -72,37 +67,34 @@ namespace auxfem
     state = trial.state;
   }
 
-  void TimeStepper::save(Records &records) const
+  void TimeStepper::serialize(CheckpointArchive &archive)
   {
-    equations.save(records);
-    control->save(records);
+    archive.values("length of the last step", last_dt);
+    control->serialize(archive);
     if (error)
-      error->save(records);
-    watches_of_scene.save(records);
-    if (stages)
-      stages->save(records);
-    solvers->newton.save(records);
-    if (solvers->rates)
-      solvers->rates->solver.save(rates_record,
-                                  /*with_factorization=*/false,
-                                  records);
+      error->serialize(archive);
+    if (archive.is_saving())
+      watches_of_scene.save(archive.to());
+    else
+      watches_of_scene.resume(archive.from());
   }
 
-  void TimeStepper::resume(Solution &solution, const Records &records)
+  void TimeStepper::restart(Solution &solution)
   {
-    take_ghosts(equations.resume(solution.state, records));
-    control->resume(records);
-    if (error)
-      error->resume(records);
-    watches_of_scene.resume(records);
+    take_ghosts(equations.restart_couplings(solution.state));
     if (stages)
-      stages->resume(records);
-    solvers->newton.resume(records);
+      stages->forget();
+    solvers->newton.restart();
     if (solvers->rates)
-      solvers->rates->solver.resume(rates_record, records);
-    trial.state     = solution.state;
+      solvers->rates->solver.restart();
+    trial.state = solution.state;
+    if (!stages && last_dt > 0)
+      solvers->newton.factorize_ahead(scheme,
+                                      evaluation_of(solution.state, last_dt),
+                                      trial.results);
     State evaluated = solution.state;
     solvers->tangent.residual(Evaluation::rates(solution.state, evaluated),
                               solution.results);
+    trial.state = solution.state;
   }
 } // namespace auxfem

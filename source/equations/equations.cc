@@ -295,18 +295,12 @@ namespace auxfem
     return couple(changed, wanted, accepted);
   }
 
-  void Equations::save(Records &records) const
-  {
-    for (const auto &effect : effects)
-      effect->save(records);
-  }
-
-  bool Equations::resume(State &accepted, const Records &records)
+  bool Equations::restart_couplings(State &accepted)
   {
     bool             changed = false;
     std::vector<int> wanted;
     for (const auto &effect : effects)
-      changed = effect->resume(records, wanted) || changed;
+      changed = effect->restart_couplings(accepted, wanted) || changed;
     return couple(changed, wanted, accepted);
   }
 

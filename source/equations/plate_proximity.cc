@@ -8,14 +8,13 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 namespace auxfem
 {
   namespace
   {
     using Vector3 = dealii::Tensor<1, 3>;
-
-    const std::string near_record = "plates: struts near them";
 
     /** Local numbers of unknowns. */
     std::vector<int> here(const std::vector<int> &globals,
@@ -304,25 +303,12 @@ namespace auxfem
     return true;
   }
 
-  void PlateProximity::save(Records &records) const
+  bool PlateProximity::restart(const State &accepted)
   {
-    std::vector<double> pairs = {double(near_pairs.size())};
-    for (const PlatePair &pair : near_pairs)
-      {
-        pairs.push_back(pair.axis);
-        pairs.push_back(pair.plate);
-      }
-    records.keep(near_record, pairs);
-  }
-
-  void PlateProximity::resume(const Records &records)
-  {
-    const std::vector<double> pairs =
-      records.values(near_record, records.values_per_item(near_record));
-    near_pairs.clear();
-    for (std::size_t i = 1; i < pairs.size(); i += 2)
-      near_pairs.push_back({static_cast<unsigned int>(pairs[i]),
-                            static_cast<unsigned int>(pairs[i + 1])});
+    const std::vector<PlatePair> before = std::exchange(near_pairs, {});
+    last_search.reset();
+    near_pairs = find_near(accepted);
+    return near_pairs != before;
   }
 
   std::optional<PlateProximity::Depth>

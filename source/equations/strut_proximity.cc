@@ -433,6 +433,26 @@ namespace auxfem
     return has_changed;
   }
 
+  bool StrutProximity::restart(const std::vector<double> &u)
+  {
+    if (!(thickest > 0))
+      return false;
+    travelled = 0;
+    looked    = u;
+    connected.assign(connected.size(), {});
+    // So little that every axis has turned by it.
+    allowed_turning.assign(allowed_turning.size(), 0.);
+    for (const AxisPair &pair : curves.connected())
+      for (const unsigned int axis : pair)
+        turning_due[axis] = 0;
+    set_pairs_in_reach(pairs_in_boxes(u, u, reach / 2));
+    look_at_pairs(u);
+    look_at_connected(u);
+    const bool has_changed = collect_near(u);
+    touches_soon           = some_may_touch(u);
+    return has_changed;
+  }
+
   bool StrutProximity::comes_too_near(const AxisPair            &pair,
                                       const std::vector<double> &from,
                                       const std::vector<double> &to,

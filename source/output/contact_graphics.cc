@@ -133,21 +133,13 @@ namespace auxfem
     plate_series->write(graphics, solution.state.time);
   }
 
-  void ContactGraphics::save(Records &records) const
+  void ContactGraphics::serialize(CheckpointArchive &archive)
   {
-    if (contact_series)
-      contact_series->save(records);
-    if (plate_series)
-      plate_series->save(records);
-  }
-
-  void ContactGraphics::resume(const Records &records)
-  {
-    if (!contact_series && GraphicsSeries::is_in(records, contacts_name))
+    if (!contact_series && GraphicsSeries::is_in(archive, contacts_name))
       start_contacts();
     if (contact_series)
-      contact_series->resume(records);
+      contact_series->serialize(archive);
     if (plate_series)
-      plate_series->resume(records);
+      plate_series->serialize(archive);
   }
 } // namespace auxfem

@@ -10,9 +10,6 @@ namespace auxfem
 {
   namespace
   {
-    const std::string time_record   = "history: time of the largest strain",
-                      strain_record = "history: largest strain by axis";
-
     using Joints = std::vector<unsigned int>;
 
     /** The sets at the lower and upper end of each axis. */
@@ -223,25 +220,13 @@ namespace auxfem
     time_then = time;
   }
 
-  void LargestStrain::save(Records &records) const
+  void LargestStrain::serialize(CheckpointArchive &archive)
   {
-    std::vector<unsigned int> axes;
-    std::vector<double>       values;
-    for (unsigned int axis = 0; axis < strains.size(); ++axis)
-      if (strains[axis])
-        {
-          axes.push_back(axis);
-          values.push_back(*strains[axis]);
-        }
-    records.keep(time_record, {time_then});
-    records.keep(strain_record, axes, 1, values);
-  }
-
-  void LargestStrain::resume(const Records &records)
-  {
-    time_then = records.values(time_record, 1)[0];
-    for (const unsigned int axis : records.items(strain_record))
-      strains.at(axis) = records.values(strain_record, {axis}, 1)[0];
+    archive.values("output: largest effective strain",
+                   time_then,
+                   strains[0],
+                   strains[1],
+                   strains[2]);
   }
 
   std::optional<double>

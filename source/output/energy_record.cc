@@ -10,9 +10,6 @@ namespace auxfem
 {
   namespace
   {
-    const std::string energy_record =
-      "history: energies at the start, largest error of the balance, largest";
-
     struct KindOfEnergy
     {
       EnergyKind  kind;
@@ -79,20 +76,17 @@ namespace auxfem
                                 std::abs(energies.external())});
   }
 
-  void EnergyRecord::save(Records &records) const
+  void EnergyRecord::serialize(const Energies    &energies,
+                               CheckpointArchive &archive)
   {
-    records.keep(energy_record,
-                 {start.value(), largest_balance, largest_energy});
-  }
-
-  void EnergyRecord::resume(const Energies &energies, const Records &records)
-  {
-    const std::vector<double> values = records.values(energy_record, 3);
-    start                            = values[0];
-    largest_balance                  = values[1];
-    largest_energy                   = values[2];
-    latest                           = energies;
-    balance                          = energies.balance(*start);
+    archive.values(
+      "output: energies: initial balance, largest balance, largest "
+      "energy",
+      start,
+      largest_balance,
+      largest_energy);
+    latest  = energies;
+    balance = energies.balance(*start);
   }
 
   double EnergyRecord::relative(const double energy) const

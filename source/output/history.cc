@@ -14,8 +14,6 @@ namespace auxfem
 {
   namespace
   {
-    const std::string rotation_record = "history: largest rotation";
-
     const std::vector<Column> path_columns = {
       {"arc_length",
        "m",
@@ -419,23 +417,15 @@ namespace auxfem
     rotation_so_far = std::max(rotation_so_far, rotation_vectors.largest());
   }
 
-  void History::save(Records &records) const
+  void History::serialize(const State &state, CheckpointArchive &archive)
   {
-    record.save(records);
-    part_rotations.save(records);
-    rotation_vectors.save(records);
-    strain_so_far.save(records);
-    records.keep(rotation_record,
-                 {dealii::Utilities::MPI::max(rotation_so_far, communicator)});
-  }
-
-  void History::resume(const State &state, const Records &records)
-  {
-    record.resume(state.energies, records);
-    part_rotations.resume(records);
-    rotation_vectors.resume(state, records);
-    strain_so_far.resume(records);
-    rotation_so_far = records.values(rotation_record, 1)[0];
+    record.serialize(state.energies, archive);
+    part_rotations.serialize(archive);
+    rotation_vectors.serialize(state, archive);
+    strain_so_far.serialize(archive);
+    rotation_so_far =
+      dealii::Utilities::MPI::max(rotation_so_far, communicator);
+    archive.values("output: largest rotation", rotation_so_far);
   }
 
   void refuse_columns_of_nothing(const Scene &scene, const Lattice &lattice)

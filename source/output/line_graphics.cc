@@ -187,22 +187,17 @@ namespace auxfem
     return "graphics: files of " + series;
   }
 
-  bool GraphicsSeries::is_in(const Records &records, const std::string &series)
+  bool GraphicsSeries::is_in(const CheckpointArchive &archive,
+                             const std::string       &series)
   {
-    return records.has(record_name(series));
+    return !archive.is_saving() && archive.has(record_name(series));
   }
 
-  void GraphicsSeries::save(Records &records) const
+  void GraphicsSeries::serialize(CheckpointArchive &archive)
   {
-    records.keep(record_name(name),
-                 {double(n_written), double(end_of_entries)});
-  }
-
-  void GraphicsSeries::resume(const Records &records)
-  {
-    const std::vector<double> values = records.values(record_name(name), 2);
-    n_written                        = values[0];
-    end_of_entries                   = values[1];
+    archive.values(record_name(name), n_written, end_of_entries);
+    if (archive.is_saving())
+      return;
     on_first_rank(communicator, [&]() {
       const std::string record = folder + "/" + name + ".pvd";
       std::error_code   error;

@@ -16,9 +16,6 @@ namespace auxfem
   {
     const std::string prefix = "rigid:";
 
-    const std::string rigid_rotations_record =
-      "history: rotations of rigid parts";
-
     struct Selection
     {
       std::vector<unsigned int> parts;
@@ -107,23 +104,16 @@ namespace auxfem
     return numbers;
   }
 
-  void RigidPartRotations::save(Records &records) const
+  void RigidPartRotations::serialize(CheckpointArchive &archive)
   {
     std::vector<double> components;
     for (const SpaceVector &rotation : rotations)
       components.insert(components.end(),
                         rotation.begin_raw(),
                         rotation.end_raw());
-    records.keep(rigid_rotations_record, parts(), 3, components);
-  }
-
-  void RigidPartRotations::resume(const Records &records)
-  {
-    const std::vector<double> components =
-      records.values(rigid_rotations_record, parts(), 3);
+    archive.items("output: rotations of rigid parts", parts(), 3, components);
     for (unsigned int i = 0; i < rotations.size(); ++i)
-      for (unsigned int c = 0; c < 3; ++c)
-        rotations[i][c] = components[3 * i + c];
+      std::copy_n(components.begin() + 3 * i, 3, rotations[i].begin_raw());
   }
 
   bool RigidPartProbe::is_one(const ProbeDefinition &definition)

@@ -10,8 +10,6 @@ namespace auxfem
 {
   namespace
   {
-    const std::string rotation_vectors_record = "history: rotation vectors";
-
     /** Further away (rad) a rotation vector would be a leap in the output. */
     constexpr double nearest_leap = 1;
 
@@ -82,24 +80,20 @@ namespace auxfem
     return chosen;
   }
 
-  void RotationVectors::save(Records &records) const
+  void RotationVectors::serialize(const State       &state,
+                                  CheckpointArchive &archive)
   {
     std::vector<double> vectors;
     for (const Rotation &rotation : rotations)
       vectors.insert(vectors.end(),
                      rotation.vector.begin_raw(),
                      rotation.vector.end_raw());
-    records.keep(rotation_vectors_record, numbers(), 3, vectors);
-  }
-
-  void RotationVectors::resume(const State &state, const Records &records)
-  {
-    const std::vector<double> vectors =
-      records.values(rotation_vectors_record, numbers(), 3);
+    archive.items("output: rotation vectors", numbers(), 3, vectors);
     for (unsigned int i = 0; i < rotations.size(); ++i)
       {
-        for (unsigned int c = 0; c < 3; ++c)
-          rotations[i].vector[c] = vectors[3 * i + c];
+        std::copy_n(vectors.begin() + 3 * i,
+                    3,
+                    rotations[i].vector.begin_raw());
         rotations[i].entries =
           NodeRotations(model.numbering)
             .values(state.displacement, rotations[i].index);

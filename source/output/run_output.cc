@@ -23,9 +23,7 @@ namespace auxfem
 {
   namespace
   {
-    const std::string row_record      = "output: time of the last row",
-                      length_record   = "output: length of history.csv",
-                      graphics_record = "output: time of the last graphics";
+    const std::string length_record = "output: length of history.csv";
 
     Progress progress_of(const TimeParameters &time,
                          const State          &state,
@@ -138,45 +136,27 @@ namespace auxfem
         write_graphics(solution);
       }
 
-      /** Rows and files later than @p records are removed. */
-      void resume(const Solution &solution, const Records &records) override
+      /** Rows and files later than a checkpoint that is restored are removed.
+       */
+      void serialize(const Solution    &solution,
+                     CheckpointArchive &archive) override
       {
         const Stopwatch watch(seconds);
-        first_step = Clock::now();
-        begin_time = solution.state.time;
-        if (console)
-          {
-            std::ostringstream text;
-            if (solution.state.path)
-              text << "Goes on from load factor "
-                   << solution.state.path->load_factor << ", arc length "
-                   << begin_time << " m\n";
-            else
-              text << "Goes on from t = " << begin_time << " s\n";
-            console->print(text.str());
-          }
-        history->resume(solution.state, records);
-        last_row = records.values(row_record, 1)[0];
-        if (graphics)
-          {
-            graphics->resume(records);
-            last_graphics = records.values(graphics_record, 1)[0];
-          }
-        // If the run is done again, it is from the start.
-        former.reset();
-      }
-
-      void save(Records &records) const override
-      {
-        history->save(records);
-        records.keep(row_record, {last_row.value()});
-        records.keep(length_record, {table ? double(table->length()) : 0.});
+        if (!archive.is_saving())
+          resume(solution.state);
+        history->serialize(solution.state, archive);
+        double length = table ? table->length() : 0;
+        archive.values("output: times of the last row and graphics",
+                       last_row,
+                       last_graphics);
+        archive.values(length_record, length);
         if (singular_points)
-          singular_points->save(records);
-        if (!graphics)
-          return;
-        graphics->save(records);
-        records.keep(graphics_record, {last_graphics.value()});
+          singular_points->serialize(archive);
+        if (graphics)
+          graphics->serialize(archive);
+        // If a run that is resumed is done again, it is from the start.
+        if (!archive.is_saving())
+          former.reset();
       }
 
       const Records *goes_on_from() const override
@@ -184,31 +164,22 @@ namespace auxfem
         return former ? &*former : nullptr;
       }
 
-      bool keeps_checkpoints() const override
-      {
-        return checkpoints.has_value();
-      }
-
-      bool wants_checkpoint() override
-      {
-        return checkpoints && checkpoints->is_due();
-      }
-
       void take(Records checkpoint) override
       {
-        const Stopwatch          watch(checkpoint_seconds);
-        std::vector<std::string> written = {folder + "/history.csv"};
-        if (graphics)
-          for (const std::string &name : graphics->series())
-            // That of contacts may not have begun.
-            if (const std::string record = folder + "/" + name + ".pvd";
-                std::filesystem::exists(record))
-              written.push_back(record);
-        if (singular_points)
-          for (const std::string &name : singular_points->files())
-            written.push_back(folder + "/" + name);
-        checkpoints->write(std::move(checkpoint), written);
-        is_last_in_checkpoint = true;
+        if (!checkpoints)
+          return;
+        const Stopwatch watch(checkpoint_seconds);
+        last_checkpoint = std::move(checkpoint);
+        if (checkpoints->is_due())
+          write_checkpoint();
+      }
+
+      void keep_checkpoint() override
+      {
+        const Stopwatch watch(checkpoint_seconds);
+        if (last_checkpoint)
+          write_checkpoint();
+        is_resumable = has_checkpoint;
       }
 
       std::optional<double> next_time(const double time) const override
@@ -233,7 +204,6 @@ namespace auxfem
       {
         const Stopwatch watch(seconds);
         const State    &state = solution.state;
-        is_last_in_checkpoint = false;
         if (!scene.output.row_interval &&
             state.step % scene.output.history_interval == 0)
           write_row(solution);
@@ -299,7 +269,7 @@ namespace auxfem
           if (!result.completed())
             {
               console->print_to_log("Reason: " + result.exit_state);
-              if (is_last_in_checkpoint)
+              if (is_resumable)
                 console->print("Go on with: auxfem --resume " + folder);
             }
         });
@@ -307,6 +277,39 @@ namespace auxfem
 
     private:
       using Clock = std::chrono::steady_clock;
+
+      /** Continues the folder of a run that has come to @p state. */
+      void resume(const State &state)
+      {
+        first_step = Clock::now();
+        begin_time = state.time;
+        if (!console)
+          return;
+        std::ostringstream text;
+        if (state.path)
+          text << "Goes on from load factor " << state.path->load_factor
+               << ", arc length " << begin_time << " m\n";
+        else
+          text << "Goes on from t = " << begin_time << " s\n";
+        console->print(text.str());
+      }
+
+      void write_checkpoint()
+      {
+        std::vector<std::string> written = {folder + "/history.csv"};
+        if (graphics)
+          for (const std::string &name : graphics->series())
+            // That of contacts may not have begun.
+            if (const std::string record = folder + "/" + name + ".pvd";
+                std::filesystem::exists(record))
+              written.push_back(record);
+        if (singular_points)
+          for (const std::string &name : singular_points->files())
+            written.push_back(folder + "/" + name);
+        checkpoints->write(std::move(*last_checkpoint), written);
+        last_checkpoint.reset();
+        has_checkpoint = true;
+      }
 
       static double since(const Clock::time_point start)
       {
@@ -369,7 +372,7 @@ namespace auxfem
           write_column_reference(folder + "/history.units.csv",
                                  history->columns());
         });
-        if (scene.output.checkpoint_interval > 0)
+        if (scene.output.checkpoints > 0)
           checkpoints.emplace(scene, communicator);
         if (scene.analysis == Analysis::static_path)
           singular_points.emplace(scene,
@@ -427,8 +430,11 @@ namespace auxfem
       std::optional<RunCheckpoints>     checkpoints;
       /** Only on a path of equilibria. */
       std::optional<SingularPointFiles> singular_points;
-      /** Whether nothing has come after the last checkpoint. */
-      bool              is_last_in_checkpoint = false;
+      /** Taken last, if it is not written. */
+      std::optional<Records> last_checkpoint;
+      /** Whether the folder has one, and whether a run that has ended early can
+       * go on from it. */
+      bool              has_checkpoint = false, is_resumable = false;
       const OutputTimes row_times, graphics_times;
 
       /** Times last written (s); none before start(). */

@@ -108,8 +108,6 @@ namespace auxfem
     });
     if (scene.output.graphics)
       graphics.emplace(scene, equations, folder, communicator, series_prefix);
-    if (graphics && goes_on_from != nullptr)
-      graphics->resume(*goes_on_from);
   }
 
   void SingularPointFiles::write(const State &at, const SingularPoint &point)
@@ -144,12 +142,12 @@ namespace auxfem
     graphics->write_connectors(solution);
   }
 
-  void SingularPointFiles::save(Records &records) const
+  void SingularPointFiles::serialize(CheckpointArchive &archive)
   {
-    records.keep(files_record,
-                 {double(n_written), table ? double(table->length()) : 0.});
+    double length = table ? table->length() : 0;
+    archive.values(files_record, n_written, length);
     if (graphics)
-      graphics->save(records);
+      graphics->serialize(archive);
   }
 
   std::vector<std::string> SingularPointFiles::files() const

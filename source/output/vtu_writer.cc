@@ -311,22 +311,12 @@ namespace auxfem
       contacts->write(solution);
   }
 
-  void VtuWriter::save(Records &records) const
-  {
-    for (const auto *series :
-         {&strut_series, &rigid_part_series, &connector_series})
-      if (*series)
-        (*series)->save(records);
-    if (contacts)
-      contacts->save(records);
-  }
-
-  void VtuWriter::resume(const Records &records)
+  void VtuWriter::serialize(CheckpointArchive &archive)
   {
     for (auto *series : {&strut_series, &rigid_part_series, &connector_series})
       if (*series)
-        (*series)->resume(records);
+        (*series)->serialize(archive);
     if (contacts)
-      contacts->resume(records);
+      contacts->serialize(archive);
   }
 } // namespace auxfem

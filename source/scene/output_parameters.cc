@@ -18,13 +18,14 @@ namespace auxfem
       Range::non_negative(),
       "Time between two of them, from within steps if these do not end there; 0: "
       "at start and end only."};
-    const Quantity checkpoint_interval = {
-      "Checkpoint interval",
-      "600 s",
-      "s",
-      Range::non_negative(),
-      "Wall time between two checkpoints, from which `auxfem --resume DIR` goes "
-      "on; there is another at the end and after SIGINT and SIGTERM. 0: none."};
+    const Integer checkpoints = {
+      "Checkpoints",
+      20,
+      0,
+      1000000,
+      "Number of checkpoints, after equal numbers of steps. `auxfem --resume DIR` "
+      "continues from the last one, with equal digits. They are written as often "
+      "as 1 % of the run's time allows, and after SIGINT and SIGTERM. 0: none."};
     const Integer history_interval = {
       "History interval",
       1,
@@ -76,7 +77,7 @@ namespace auxfem
              graphics,
              graphics_interval,
              history_interval,
-             checkpoint_interval,
+             checkpoints,
              row_interval,
              segments,
              effective_strains,
@@ -91,11 +92,11 @@ namespace auxfem
   OutputParameters read_output(ParameterValues &values)
   {
     OutputParameters output;
-    output.directory           = values[directory];
-    output.graphics            = values[graphics];
-    output.graphics_interval   = values[graphics_interval];
-    output.history_interval    = values[history_interval];
-    output.checkpoint_interval = values[checkpoint_interval];
+    output.directory         = values[directory];
+    output.graphics          = values[graphics];
+    output.graphics_interval = values[graphics_interval];
+    output.history_interval  = values[history_interval];
+    output.checkpoints       = values[checkpoints];
     if (!values.is_word(row_interval))
       output.row_interval = values[row_interval];
     output.segments          = values[segments];

@@ -48,24 +48,4 @@ namespace auxfem
     return true;
   }
 
-  std::vector<double> DividedInterval::values() const
-  {
-    return {double(target.has_value()),
-            target.value_or(0),
-            begin,
-            whole,
-            double(number_of_pieces),
-            double(number)};
-  }
-
-  void DividedInterval::restore(const std::vector<double> &values)
-  {
-    target.reset();
-    if (values[0] != 0)
-      target = values[1];
-    begin            = values[2];
-    whole            = values[3];
-    number_of_pieces = values[4];
-    number           = values[5];
-  }
 } // namespace auxfem

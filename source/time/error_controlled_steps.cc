@@ -8,10 +8,6 @@ namespace auxfem
 {
   namespace
   {
-    const std::string error_controlled_steps_record =
-      "step-size controller: whether there is a target, target, begin, length, "
-      "pieces, position, length wanted, mean error, length";
-
     /** Relative error above which a step is repeated. In an oscillation errors
      * of single steps are larger than their mean. */
     constexpr double largest_error = 3;
@@ -104,22 +100,9 @@ namespace auxfem
         return smallest;
       }
 
-      void save(Records &records) const override
+      void serialize(CheckpointArchive &archive) override
       {
-        std::vector<double> values = interval.values();
-        values.insert(values.end(), {wanted, mean, dt});
-        records.keep(error_controlled_steps_record, values);
-      }
-
-      void resume(const Records &records) override
-      {
-        const std::vector<double> values =
-          records.values(error_controlled_steps_record,
-                         DividedInterval::n_values + 3);
-        interval.restore(values);
-        wanted = values[DividedInterval::n_values];
-        mean   = values[DividedInterval::n_values + 1];
-        dt     = values[DividedInterval::n_values + 2];
+        archive.values("step-size controller", wanted, mean, dt);
       }
 
     private:

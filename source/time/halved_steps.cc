@@ -5,10 +5,6 @@ namespace auxfem
 {
   namespace
   {
-    const std::string halved_steps_record =
-      "step control: whether there is a target, target, begin, length, pieces, "
-      "position";
-
     class HalvedSteps : public StepControl
     {
     public:
@@ -47,17 +43,6 @@ namespace auxfem
       double shortest() const override
       {
         return smallest;
-      }
-
-      void save(Records &records) const override
-      {
-        records.keep(halved_steps_record, interval.values());
-      }
-
-      void resume(const Records &records) override
-      {
-        interval.restore(
-          records.values(halved_steps_record, DividedInterval::n_values));
       }
 
     private:

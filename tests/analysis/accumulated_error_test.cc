@@ -32,12 +32,17 @@ TEST(AccumulatedError, HasNoBoundWithoutAKnownOscillation)
   EXPECT_NEAR(error.total(), 1, 1e-12);
 }
 
-TEST(AccumulatedError, IsRestoredFromItsValues)
+TEST(AccumulatedError, IsRestored)
 {
   AccumulatedError error, restored;
   error.add({0.1, 0.01});
   error.add({0.2, 0.01, LocalError::Oscillation{10., 0.01}});
-  restored.restore(error.values());
+  const UnknownLayout layout(MPI_COMM_SELF, 1, {});
+  Records             records;
+  CheckpointArchive   saving = CheckpointArchive::saving(records, layout);
+  error.serialize("error", saving);
+  CheckpointArchive restoring = CheckpointArchive::restoring(records, layout);
+  restored.serialize("error", restoring);
   for (AccumulatedError *const each : {&error, &restored})
     each->add({0.2, 0.01, LocalError::Oscillation{10., 0.03}});
   EXPECT_EQ(error.total(), restored.total());

@@ -16,11 +16,14 @@ namespace auxfem::testing_support
       EXPECT_EQ(a[i], b[i]);
   }
 
+  /** Of a run as a whole, and resumed: what linear equations keep in the one is
+   * factorized again in the other. */
   inline void expect_same_work(const Work &a, const Work &b)
   {
     EXPECT_EQ(a.steps, b.steps);
     EXPECT_EQ(a.iterations, b.iterations);
-    EXPECT_EQ(a.factorizations, b.factorizations);
+    EXPECT_LE(a.factorizations, b.factorizations);
+    EXPECT_LE(b.factorizations, a.factorizations + 1);
     EXPECT_EQ(a.retries, b.retries);
     EXPECT_EQ(a.shortened, b.shortened);
     EXPECT_EQ(a.linear_solutions, b.linear_solutions);

@@ -421,10 +421,8 @@ TEST(OrderChoice, ARunThatIsResumedKeepsItsElements)
                              .set("Discretization/Order", "auto")
                              .set("Discretization/Tolerance", 1e-6)
                              .str();
-  const RecordedRun whole = expect_same_when_resumed(text);
+  const auto [whole, half] = runs_that_are_same(text);
   ASSERT_TRUE(whole.result.orders);
-  const Scene       scene = read_scene_from_text(text, "test.prm");
-  const RecordedRun half  = resumed_run(scene, MPI_COMM_SELF, {0.5});
   EXPECT_EQ(half.result.orders->predicted_error,
             whole.result.orders->predicted_error);
   EXPECT_EQ(half.result.orders->estimated_error,

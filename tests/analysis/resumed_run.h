@@ -4,8 +4,10 @@
 #include <auxfem/output/memory_recorder.h>
 #include <auxfem/simulation.h>
 
+#include <analysis/expect_same.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,62 +16,53 @@ namespace auxfem
 {
   namespace testing_support
   {
-    /** Ends a run; no error. */
-    struct Halt
-    {};
-
-    /** Lets a run go on from a checkpoint, once, and throws Halt at its first
-     * one from a time on. */
-    class InterruptedRecorder : public MemoryRecorder
+    /** Keeps the checkpoints of a run, and lets a run go on from one. */
+    class CheckpointRecorder : public MemoryRecorder
     {
     public:
-      /**
-       * @param former checkpoint that the run goes on from; nullptr: none
-       * @param halt_time s; nothing: the run goes on to its end
-       */
-      InterruptedRecorder(const Scene                &scene,
-                          const MPI_Comm              communicator,
-                          const Records *const        former,
-                          const std::optional<double> halt_time)
+      /** @param former checkpoint that the run goes on from; nullptr: none */
+      CheckpointRecorder(const Scene         &scene,
+                         const MPI_Comm       communicator,
+                         const Records *const former)
         : MemoryRecorder(scene, communicator)
         , former(former)
-        , halt_time(halt_time)
       {}
+
+      void begin(const Equations &equations) override
+      {
+        // A run may be done again from its start.
+        checkpoints.clear();
+        MemoryRecorder::begin(equations);
+      }
 
       const Records *goes_on_from() const override
       {
         return former;
       }
 
-      void resume(const Solution &solution, const Records &records) override
+      void serialize(const Solution    &solution,
+                     CheckpointArchive &archive) override
       {
-        MemoryRecorder::resume(solution, records);
-        former = nullptr;
-      }
-
-      void step(const Solution &solution, const StepReport &report) override
-      {
-        MemoryRecorder::step(solution, report);
-        time = solution.state.time;
-      }
-
-      bool wants_checkpoint() override
-      {
-        return halt_time && time >= *halt_time;
+        MemoryRecorder::serialize(solution, archive);
+        if (!archive.is_saving())
+          former = nullptr;
       }
 
       void take(Records records) override
       {
-        checkpoint = std::move(records);
-        throw Halt();
+        checkpoints.push_back({std::move(records), rows().size()});
       }
 
-      std::optional<Records> checkpoint;
+      struct Checkpoint
+      {
+        Records     records;
+        std::size_t n_rows;
+      };
+
+      std::vector<Checkpoint> checkpoints;
 
     private:
-      const Records              *former;
-      const std::optional<double> halt_time; ///< s
-      double                      time = 0;  ///< s
+      const Records *former;
     };
 
     /** A result with all rows from the first step on. */
@@ -79,44 +72,14 @@ namespace auxfem
       std::vector<std::vector<double>> rows;
     };
 
-    inline RecordedRun whole_run(const Scene   &scene,
-                                 const MPI_Comm communicator)
+    /** A run from its start, or from a checkpoint with the rows before it. */
+    inline RecordedRun recorded_run(CheckpointRecorder &recorder,
+                                    const Scene        &scene,
+                                    const MPI_Comm      communicator,
+                                    std::vector<std::vector<double>> rows = {})
     {
-      MemoryRecorder recorder(scene, communicator);
-      RunResult      result = run(scene, communicator, recorder);
-      return {std::move(result), recorder.rows()};
-    }
-
-    /** The same halted after each of some parts of its time, and resumed. */
-    inline RecordedRun resumed_run(const Scene               &scene,
-                                   const MPI_Comm             communicator,
-                                   const std::vector<double> &parts)
-    {
-      std::optional<Records>           checkpoint;
-      std::vector<std::vector<double>> rows;
-      const auto go_on = [&](const std::optional<double> halt_time) {
-        InterruptedRecorder recorder(scene,
-                                     communicator,
-                                     checkpoint ? &*checkpoint : nullptr,
-                                     halt_time);
-        RunResult           result;
-        try
-          {
-            result = run(scene, communicator, recorder);
-          }
-        catch (const Halt &)
-          {}
-        // It may have had to be done again from the start.
-        if (!recorder.rows().empty() && recorder.rows().front().front() == 0)
-          rows.clear();
-        rows.insert(rows.end(), recorder.rows().begin(), recorder.rows().end());
-        if (halt_time)
-          checkpoint = recorder.checkpoint.value();
-        return result;
-      };
-      for (const double part : parts)
-        go_on(part * scene.time.end_time);
-      RunResult result = go_on({});
+      RunResult result = run(scene, communicator, recorder);
+      rows.insert(rows.end(), recorder.rows().begin(), recorder.rows().end());
       return {std::move(result), std::move(rows)};
     }
 
@@ -124,10 +87,7 @@ namespace auxfem
     {
       EXPECT_EQ(a.rows, b.rows);
       EXPECT_EQ(a.result.exit_state, b.result.exit_state);
-      EXPECT_EQ(a.result.work.steps, b.result.work.steps);
-      EXPECT_EQ(a.result.work.iterations, b.result.work.iterations);
-      EXPECT_EQ(a.result.work.factorizations, b.result.work.factorizations);
-      EXPECT_EQ(a.result.work.linear_solutions, b.result.work.linear_solutions);
+      expect_same_work(a.result.work, b.result.work);
       EXPECT_EQ(a.result.time_error, b.result.time_error);
       EXPECT_EQ(a.result.small_displacement_error,
                 b.result.small_displacement_error);
@@ -143,18 +103,41 @@ namespace auxfem
 
     /**
      * That a run of @p text, on this rank or those of @p communicator, and one
-     * that was halted early, halfway and late are the same, to the last digit.
-     * Returns the former.
+     * that goes on from an early, a middle, or a late checkpoint have equal
+     * digits. Returns the former, and the last of the others.
      */
+    inline std::array<RecordedRun, 2>
+    runs_that_are_same(const std::string              &text,
+                       const std::vector<std::string> &overrides = {},
+                       const MPI_Comm communicator = MPI_COMM_SELF)
+    {
+      const Scene scene = read_scene_from_text(text, "test.prm", overrides);
+      CheckpointRecorder recorder(scene, communicator, nullptr);
+      const RecordedRun  whole = recorded_run(recorder, scene, communicator);
+      RecordedRun        resumed;
+      const std::size_t  n = recorder.checkpoints.size();
+      EXPECT_GT(n, 2u);
+      for (const std::size_t i : {n / 10, n / 2, 4 * n / 5})
+        if (i < n)
+          {
+            const auto        &checkpoint = recorder.checkpoints[i];
+            CheckpointRecorder later(scene, communicator, &checkpoint.records);
+            resumed = recorded_run(later,
+                                   scene,
+                                   communicator,
+                                   {whole.rows.begin(),
+                                    whole.rows.begin() + checkpoint.n_rows});
+            expect_same(whole, resumed);
+          }
+      return {whole, resumed};
+    }
+
     inline RecordedRun
     expect_same_when_resumed(const std::string              &text,
                              const std::vector<std::string> &overrides = {},
                              const MPI_Comm communicator = MPI_COMM_SELF)
     {
-      const Scene scene = read_scene_from_text(text, "test.prm", overrides);
-      RecordedRun whole = whole_run(scene, communicator);
-      expect_same(whole, resumed_run(scene, communicator, {0.1, 0.5, 0.8}));
-      return whole;
+      return runs_that_are_same(text, overrides, communicator)[0];
     }
   } // namespace testing_support
 } // namespace auxfem

@@ -28,14 +28,7 @@ namespace
     ASSERT_EQ(run_auxfem_on(2, half).exit_code, 0);
     const ProgramRun run = run_auxfem(go_on({"--set", "Time/End time=" + end}));
     ASSERT_EQ(run.exit_code, 0) << run.errors;
-    const Table whole = history("whole"), resumed = history();
-    ASSERT_EQ(whole.n_rows, resumed.n_rows);
-    for (const std::string name : {"top.uy", "top.vy", "apex.phi", "strain"})
-      for (unsigned int i = 0; i < whole.n_rows; ++i)
-        EXPECT_NEAR(whole[name][i],
-                    resumed[name][i],
-                    1e-10 * auxfem::largest_size(whole[name]))
-          << name;
+    expect_about_that_of_the_whole_run();
   }
 
   TEST_F(ResumedPathOnRanks, KilledAgainAndAgainIsTheWholeOne)

@@ -74,7 +74,7 @@ namespace auxfem
       std::vector<Singular> singular_points;
       RunResult             result;
       /** Before every point but the first, with how many points and singular
-       * points there were; the last two, one for the end, are the same. */
+       * points there were. */
       struct Checkpoint
       {
         Records     records;
@@ -98,26 +98,10 @@ namespace auxfem
         return former;
       }
 
-      bool keeps_checkpoints() const override
-      {
-        return true;
-      }
-
-      bool wants_checkpoint() override
-      {
-        return points.size() + singular_points.size() != n_at_checkpoint;
-      }
-
       void take(Records records) override
       {
-        n_at_checkpoint = points.size() + singular_points.size();
-        if (step_of_saved_state(records) + 1 < points.size())
-          checkpoints.push_back({records,
-                                 checkpoints.back().n_points,
-                                 checkpoints.back().n_singular_points});
-        else
-          checkpoints.push_back(
-            {records, points.size(), singular_points.size()});
+        checkpoints.push_back(
+          {std::move(records), points.size(), singular_points.size()});
       }
 
       void step(const Solution &solution, const StepReport &) override
@@ -152,7 +136,6 @@ namespace auxfem
 
       const Equations *equations = nullptr;
       const Records   *former;
-      std::size_t      n_at_checkpoint = 0;
     };
   } // namespace testing_support
 } // namespace auxfem

@@ -1,10 +1,12 @@
 #include <auxfem/time/step_control.h>
 
 #include <gtest/gtest.h>
+#include <support/hand_over.h>
 
 #include <vector>
 
 using namespace auxfem;
+using namespace auxfem::testing_support;
 
 namespace
 {
@@ -125,37 +127,13 @@ TEST(StepControl, NoStepIsShorterThanTheSmallest)
   EXPECT_FALSE(stiff.reject(1));
 }
 
-TEST(StepControl, OneThatIsResumedGoesOnInTheMiddleOfAnInterval)
-{
-  Walk walk(1, 0.1);
-  walk.reject(1);
-  walk.reject(1);
-  walk.accept(1);
-  Records records;
-  walk.control->save(records);
-  Walk resumed(1, 0.1, walk.time);
-  resumed.control->resume(records);
-  // A quarter, a half, then the next interval as a whole.
-  for (unsigned int i = 0; i < 3; ++i)
-    {
-      const double      target   = walk.time < 1 ? 1 : 2;
-      const PlannedStep planned  = walk.accept(target),
-                        of_other = resumed.accept(target);
-      EXPECT_EQ(planned.end, of_other.end);
-      EXPECT_EQ(planned.dt, of_other.dt);
-    }
-  EXPECT_EQ(resumed.time, 2);
-}
-
 TEST(StepControl, BetweenIntervalsThereIsNothingToRemember)
 {
   Walk walk(1, 0.1);
   walk.reject(1);
   walk.accept(1);
   walk.accept(1);
-  Records records;
-  walk.control->save(records);
   Walk resumed(1, 0.1, walk.time);
-  resumed.control->resume(records);
+  hand_over(*walk.control, *resumed.control);
   EXPECT_EQ(resumed.accept(2).dt, 1);
 }

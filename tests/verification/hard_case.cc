@@ -79,7 +79,7 @@ namespace auxfem
       {
       public:
         /** @param interval steps from one that is recorded to the next
-         * @param checkpoint_step at which a checkpoint is taken
+         * @param checkpoint_step until which the last checkpoint is kept
          * @param former checkpoint that the run goes on from; nullptr: none */
         CourseRecorder(const unsigned int   interval,
                        const unsigned long  checkpoint_step,
@@ -98,13 +98,10 @@ namespace auxfem
           return former;
         }
 
-        bool wants_checkpoint() override
-        {
-          return n_steps == checkpoint_step && former == nullptr;
-        }
-
         void take(Records records) override
         {
+          if (n_steps > checkpoint_step || former != nullptr)
+            return;
           course.checkpoint       = std::move(records);
           course.n_motions_before = course.motions.size();
         }

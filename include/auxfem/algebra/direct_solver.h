@@ -82,20 +82,9 @@ namespace auxfem
     /** Memory of the factors on this rank (bytes). */
     virtual std::size_t memory() const = 0;
 
-    /**
-     * Entries, on this rank, of the matrix by which pivots were chosen that
-     * later factorizations keep; empty if each chooses its own.
-     */
-    virtual std::vector<double> pivot_entries() const
-    {
-      return {};
-    }
-
-    /**
-     * The next factorization takes the pivots that a matrix of the pattern that
-     * was analysed last would get with these @p entries, see pivot_entries().
-     */
-    virtual void take_pivots_of(const std::vector<double> & /*entries*/)
+    /** The next factorization chooses its pivots from its own entries; that of
+     * before is lost. */
+    virtual void forget_pivots()
     {}
   };
 

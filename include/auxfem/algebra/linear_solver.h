@@ -105,17 +105,9 @@ namespace auxfem
     /** Iterations of all solutions so far; 0 for direct types. */
     unsigned long n_iterations() const;
 
-    /** @name What factorizations depend on beside their matrix, as
-     * LinearSolverMethod has it. Only of use to a solver of the same equations
-     * on as many ranks. */
-    ///@{
-    std::vector<double> pivot_entries() const;
-
-    void take_pivots_of(const std::vector<double> &entries)
-    {
-      given_pivots = entries;
-    }
-    ///@}
+    /** The next factorization depends on its matrix alone; that of before is
+     * lost. */
+    void forget_pivots();
 
     /** Memory of all factors on this rank (bytes). */
     std::size_t memory() const;
@@ -150,8 +142,6 @@ namespace auxfem
     LinearSolverMethod *current = nullptr;
     std::string         description_of_current, why_failed;
     std::vector<double> of_joints;
-    /** Given by take_pivots_of(), until a factorization needs them. */
-    std::vector<double> given_pivots;
   };
 } // namespace auxfem
 

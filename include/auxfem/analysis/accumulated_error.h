@@ -1,9 +1,11 @@
 #ifndef auxfem_analysis_accumulated_error_h
 #define auxfem_analysis_accumulated_error_h
 
+#include <auxfem/time/checkpoint_archive.h>
+
 #include <map>
 #include <optional>
-#include <vector>
+#include <string>
 
 namespace auxfem
 {
@@ -46,9 +48,8 @@ namespace auxfem
       return largest;
     }
 
-    /** For restore(). */
-    std::vector<double> values() const;
-    void                restore(const std::vector<double> &values);
+    /** @param name of its record */
+    void serialize(const std::string &name, CheckpointArchive &archive);
 
   private:
     struct Octave

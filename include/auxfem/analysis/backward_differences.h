@@ -2,6 +2,7 @@
 #define auxfem_analysis_backward_differences_h
 
 #include <auxfem/model/unknown_records.h>
+#include <auxfem/time/checkpoint_archive.h>
 
 #include <deque>
 #include <optional>
@@ -53,16 +54,11 @@ namespace auxfem
       samples.clear();
     }
 
-    /** @name Values are those at unknowns.
+    /** Of values at unknowns.
      * @param name prefix of the records' names */
-    ///@{
-    void save(const std::string    &name,
-              const UnknownRecords &unknowns,
-              Records              &records) const;
-    void resume(const std::string    &name,
-                const UnknownRecords &unknowns,
-                const Records        &records);
-    ///@}
+    void serialize(const std::string    &name,
+                   const UnknownRecords &unknowns,
+                   CheckpointArchive    &archive);
 
   private:
     struct Sample

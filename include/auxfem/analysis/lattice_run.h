@@ -3,6 +3,7 @@
 
 #include <auxfem/analysis/mesh_error.h>
 #include <auxfem/analysis/time_stepper.h>
+#include <auxfem/time/checkpoint_archive.h>
 #include <auxfem/time/stopwatch.h>
 
 #include <functional>
@@ -81,9 +82,10 @@ namespace auxfem
     /**
      * All that a run of the same scene needs to go on from here: the solution
      * now, and what the run and @p recorder, which has been told of it,
-     * remember of the way there. Changes nothing.
+     * remember of the way there. The run goes on from here as one that is
+     * resumed with it does, with equal digits.
      */
-    Records checkpoint(const Recorder &recorder) const;
+    Records checkpoint(Recorder &recorder);
 
     /**
      * In place of start(): goes on from @p checkpoint. @p recorder, which has
@@ -92,8 +94,9 @@ namespace auxfem
     void resume(const Records &checkpoint, Recorder &recorder);
 
     /**
-     * Steps to the end time, of which @p recorder is told. Throws Interrupted after a signal. The recorder gets a
-     * checkpoint when it wants one, and at the end of either kind.
+     * Steps to the end time, of which @p recorder is told. Throws Interrupted
+     * after a signal. The recorder gets the checkpoints, as many as the scene
+     * asks for at equal numbers of steps, and one at the end.
      */
     void advance_to_end(Recorder &recorder);
 
@@ -151,6 +154,9 @@ namespace auxfem
     void refuse_undetermined();
 
     RunResult result(const std::string &exit_state) const;
+
+    /** Saves or restores all that is remembered of the way. */
+    void serialize(CheckpointArchive &archive, Recorder &recorder);
 
     /** prepare() and start(), or resume(), with @p recorder told of it. */
     void begin(Recorder &recorder, bool &has_begun);

@@ -3,6 +3,7 @@
 
 #include <auxfem/equations/held_struts.h>
 #include <auxfem/output/recorder.h>
+#include <auxfem/time/checkpoint_archive.h>
 
 namespace auxfem
 {
@@ -55,18 +56,7 @@ namespace auxfem
       return motions;
     }
 
-    /** What is remembered of the run so far, to go on with it. */
-    ///@{
-    std::vector<double> save() const
-    {
-      return {error, energy};
-    }
-    void resume(const std::vector<double> &saved)
-    {
-      error  = saved.at(0);
-      energy = saved.at(1);
-    }
-    ///@}
+    void serialize(CheckpointArchive &archive);
 
   private:
     const LatticeModel       &model;
@@ -142,11 +132,7 @@ namespace auxfem
     /** Adds what was found out about the elements. Collective. */
     void add_to(RunResult &result) const;
 
-    /** @name For runs that are resumed. */
-    ///@{
-    void save(Records &records) const;
-    void resume(const Records &records);
-    ///@}
+    void serialize(CheckpointArchive &archive);
 
   private:
     /**

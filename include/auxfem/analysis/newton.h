@@ -82,6 +82,14 @@ namespace auxfem
     void take_factorization(const Evaluation     &evaluation,
                             const TangentFactors &factors);
 
+    /**
+     * Factorizes the tangent of @p evaluation, of a step that has not moved yet,
+     * if following steps use it: that at a predicted state may serve none.
+     */
+    void factorize_ahead(const ImplicitScheme &scheme,
+                         const Evaluation     &evaluation,
+                         EvaluationResults    &results);
+
     /** Forgets the factorization (the state jumped). */
     void drop_factorization()
     {
@@ -103,9 +111,12 @@ namespace auxfem
       return first_increment;
     }
 
-    /** Keeps the factorization with its solver, and what it belongs to. */
-    void save(Records &records) const;
-    void resume(const Records &records);
+    /**
+     * Forgets what earlier steps have left, so that the steps from here on
+     * depend on the state alone. Linear equations keep their factorization:
+     * another one of theirs would be equal to the last digit.
+     */
+    void restart();
 
   private:
     /** What a kept factorization belongs to. */
@@ -178,9 +189,6 @@ namespace auxfem
     Vector              way;
     Vector              first_increment;
     std::optional<Kept> kept;
-    /** What the run that is resumed had kept, if it is to be assembled again.
-     */
-    std::optional<Kept> to_assemble;
     Exactness           exactness = Exactness::exact;
     /** Whether the last attempt did, so that the next one takes more care. */
     bool has_failed = false;

@@ -2,31 +2,31 @@
 #define auxfem_analysis_saved_state_h
 
 #include <auxfem/equations/equations.h>
-#include <auxfem/time/records.h>
+#include <auxfem/time/checkpoint_archive.h>
 
 namespace auxfem
 {
-  /** Keeps all of @p state, an accepted one, in @p records. Collective. */
-  void
-  save_state(const State &state, const Equations &equations, Records &records);
-
   /**
-   * The state that save_state() has kept, to the last digit on as many ranks.
-   * Throws InputError if a record is missing. Collective.
+   * Saves @p state, an accepted one, or restores it in place of the initial
+   * state, with equal digits on as many ranks. Throws InputError if a record is
+   * missing. Collective.
    */
-  State saved_state(const Equations &equations, const Records &records);
+  void serialize_state(const Equations   &equations,
+                       CheckpointArchive &archive,
+                       State             &state);
 
-  /** Its displacements alone. Throws as saved_state(). Collective. */
+  /** Displacements of a saved state. Throws as serialize_state(). Collective.
+   */
   Vector saved_displacement(const Equations &equations, const Records &records);
 
-  /** When that was (s); of a path of equilibria the arc length (m). */
+  /** Time of a saved state (s); on a path of equilibria its arc length (m). */
   double time_of_saved_state(const Records &records);
 
-  /** Steps of the scene until then, or points of a path. */
+  /** Steps of the scene until a saved state, or points of a path. */
   unsigned long step_of_saved_state(const Records &records);
 
-  /** Where it was on a path of equilibria; nothing if on none. */
-  std::optional<PathPosition> saved_path_position(const Records &records);
+  /** Load factor of a saved state on a path of equilibria. */
+  double load_factor_of_saved_state(const Records &records);
 } // namespace auxfem
 
 #endif

@@ -4,6 +4,7 @@
 #include <auxfem/analysis/large_rotation_error.h>
 #include <auxfem/analysis/small_displacement_error.h>
 #include <auxfem/equations/first_contact_detector.h>
+#include <auxfem/time/checkpoint_archive.h>
 
 #include <stdexcept>
 
@@ -49,11 +50,7 @@ namespace auxfem
       return estimator.effort();
     }
 
-    /** @name For runs that are resumed. */
-    ///@{
-    void save(Records &records) const;
-    void resume(const Records &records);
-    ///@}
+    void serialize(CheckpointArchive &archive);
 
   private:
     /** Motions that are known to be stable and to have a small error: they are

@@ -54,10 +54,6 @@ namespace auxfem
       before.clear();
     }
 
-    /** Keeps what the next step is predicted by. */
-    void save(Records &records) const;
-    void resume(const Records &records);
-
     /** By how much the step differs from that of the embedded scheme. */
     struct Difference
     {

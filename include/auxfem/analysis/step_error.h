@@ -5,6 +5,7 @@
 #include <auxfem/analysis/backward_differences.h>
 #include <auxfem/analysis/stages.h>
 #include <auxfem/output/verdict.h>
+#include <auxfem/time/checkpoint_archive.h>
 
 #include <array>
 #include <optional>
@@ -65,8 +66,7 @@ namespace auxfem
     /** A finding if all steps together err more than the tolerance allows. */
     std::vector<Finding> findings() const;
 
-    void save(Records &records) const;
-    void resume(const Records &records);
+    void serialize(CheckpointArchive &archive);
 
   private:
     /** Displacements (m) or rotations (rad). */

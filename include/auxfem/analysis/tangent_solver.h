@@ -97,26 +97,14 @@ namespace auxfem
       return tangent;
     }
 
-    /**
-     * As factorize(), of a matrix that a run that is resumed had factorized:
-     * that counts as no work, and nobody asks for its inertia again.
-     */
-    bool factorize_again(Exactness exactness);
-
-    /**
-     * Keeps what later factorizations depend on beside their matrix, and the
-     * matrix if it is to be factorized again.
-     * @param name of this solver among those of the run
-     */
-    void save(const std::string &name,
-              bool               with_factorization,
-              Records           &records) const;
-
-    /**
-     * Takes back what save() has kept, and factorizes the matrix that is among
-     * it; returns whether there was one. That does not count as work.
-     */
-    bool resume(const std::string &name, const Records &records);
+    /** What follows depends on the factorizations before no longer; that of
+     * linear equations stays. */
+    void restart()
+    {
+      if (!equation_system.is_linear())
+        solver.forget_pivots();
+      is_new_factorization = false;
+    }
 
   private:
     const Equations &equation_system;

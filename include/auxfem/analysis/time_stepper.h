@@ -9,6 +9,7 @@
 #include <auxfem/analysis/step_error.h>
 #include <auxfem/analysis/watch.h>
 #include <auxfem/scene/step_ends.h>
+#include <auxfem/time/checkpoint_archive.h>
 #include <auxfem/time/step_control.h>
 
 namespace auxfem
@@ -44,15 +45,15 @@ namespace auxfem
      */
     StepReport advance(Solution &solution, Recorder &recorder);
 
-    /** Keeps what resume() needs beside the state. */
-    void save(Records &records) const;
+    /** Saves or restores what the stepper remembers beside the state. */
+    void serialize(CheckpointArchive &archive);
 
     /**
-     * In place of start(): goes on from solution.state, at which @p records were
-     * saved, and finds the results for it. On as many ranks all that follows is
-     * that of the run that has saved them, to the last digit.
+     * Begins anew at @p solution, an accepted one: what follows depends on its
+     * state and on what serialize() restores alone. So a run that is resumed
+     * there has equal digits. Finds the results of the state.
      */
-    void resume(Solution &solution, const Records &records);
+    void restart(Solution &solution);
 
     /** For what has to be solved before the start. */
     TangentSolver &solver()
@@ -205,6 +206,7 @@ namespace auxfem
     EquilibriumJumps       *jumps = nullptr;
     SmallDisplacementLimit *limit = nullptr;
     std::string             last_failure;
+    double                  last_dt = 0; ///< of the last accepted step (s)
     /** Of the last step, over the one that is allowed; 0: it failed for another
      * reason, or did not. */
     double rejected_error = 0;

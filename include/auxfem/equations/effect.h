@@ -79,19 +79,13 @@ namespace auxfem
       return false;
     }
 
-    /** @name What of the couplings does not follow from the state at which a
-     * run is resumed. */
-    ///@{
-    virtual void save(Records & /*records*/) const
-    {}
-
-    /** As update_couplings(). */
-    virtual bool resume(const Records & /*records*/,
-                        std::vector<int> & /*wanted*/)
+    /** As update_couplings(), from the state alone: what was found in states
+     * before it is forgotten. */
+    virtual bool restart_couplings(const State & /*accepted*/,
+                                   std::vector<int> & /*wanted*/)
     {
       return false;
     }
-    ///@}
 
     /** Room for the results of an evaluation; nullptr: there are none. */
     virtual std::unique_ptr<EffectResults> make_results() const

@@ -216,11 +216,9 @@ namespace auxfem
      */
     bool update_couplings(State &accepted);
 
-    /** Keeps the couplings there are. */
-    void save(Records &records) const;
-
-    /** Goes on with the couplings that were saved; as update_couplings(). */
-    bool resume(State &accepted, const Records &records);
+    /** As update_couplings(), from the state alone
+     * (Effect::restart_couplings()). */
+    bool restart_couplings(State &accepted);
 
     /**
      * Raises @p forces (n_local entries) to those that all effects exert in each

@@ -63,9 +63,9 @@ namespace auxfem
       return near_pairs;
     }
 
-    /** Keeps near(), which does not follow from a state alone. */
-    void save(Records &records) const;
-    void resume(const Records &records);
+    /** Follows an accepted state as if nothing were known of those before;
+     * whether near() has changed. Collective. */
+    bool restart(const State &accepted);
 
     /** A strut that goes into a plate. */
     struct Depth

@@ -69,9 +69,9 @@ namespace auxfem
       return touches_soon;
     }
 
-    /** Keeps all that near() and its next change follow from. */
-    void save(Records &records) const;
-    void resume(const Records &records);
+    /** Looks at all struts in an accepted state, as if nothing were known of
+     * the states before; whether near() has changed. Collective. */
+    bool restart(const std::vector<double> &displacements);
 
     /**
      * A pair of struts that comes nearer on the straight way between two states
@@ -159,13 +159,6 @@ namespace auxfem
                                 const std::vector<double>       &u);
     Connected look_at_connected(const AxisPair            &pair,
                                 const std::vector<double> &u) const;
-    /** A pair with a common node as three numbers in a list, and the k-th of
-     * one. */
-    ///@{
-    static void add_values(const Connected &pair, std::vector<double> &values);
-    static Connected connected_at(const std::vector<double> &values,
-                                  std::size_t                k);
-    ///@}
     /** How much an axis has turned since it was looked at (rad). */
     double turning(unsigned int axis, const std::vector<double> &u) const;
     /** How much it may turn until it is looked at again (rad). */
@@ -188,13 +181,6 @@ namespace auxfem
                         const std::vector<double> &from,
                         const std::vector<double> &to,
                         double                     least) const;
-
-    /** Displacements in the order of the axes, which is the same on any number
-     * of ranks, and back. */
-    ///@{
-    std::vector<double> by_axis(const std::vector<double> &values) const;
-    std::vector<double> by_number(const std::vector<double> &values) const;
-    ///@}
 
     /** Largest motion of a node (m). */
     ///@{

@@ -3,7 +3,7 @@
 
 #include <auxfem/algebra/vector.h>
 #include <auxfem/model/numbering.h>
-#include <auxfem/time/records.h>
+#include <auxfem/time/checkpoint_archive.h>
 
 namespace auxfem
 {
@@ -37,6 +37,29 @@ namespace auxfem
      * have them. Collective.
      */
     Vector values(const std::string &name, const Records &records) const;
+
+    /** Saves or restores @p values at all local unknowns. Collective. */
+    void serialize(const std::string &name,
+                   Vector            &values,
+                   CheckpointArchive &archive) const
+    {
+      if (archive.is_saving())
+        keep(name, values, archive.to());
+      else
+        values = this->values(name, archive.from());
+    }
+
+    /** The same of values that need not be there. */
+    void serialize(const std::string     &name,
+                   std::optional<Vector> &values,
+                   CheckpointArchive     &archive) const
+    {
+      if (archive.is_saving() ? !values.has_value() : !archive.has(name))
+        return values.reset();
+      if (!values)
+        values.emplace();
+      serialize(name, *values, archive);
+    }
 
   private:
     std::vector<unsigned int> owned() const

@@ -4,6 +4,7 @@
 #include <auxfem/equations/equations.h>
 #include <auxfem/equations/solution.h>
 #include <auxfem/output/line_graphics.h>
+#include <auxfem/time/checkpoint_archive.h>
 
 #include <optional>
 
@@ -37,11 +38,8 @@ namespace auxfem
     /** Throws ComputationError if the disk takes no more. Collective. */
     void write(const Solution &solution);
 
-    /** Keeps the numbers of files so far. */
-    void save(Records &records) const;
-
-    /** Numbers files on from where @p records were saved. */
-    void resume(const Records &records);
+    /** The numbers of files so far. */
+    void serialize(CheckpointArchive &archive);
 
   private:
     void start_contacts();

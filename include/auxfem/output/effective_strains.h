@@ -4,7 +4,7 @@
 #include <auxfem/model/lattice_model.h>
 #include <auxfem/output/csv_table.h>
 #include <auxfem/scene/scene.h>
-#include <auxfem/time/records.h>
+#include <auxfem/time/checkpoint_archive.h>
 
 #include <optional>
 #include <string>
@@ -83,11 +83,7 @@ namespace auxfem
              const std::vector<unsigned int> &axes,
              const double                    *values);
 
-    /** Keeps what resume() needs. */
-    void save(Records &records) const;
-
-    /** Goes on from where @p records were saved. */
-    void resume(const Records &records);
+    void serialize(CheckpointArchive &archive);
 
     /** When it was (s). */
     double time() const

@@ -3,8 +3,8 @@
 
 #include <auxfem/output/csv_table.h>
 #include <auxfem/parameters/json.h>
+#include <auxfem/time/checkpoint_archive.h>
 #include <auxfem/time/energies.h>
-#include <auxfem/time/records.h>
 
 #include <optional>
 
@@ -22,11 +22,8 @@ namespace auxfem
     /** Takes note of @p energies; the first ones are those the balance starts from. */
     void add(const Energies &energies);
 
-    /** Keeps what resume() needs, after the first add(). */
-    void save(Records &records) const;
-
-    /** Goes on from @p energies, the latest when @p records were saved. */
-    void resume(const Energies &energies, const Records &records);
+    /** After the first add(), or with the latest @p energies. */
+    void serialize(const Energies &energies, CheckpointArchive &archive);
 
     /** @p energy over the largest energy; 0 as long as there is no energy. */
     double relative(double energy) const;

@@ -8,6 +8,7 @@
 #include <auxfem/output/rigid_part_probe.h>
 #include <auxfem/output/rotation_vectors.h>
 #include <auxfem/scene/scene.h>
+#include <auxfem/time/checkpoint_archive.h>
 
 #include <optional>
 
@@ -74,18 +75,12 @@ namespace auxfem
     /** Takes note of the energies and rotations of a state that gets no row. */
     void note(const State &state);
 
-    /**
-     * Keeps what resume() needs, at the state last given to values() or note().
-     * Collective.
-     */
-    void save(Records &records) const;
-
-    /** Goes on from @p state, at which @p records were saved. */
-    void resume(const State &state, const Records &records);
+    /** At @p state, the one last given to values() or note(). Collective. */
+    void serialize(const State &state, CheckpointArchive &archive);
 
     /**
      * Largest |rotation| (rad) in all rows so far, of nodes of this rank; in
-     * those before resume() of all ranks. In space only those of probes and
+     * those before serialize() of all ranks. In space only those of probes and
      * rigid parts count revolutions.
      */
     double largest_rotation() const

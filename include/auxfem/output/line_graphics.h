@@ -1,7 +1,7 @@
 #ifndef auxfem_output_line_graphics_h
 #define auxfem_output_line_graphics_h
 
-#include <auxfem/time/records.h>
+#include <auxfem/time/checkpoint_archive.h>
 
 #include <deal.II/base/data_out_base.h>
 #include <deal.II/base/mpi.h>
@@ -96,17 +96,15 @@ namespace auxfem
       return name;
     }
 
-    /** Keeps the number of files so far. */
-    void save(Records &records) const;
-
-    /** Whether @p records hold a series. */
-    static bool is_in(const Records &records, const std::string &series);
+    /** Whether @p archive restores a series. */
+    static bool is_in(const CheckpointArchive &archive,
+                      const std::string       &series);
 
     /**
-     * Numbers files on from where @p records were saved. The record NAME.pvd
-     * lists those that follow.
+     * The number of files so far. A restored series numbers files on; the
+     * record NAME.pvd lists those that follow.
      */
-    void resume(const Records &records);
+    void serialize(CheckpointArchive &archive);
 
   private:
     static std::string record_name(const std::string &series);

@@ -4,6 +4,7 @@
 #include <auxfem/output/history.h>
 #include <auxfem/output/output_times.h>
 #include <auxfem/output/recorder.h>
+#include <auxfem/time/checkpoint_archive.h>
 
 #include <optional>
 #include <vector>
@@ -29,14 +30,10 @@ namespace auxfem
       row_list.push_back(history->values(solution));
     }
 
-    void resume(const Solution &solution, const Records &records) override
+    void serialize(const Solution    &solution,
+                   CheckpointArchive &archive) override
     {
-      history->resume(solution.state, records);
-    }
-
-    void save(Records &records) const override
-    {
-      history->save(records);
+      history->serialize(solution.state, archive);
     }
 
     std::optional<double> next_time(const double time) const override

@@ -6,6 +6,7 @@
 #include <auxfem/output/order_report.h>
 #include <auxfem/output/singular_point.h>
 #include <auxfem/output/verdict.h>
+#include <auxfem/time/checkpoint_archive.h>
 #include <auxfem/time/step_report.h>
 
 #include <optional>
@@ -86,35 +87,21 @@ namespace auxfem
       return nullptr;
     }
 
-    /** Whether it has a use for checkpoints at all. */
-    virtual bool keeps_checkpoints() const
-    {
-      return false;
-    }
-
-    /** Whether one is due. The same on all ranks; collective. */
-    virtual bool wants_checkpoint()
-    {
-      return false;
-    }
-
-    /** One that was due, or is there because the run ends. Collective. */
+    /** The latest one. Collective. */
     virtual void take(Records /*checkpoint*/)
     {}
 
-    /**
-     * In place of start(): the run goes on from @p solution, at which @p records
-     * were saved by a recorder of the same kind.
-     */
-    virtual void resume(const Solution & /*solution*/,
-                        const Records & /*records*/)
+    /** The run ends, or is interrupted: another one goes on from the checkpoint
+     * taken last. Collective. */
+    virtual void keep_checkpoint()
     {}
 
     /**
-     * Keeps what the recorder remembers of the solutions it has been told of,
-     * for resume(). Called after start() or step().
+     * Saves what the recorder remembers of the solutions it has been told of,
+     * @p solution the last; or restores it in place of start().
      */
-    virtual void save(Records & /*records*/) const
+    virtual void serialize(const Solution & /*solution*/,
+                           CheckpointArchive & /*archive*/)
     {}
     ///@}
 

@@ -4,6 +4,7 @@
 #include <auxfem/equations/equations.h>
 #include <auxfem/output/csv_table.h>
 #include <auxfem/scene/scene.h>
+#include <auxfem/time/checkpoint_archive.h>
 
 namespace auxfem
 {
@@ -20,11 +21,7 @@ namespace auxfem
     /** Goes on to @p state; parts must not have turned by half a turn since the last. */
     void follow(const State &state);
 
-    /** Keeps what resume() needs. */
-    void save(Records &records) const;
-
-    /** Goes on from where @p records were saved. */
-    void resume(const Records &records);
+    void serialize(CheckpointArchive &archive);
 
     /** By the number of the part in RigidPartConditions::report() (rad). */
     const std::vector<SpaceVector> &values() const

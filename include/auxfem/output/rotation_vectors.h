@@ -2,7 +2,7 @@
 #define auxfem_output_rotation_vectors_h
 
 #include <auxfem/model/lattice_model.h>
-#include <auxfem/time/records.h>
+#include <auxfem/time/checkpoint_archive.h>
 
 namespace auxfem
 {
@@ -28,11 +28,8 @@ namespace auxfem
      */
     void follow(const State &state);
 
-    /** Keeps what resume() needs, at the state last followed. */
-    void save(Records &records) const;
-
-    /** Goes on from @p state, at which @p records were saved. */
-    void resume(const State &state, const Records &records);
+    /** At @p state, the one last followed. */
+    void serialize(const State &state, CheckpointArchive &archive);
 
     /** The entry of local unknown @p unknown (rad), a spin of a chosen one. */
     double operator[](int unknown) const;

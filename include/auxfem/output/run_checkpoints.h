@@ -42,9 +42,8 @@ namespace auxfem
                                  MPI_Comm           communicator);
 
   /**
-   * Takes checkpoints of a run into its folder, now and then by wall time: at
-   * most one in the interval that the scene gives, and so rarely that they take
-   * less than a hundredth of it. All functions are collective.
+   * Writes checkpoints of a run into its folder, so rarely that they take less
+   * than a hundredth of its time. All functions are collective.
    */
   class RunCheckpoints
   {
@@ -52,6 +51,7 @@ namespace auxfem
     /** @param scene must outlive the object. */
     RunCheckpoints(const Scene &scene, MPI_Comm communicator);
 
+    /** Whether another one takes no more than that. */
     bool is_due();
 
     /**

@@ -7,6 +7,7 @@
 #include <auxfem/output/output_folder.h>
 #include <auxfem/output/singular_point.h>
 #include <auxfem/output/vtu_writer.h>
+#include <auxfem/time/checkpoint_archive.h>
 
 #include <optional>
 
@@ -31,7 +32,7 @@ namespace auxfem
   {
   public:
     /** Throws InputError as the files do. @p scene, equations must outlive the
-     * object. @param goes_on_from what save() has kept; nullptr: nothing. */
+     * object. @param goes_on_from what serialize() has saved; nullptr: nothing. */
     SingularPointFiles(const Scene     &scene,
                        const Equations &equations,
                        MPI_Comm         communicator,
@@ -40,8 +41,8 @@ namespace auxfem
     /** Adds a point, at @p at. */
     void write(const State &at, const SingularPoint &point);
 
-    /** For paths that are resumed: what files there are. */
-    void save(Records &records) const;
+    /** What files there are. */
+    void serialize(CheckpointArchive &archive);
 
     /** Names of the files and series that a checkpoint relies on. */
     std::vector<std::string> files() const;

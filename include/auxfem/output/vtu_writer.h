@@ -5,6 +5,7 @@
 #include <auxfem/equations/solution.h>
 #include <auxfem/output/contact_graphics.h>
 #include <auxfem/scene/scene.h>
+#include <auxfem/time/checkpoint_archive.h>
 
 #include <optional>
 
@@ -68,11 +69,8 @@ namespace auxfem
      * ContactGraphics. */
     void write_contacts(const Solution &solution);
 
-    /** Keeps the numbers of files so far. */
-    void save(Records &records) const;
-
-    /** Numbers files on from where @p records were saved. */
-    void resume(const Records &records);
+    /** The numbers of files so far. */
+    void serialize(CheckpointArchive &archive);
 
   private:
     using SetMembers = std::vector<bool>; ///< by strut

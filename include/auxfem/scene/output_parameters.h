@@ -40,9 +40,9 @@ namespace auxfem
     bool         graphics         = true;
     unsigned int history_interval = 1;  ///< steps between rows of history.csv
     std::optional<double> row_interval; ///< in place of it (s)
-    /** Wall time between checkpoints (s); 0: there are none. */
-    double       checkpoint_interval = 600;
-    unsigned int segments = 8; ///< straight pieces an element is drawn with
+    /** Of a run, at equal numbers of steps; 0: there are none. */
+    unsigned int checkpoints = 20;
+    unsigned int segments    = 8; ///< straight pieces an element is drawn with
     /** Whether history.csv has the strains between opposite sides. */
     bool effective_strains = false;
     /** Whether results that are not to be used are a failure. */

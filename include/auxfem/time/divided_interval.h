@@ -57,11 +57,6 @@ namespace auxfem
       return whole;
     }
 
-    /** What restore() needs. */
-    std::vector<double>           values() const;
-    static constexpr unsigned int n_values = 6;
-    void                          restore(const std::vector<double> &values);
-
   private:
     std::optional<double> target; ///< if it is under way
     double                begin = 0, whole = 0;

@@ -1,7 +1,7 @@
 #ifndef auxfem_time_step_control_h
 #define auxfem_time_step_control_h
 
-#include <auxfem/time/records.h>
+#include <auxfem/time/checkpoint_archive.h>
 
 #include <memory>
 
@@ -53,11 +53,10 @@ namespace auxfem
     /** Length of the shortest step (s). */
     virtual double shortest() const = 0;
 
-    /** Keeps what resume() needs. */
-    virtual void save(Records &records) const = 0;
-
-    /** Goes on from where @p records were saved by a control of the same kind. */
-    virtual void resume(const Records &records) = 0;
+    /** Saves or restores what it remembers at the end of a step of the scene.
+     */
+    virtual void serialize(CheckpointArchive & /*archive*/)
+    {}
   };
 
   /**

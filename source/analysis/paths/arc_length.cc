@@ -6,13 +6,6 @@
 
 namespace auxfem
 {
-  namespace
-  {
-    const std::string rates_record     = "path: change of the load factor",
-                      direction_record = "path: direction",
-                      bend_record      = "path: bend";
-  } // namespace
-
   std::optional<Vector> load_response(TangentSolver    &solver,
                                       const Evaluation &evaluation)
   {
@@ -30,25 +23,14 @@ namespace auxfem
     return deviation;
   }
 
-  void PathTangent::save(const DofNumbering &numbering, Records &records) const
+  void PathTangent::serialize(const DofNumbering &numbering,
+                              CheckpointArchive  &archive)
   {
     const UnknownRecords unknowns(numbering);
-    records.keep(rates_record, {load_rate, load_bend});
-    unknowns.keep(direction_record, direction, records);
-    if (!bend.empty())
-      unknowns.keep(bend_record, bend, records);
-  }
-
-  PathTangent PathTangent::saved(const DofNumbering &numbering,
-                                 const Records      &records)
-  {
-    const UnknownRecords      unknowns(numbering);
-    const std::vector<double> rates = records.values(rates_record, 2);
-    PathTangent tangent{unknowns.values(direction_record, records), rates[0]};
-    if (records.has(bend_record))
-      tangent.bend = unknowns.values(bend_record, records);
-    tangent.load_bend = rates[1];
-    return tangent;
+    archive.values("path: change of the load factor", load_rate, load_bend);
+    unknowns.serialize("path: direction", direction, archive);
+    bend.resize(direction.size(), 0.);
+    unknowns.serialize("path: bend", bend, archive);
   }
 
   ArcLength::ArcLength(const PathMetric  &metric,

@@ -18,8 +18,6 @@ namespace auxfem
     /** By how much a length at which a step has failed grows with every point.
      */
     constexpr double forgetting = 1.1;
-
-    const std::string length_record = "path: length of steps";
   } // namespace
 
   PathStepLength::PathStepLength(const double resolution, const double first)
@@ -73,19 +71,13 @@ namespace auxfem
     next /= 3;
   }
 
-  void PathStepLength::save(Records &records) const
+  void PathStepLength::serialize(CheckpointArchive &archive)
   {
-    records.keep(length_record,
-                 {next, smallest, too_long, largest_distance, largest_load});
-  }
-
-  void PathStepLength::resume(const Records &records)
-  {
-    const std::vector<double> saved = records.values(length_record, 5);
-    next                            = saved[0];
-    smallest                        = saved[1];
-    too_long                        = saved[2];
-    largest_distance                = saved[3];
-    largest_load                    = saved[4];
+    archive.values("path: length of steps",
+                   next,
+                   smallest,
+                   too_long,
+                   largest_distance,
+                   largest_load);
   }
 } // namespace auxfem

@@ -59,14 +59,11 @@ namespace auxfem
         return true;
       }
 
-      void save(Records &records) const override
+      bool restart_couplings(const State      &accepted,
+                             std::vector<int> &wanted) override
       {
-        proximity.save(records);
-      }
-
-      bool resume(const Records &records, std::vector<int> &wanted) override
-      {
-        proximity.resume(records);
+        if (!proximity.restart(accepted))
+          return false;
         want_unknowns(wanted);
         return true;
       }

@@ -60,14 +60,14 @@ namespace auxfem
         return true;
       }
 
-      void save(Records &records) const override
+      bool restart_couplings(const State      &accepted,
+                             std::vector<int> &wanted) override
       {
-        proximity.save(records);
-      }
-
-      bool resume(const Records &records, std::vector<int> &wanted) override
-      {
-        proximity.resume(records);
+        std::vector<double> room;
+        if (!proximity.restart(by_global_number(accepted.displacement,
+                                                model.numbering.layout(),
+                                                room)))
+          return false;
         want_unknowns(wanted);
         return true;
       }

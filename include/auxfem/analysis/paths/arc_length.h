@@ -3,6 +3,7 @@
 
 #include <auxfem/analysis/newton.h>
 #include <auxfem/analysis/paths/path_metric.h>
+#include <auxfem/time/checkpoint_archive.h>
 
 #include <cmath>
 #include <optional>
@@ -36,12 +37,8 @@ namespace auxfem
     }
     ///@}
 
-    /** @name For paths that are resumed. Collective. */
-    ///@{
-    void save(const DofNumbering &numbering, Records &records) const;
-    static PathTangent saved(const DofNumbering &numbering,
-                             const Records      &records);
-    ///@}
+    /** Collective. */
+    void serialize(const DofNumbering &numbering, CheckpointArchive &archive);
   };
 
   /**

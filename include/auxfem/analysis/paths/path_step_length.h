@@ -2,6 +2,7 @@
 #define auxfem_analysis_paths_path_step_length_h
 
 #include <auxfem/analysis/paths/path_stepper.h>
+#include <auxfem/time/checkpoint_archive.h>
 
 #include <algorithm>
 #include <limits>
@@ -54,11 +55,7 @@ namespace auxfem
       return next < smallest;
     }
 
-    /** @name For paths that are resumed. */
-    ///@{
-    void save(Records &records) const;
-    void resume(const Records &records);
-    ///@}
+    void serialize(CheckpointArchive &archive);
 
   private:
     const double resolution;

@@ -95,6 +95,12 @@ namespace auxfem
      */
     std::optional<double> part_of_loads(const PathPoint &point);
 
+    /** As Newton::restart(). */
+    void restart()
+    {
+      newton.restart();
+    }
+
     const PathMetric &metric() const
     {
       return of_path;
