@@ -178,8 +178,8 @@ namespace auxfem
   void Equations::add_geometric_tangent(const ForceChange &change,
                                         TangentMatrix     &matrix) const
   {
-    for (unsigned int i = 0; i < n_internal; ++i)
-      effects[i]->add_geometric_tangent(change, i, matrix);
+    for (const auto &[effect, terms] : small_motion_terms)
+      terms->add_geometric_tangent(change, effect, matrix);
   }
 
   void Equations::dynamic_stiffness(const Evaluation          &evaluation,
@@ -191,19 +191,19 @@ namespace auxfem
     const std::complex<double> square = s * s;
     tangent(evaluation, results, {1., s.real(), square.real()}, real);
     tangent(evaluation, results, {0., s.imag(), square.imag()}, imaginary);
-    for (unsigned int i = 0; i < n_internal; ++i)
-      effects[i]->add_viscous_stiffness(evaluation,
-                                        results.of_effects[i].get(),
-                                        s,
-                                        real,
-                                        imaginary);
+    for (const auto &[effect, terms] : small_motion_terms)
+      terms->add_viscous_stiffness(evaluation,
+                                   results.of_effects[effect].get(),
+                                   s,
+                                   real,
+                                   imaginary);
   }
 
   std::set<double> Equations::relaxation_times() const
   {
     std::vector<double> mine;
-    for (unsigned int i = 0; i < n_internal; ++i)
-      effects[i]->add_relaxation_times(unknowns(), mine);
+    for (const auto &[effect, terms] : small_motion_terms)
+      terms->add_relaxation_times(unknowns(), mine);
     const std::vector<double> all =
       of_all_ranks(mine, unknowns().layout.communicator());
     return {all.begin(), all.end()};
@@ -214,10 +214,10 @@ namespace auxfem
                                      TangentMatrix           &matrix) const
   {
     matrix.reset();
-    for (unsigned int i = 0; i < n_internal; ++i)
-      effects[i]->add_relaxing_stiffness(results.of_effects[i].get(),
-                                         time,
-                                         matrix);
+    for (const auto &[effect, terms] : small_motion_terms)
+      terms->add_relaxing_stiffness(results.of_effects[effect].get(),
+                                    time,
+                                    matrix);
   }
 
   Vector Equations::load_derivative(const Evaluation &evaluation) const
@@ -238,11 +238,11 @@ namespace auxfem
       {
         const EffectResults *of_effect = results.of_effects[i].get();
         effects[i]->account(evaluation, of_effect, account);
-        if (is_stage)
-          effects[i]->account_stage(evaluation, of_effect, account);
-        else
+        if (!is_stage)
           effects[i]->account_step(evaluation, of_effect, account);
       }
+    if (is_stage)
+      add_stage(evaluation, results, account);
     evaluation.to.energies.amounts() =
       structure.numbering.layout().sum(account.close());
   }
@@ -251,27 +251,37 @@ namespace auxfem
                                 const EvaluationResults &results) const
   {
     EnergyAccount account(stage);
-    for (unsigned int i = 0; i < effects.size(); ++i)
-      effects[i]->account_stage(stage, results.of_effects[i].get(), account);
+    add_stage(stage, results, account);
     account.close();
+  }
+
+  void Equations::add_stage(const Evaluation        &stage,
+                            const EvaluationResults &results,
+                            EnergyAccount           &account) const
+  {
+    for (const auto &[effect, terms] : stage_terms)
+      terms->account_stage(stage, results.of_effects[effect].get(), account);
   }
 
   bool Equations::stages_need_no_residual() const
   {
-    return std::none_of(effects.begin(), effects.end(), [](const auto &effect) {
-      return effect->stage_needs() == Effect::StageNeeds::residual;
-    });
+    return std::none_of(stage_terms.begin(),
+                        stage_terms.end(),
+                        [](const auto &implementation) {
+                          return implementation.terms->stage_needs() ==
+                            StageTerms::StageNeeds::residual;
+                        });
   }
 
   void Equations::find_stage_results(const Evaluation  &stage,
                                      EvaluationResults &results) const
   {
     update_ghosts(stage.to);
-    for (unsigned int i = 0; i < effects.size(); ++i)
-      if (effects[i]->stage_needs() != Effect::StageNeeds::state)
-        effects[i]->add_residual(stage,
-                                 stage.to.residual.data(),
-                                 results.of_effects[i].get());
+    for (const auto &[effect, terms] : stage_terms)
+      if (terms->stage_needs() != StageTerms::StageNeeds::state)
+        effects[effect]->add_residual(stage,
+                                      stage.to.residual.data(),
+                                      results.of_effects[effect].get());
   }
 
   std::vector<double>
@@ -279,10 +289,10 @@ namespace auxfem
                                  const EvaluationResults &results) const
   {
     std::vector<double> rates(state.history.size(), 0.);
-    for (unsigned int i = 0; i < effects.size(); ++i)
-      effects[i]->find_internal_rates(state,
-                                      results.of_effects[i].get(),
-                                      rates.data());
+    for (const auto &[effect, terms] : stage_terms)
+      terms->find_internal_rates(state,
+                                 results.of_effects[effect].get(),
+                                 rates.data());
     return rates;
   }
 
@@ -290,8 +300,8 @@ namespace auxfem
   {
     bool             changed = false;
     std::vector<int> wanted;
-    for (const auto &effect : effects)
-      changed = effect->update_couplings(accepted, wanted) || changed;
+    for (const auto &[effect, couplings] : changing_couplings)
+      changed = couplings->update_couplings(accepted, wanted) || changed;
     return couple(changed, wanted, accepted);
   }
 
@@ -299,8 +309,8 @@ namespace auxfem
   {
     bool             changed = false;
     std::vector<int> wanted;
-    for (const auto &effect : effects)
-      changed = effect->restart_couplings(accepted, wanted) || changed;
+    for (const auto &[effect, couplings] : changing_couplings)
+      changed = couplings->restart_couplings(accepted, wanted) || changed;
     return couple(changed, wanted, accepted);
   }
 
@@ -378,16 +388,18 @@ namespace auxfem
 
   bool Equations::may_touch() const
   {
-    return std::any_of(effects.begin(), effects.end(), [](const auto &effect) {
-      return effect->may_touch();
-    });
+    return std::any_of(changing_couplings.begin(),
+                       changing_couplings.end(),
+                       [](const auto &implementation) {
+                         return implementation.terms->may_touch();
+                       });
   }
 
   std::string Equations::why_not_acceptable(const Evaluation &step) const
   {
     std::string mine;
-    for (const auto &effect : effects)
-      if (const std::string why = effect->why_not_acceptable(step);
+    for (const auto &[effect, couplings] : changing_couplings)
+      if (const std::string why = couplings->why_not_acceptable(step);
           mine.empty())
         mine = why;
     return text_of_lowest_rank(structure.numbering.layout(), mine);

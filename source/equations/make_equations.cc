@@ -52,6 +52,9 @@ namespace auxfem
       make_inertia(scene);
     n_balanced = effects.size();
     make_loads(scene);
+    stage_terms        = implementations<StageTerms>();
+    small_motion_terms = implementations<SmallMotionTerms>();
+    changing_couplings = implementations<ChangingCouplings>();
     refuse_unknown_errors(scene);
     enter_energies();
     for (const auto &effect : effects)

@@ -15,7 +15,7 @@ using namespace auxfem::testing_support;
 namespace
 {
   /** A spring along x between two joints, from a time on. */
-  class LateSpring : public Effect
+  class LateSpring : public Effect, public ChangingCouplings
   {
   public:
     LateSpring(const LatticeModel               &model,

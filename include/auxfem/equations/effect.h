@@ -67,26 +67,6 @@ namespace auxfem
     virtual void register_blocks(TangentPattern & /*pattern*/)
     {}
 
-    /**
-     * Brings what couples unknowns up to date with an accepted state, between
-     * steps. Returns whether blocks must be registered anew.
-     * @param wanted receives global numbers of unknowns that the effect needs
-     *   from now on; they are local when blocks are registered. Collective.
-     */
-    virtual bool update_couplings(const State & /*accepted*/,
-                                  std::vector<int> & /*wanted*/)
-    {
-      return false;
-    }
-
-    /** As update_couplings(), from the state alone: what was found in states
-     * before it is forgotten. */
-    virtual bool restart_couplings(const State & /*accepted*/,
-                                   std::vector<int> & /*wanted*/)
-    {
-      return false;
-    }
-
     /** Room for the results of an evaluation; nullptr: there are none. */
     virtual std::unique_ptr<EffectResults> make_results() const
     {
@@ -110,46 +90,6 @@ namespace auxfem
                              const EffectResults * /*results*/,
                              const TangentFactors & /*factors*/,
                              TangentMatrix & /*matrix*/) const
-    {}
-
-    /**
-     * Adds the geometric stiffness of a change of its forces: the derivative of
-     * the residual by motions from change.state in which these stay as they
-     * are, in the axes they have. Constraints have it by their multipliers.
-     * @param effect index of the effect in EvaluationResults::of_effects
-     */
-    virtual void add_geometric_tangent(const ForceChange & /*change*/,
-                                       const unsigned int /*effect*/,
-                                       TangentMatrix & /*matrix*/) const
-    {}
-
-    /**
-     * Adds what the stiffness for small motions that go as e^(s t), s in 1/s,
-     * has beside that of very slow ones, damping and inertia: real and
-     * imaginary part.
-     * @param results of add_residual() in the same evaluation
-     */
-    virtual void add_viscous_stiffness(const Evaluation & /*evaluation*/,
-                                       const EffectResults * /*results*/,
-                                       const std::complex<double> /*s*/,
-                                       TangentMatrix & /*real*/,
-                                       TangentMatrix & /*imaginary*/) const
-    {}
-
-    /**
-     * Appends the relaxation times (s) of Maxwell elements in
-     * add_viscous_stiffness() that this rank owns and @p unknowns let move.
-     */
-    virtual void add_relaxation_times(const Unknowns & /*unknowns*/,
-                                      std::vector<double> & /*times*/) const
-    {}
-
-    /** Adds the stiffness E of the Maxwell elements with the relaxation time
-     * @p time (s), of which add_viscous_stiffness() has E s time / (1 + s
-     * time). */
-    virtual void add_relaxing_stiffness(const EffectResults * /*results*/,
-                                        double /*time*/,
-                                        TangentMatrix & /*matrix*/) const
     {}
 
     /** Adds the derivative of the residual by time_of_loads() (n_local
@@ -178,40 +118,6 @@ namespace auxfem
     {}
 
     /**
-     * The same, of a step with stages, for a stage: by the power of dissipation
-     * and work, each times evaluation.weight.
-     */
-    virtual void account_stage(const Evaluation & /*stage*/,
-                               const EffectResults * /*results*/,
-                               EnergyAccount & /*account*/) const
-    {}
-
-    /** What of an evaluation account_stage() and find_internal_rates() need. */
-    enum class StageNeeds
-    {
-      state,   ///< no forces
-      results, ///< those of this effect
-      residual ///< that of all effects
-    };
-
-    /** The same whatever the state. */
-    virtual StageNeeds stage_needs() const
-    {
-      return StageNeeds::state;
-    }
-
-    /**
-     * Rates of the internal variables that obey differential equations
-     * (StateLayout::integrated), written to @p rates, which has the size of
-     * State::history.
-     * @param results of add_residual() at the same state
-     */
-    virtual void find_internal_rates(const State & /*state*/,
-                                     const EffectResults * /*results*/,
-                                     double * /*rates*/) const
-    {}
-
-    /**
      * Raises @p forces (N, N m in rows of rotations, n_local entries) to the
      * forces that the parts of the effect exert in each row at evaluation.to,
      * which may cancel there: what residuals are measured by.
@@ -236,6 +142,46 @@ namespace auxfem
       raise_forces(evaluation, results, forces);
     }
 
+    /**
+     * What has no finite force in an evaluation, and why, in the user's words;
+     * empty: nothing, or the effect does not know.
+     */
+    virtual std::string why_not_finite(const Evaluation & /*evaluation*/,
+                                       const EffectResults * /*results*/) const
+    {
+      return "";
+    }
+  };
+
+  /**
+   * Implemented by effects whose forces couple other unknowns as the structure
+   * moves, as in contact.
+   */
+  class ChangingCouplings
+  {
+  public:
+    virtual ~ChangingCouplings() = default;
+
+    /**
+     * Brings what couples unknowns up to date with an accepted state, between
+     * steps. Returns whether blocks must be registered anew.
+     * @param wanted receives global numbers of unknowns that the effect needs
+     *   from now on; they are local when blocks are registered. Collective.
+     */
+    virtual bool update_couplings(const State & /*accepted*/,
+                                  std::vector<int> & /*wanted*/)
+    {
+      return false;
+    }
+
+    /** As update_couplings(), from the state alone: what was found in states
+     * before it is forgotten. */
+    virtual bool restart_couplings(const State & /*accepted*/,
+                                   std::vector<int> & /*wanted*/)
+    {
+      return false;
+    }
+
     /** Whether forces may begin or end all at once within a step, as where
      * things touch. The same on all ranks. */
     virtual bool may_touch() const
@@ -252,16 +198,101 @@ namespace auxfem
     {
       return "";
     }
+  };
+
+  /**
+   * Implemented by effects with dissipation, work, or internal variables: what
+   * steps with stages ask of them.
+   */
+  class StageTerms
+  {
+  public:
+    virtual ~StageTerms() = default;
 
     /**
-     * What has no finite force in an evaluation, and why, in the user's words;
-     * empty: nothing, or the effect does not know.
+     * Takes down dissipation and work of a stage by their power, each times
+     * evaluation.weight, in place of Effect::account_step().
+     * @param results of Effect::add_residual() in the same evaluation
      */
-    virtual std::string why_not_finite(const Evaluation & /*evaluation*/,
-                                       const EffectResults * /*results*/) const
+    virtual void account_stage(const Evaluation & /*stage*/,
+                               const EffectResults * /*results*/,
+                               EnergyAccount & /*account*/) const
+    {}
+
+    /** What of an evaluation account_stage() and find_internal_rates() need. */
+    enum class StageNeeds
     {
-      return "";
+      state,   ///< no forces
+      results, ///< those of this effect
+      residual ///< that of all effects
+    };
+
+    /** The same whatever the state. */
+    virtual StageNeeds stage_needs() const
+    {
+      return StageNeeds::state;
     }
+
+    /**
+     * Rates of the internal variables that obey differential equations
+     * (StateLayout::integrated), written to @p rates, which has the size of
+     * State::history.
+     * @param results of Effect::add_residual() at the same state
+     */
+    virtual void find_internal_rates(const State & /*state*/,
+                                     const EffectResults * /*results*/,
+                                     double * /*rates*/) const
+    {}
+  };
+
+  /**
+   * Implemented by effects with more than a stiffness: what small motions about
+   * a state (modes, buckling, frequency responses) ask of them.
+   */
+  class SmallMotionTerms
+  {
+  public:
+    virtual ~SmallMotionTerms() = default;
+
+    /**
+     * Adds the geometric stiffness of a change of its forces: the derivative of
+     * the residual by motions from change.state in which these stay as they
+     * are, in the axes they have. Constraints have it by their multipliers.
+     * @param effect index of the effect in EvaluationResults::of_effects
+     */
+    virtual void add_geometric_tangent(const ForceChange & /*change*/,
+                                       const unsigned int /*effect*/,
+                                       TangentMatrix & /*matrix*/) const
+    {}
+
+    /**
+     * Adds what the stiffness for small motions that go as e^(s t), s in 1/s,
+     * has beside that of very slow ones, damping and inertia: real and
+     * imaginary part.
+     * @param results of Effect::add_residual() in the same evaluation
+     */
+    virtual void add_viscous_stiffness(const Evaluation & /*evaluation*/,
+                                       const EffectResults * /*results*/,
+                                       const std::complex<double> /*s*/,
+                                       TangentMatrix & /*real*/,
+                                       TangentMatrix & /*imaginary*/) const
+    {}
+
+    /**
+     * Appends the relaxation times (s) of Maxwell elements in
+     * add_viscous_stiffness() that this rank owns and @p unknowns let move.
+     */
+    virtual void add_relaxation_times(const Unknowns & /*unknowns*/,
+                                      std::vector<double> & /*times*/) const
+    {}
+
+    /** Adds the stiffness E of the Maxwell elements with the relaxation time
+     * @p time (s), of which add_viscous_stiffness() has E s time / (1 + s
+     * time). */
+    virtual void add_relaxing_stiffness(const EffectResults * /*results*/,
+                                        double /*time*/,
+                                        TangentMatrix & /*matrix*/) const
+    {}
   };
 } // namespace auxfem
 

@@ -143,7 +143,8 @@ namespace auxfem
                  TangentMatrix           &matrix) const;
 
     /** Adds to @p matrix what a change of internal forces adds to the tangent,
-     * see Effect::add_geometric_tangent(); that of constraints is not among it.
+     * see SmallMotionTerms::add_geometric_tangent(); that of constraints is not
+     * among it.
      */
     void add_geometric_tangent(const ForceChange &change,
                                TangentMatrix     &matrix) const;
@@ -185,7 +186,7 @@ namespace auxfem
 
     /**
      * Completes evaluation.to, a stage, with the work done and the energy
-     * dissipated in the step so far, as Effect::account_stage().
+     * dissipated in the step so far, as StageTerms::account_stage().
      * @param results of residual() at the same state
      */
     void account_stage(const Evaluation        &stage,
@@ -201,7 +202,7 @@ namespace auxfem
                             EvaluationResults &results) const;
 
     /**
-     * Rates of internal variables at @p state, as Effect::find_internal_rates().
+     * Rates of internal variables at @p state, as StageTerms::find_internal_rates().
      * @param results of residual() at the state
      */
     std::vector<double>
@@ -217,7 +218,7 @@ namespace auxfem
     bool update_couplings(State &accepted);
 
     /** As update_couplings(), from the state alone
-     * (Effect::restart_couplings()). */
+     * (ChangingCouplings::restart_couplings()). */
     bool restart_couplings(State &accepted);
 
     /**
@@ -268,11 +269,40 @@ namespace auxfem
     void register_blocks();
     /** Of motions at @p state. */
     void update_ghosts(State &state) const;
+    /** StageTerms::account_stage() of all effects. */
+    void add_stage(const Evaluation        &stage,
+                   const EvaluationResults &results,
+                   EnergyAccount           &account) const;
     /** As update_couplings(), for what effects have changed and want. */
     bool couple(bool changed, const std::vector<int> &wanted, State &accepted);
 
+    /** An effect that implements a further interface. */
+    template <class Terms>
+    struct Implementation
+    {
+      unsigned int effect; ///< index in `effects`
+      Terms       *terms;
+    };
+
+    /** All that do. */
+    template <class Terms>
+    std::vector<Implementation<Terms>> implementations() const
+    {
+      std::vector<Implementation<Terms>> found;
+      for (unsigned int i = 0; i < effects.size(); ++i)
+        if (auto *const terms = dynamic_cast<Terms *>(effects[i].get()))
+          found.push_back({i, terms});
+      return found;
+    }
+
     const LatticeModel                  &structure;
     std::vector<std::unique_ptr<Effect>> effects;
+    /** @name Those of them that have such terms. */
+    ///@{
+    std::vector<Implementation<StageTerms>>        stage_terms;
+    std::vector<Implementation<SmallMotionTerms>>  small_motion_terms;
+    std::vector<Implementation<ChangingCouplings>> changing_couplings;
+    ///@}
     /**
      * The first n_internal effects are internal forces: their sum is the force
      * scale.

@@ -12,7 +12,7 @@ namespace auxfem
      * Dead loads: a fixed distribution over the unknowns times a function of
      * time. Joint forces, line loads and gravity all take this form.
      */
-    class AppliedLoads : public Effect
+    class AppliedLoads : public Effect, public StageTerms
     {
     public:
       AppliedLoads(const DofNumbering             &numbering,

@@ -11,7 +11,7 @@ namespace auxfem
      * Forces and moments that turn with the rotation P of their joint: P f(t),
      * P m(t). They have no potential, and their tangent is not symmetric.
      */
-    class FollowerLoads : public Effect
+    class FollowerLoads : public Effect, public StageTerms
     {
     public:
       FollowerLoads(const Lattice                   &lattice,

@@ -7,7 +7,7 @@ namespace auxfem
 {
   namespace
   {
-    class SupportWork : public Effect
+    class SupportWork : public Effect, public StageTerms
     {
     public:
       explicit SupportWork(const LatticeModel &model)

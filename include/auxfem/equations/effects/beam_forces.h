@@ -194,10 +194,10 @@ namespace auxfem
         account.add_power(damping_entry, energy_of(results).dissipation);
     }
 
-    Effect::StageNeeds stage_needs() const override
+    StageTerms::StageNeeds stage_needs() const override
     {
-      return Beam::is_damped ? Effect::StageNeeds::results
-                             : Effect::StageNeeds::state;
+      return Beam::is_damped ? StageTerms::StageNeeds::results
+                             : StageTerms::StageNeeds::state;
     }
 
     void raise_forces(const Evaluation & /*evaluation*/,

@@ -29,7 +29,9 @@ namespace auxfem
   };
 
   /** A group of equal connectors between joints, or joints and the ground. */
-  class ConnectorForces : public Effect
+  class ConnectorForces : public Effect,
+                          public StageTerms,
+                          public SmallMotionTerms
   {
   public:
     /** The user's name of the group. */

@@ -47,7 +47,7 @@ namespace auxfem
   ///@}
 
   /** Contact of struts, whatever they touch, as output sees it. */
-  class Contact : public Effect
+  class Contact : public Effect, public StageTerms, public ChangingCouplings
   {
   public:
     /** The largest of the struts of this rank, if any touches. */

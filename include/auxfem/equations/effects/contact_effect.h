@@ -128,10 +128,10 @@ namespace auxfem
           friction_account.add_power(point.friction, account);
     }
 
-    Effect::StageNeeds stage_needs() const override
+    StageTerms::StageNeeds stage_needs() const override
     {
-      return friction.coefficient == 0 ? Effect::StageNeeds::state
-                                       : Effect::StageNeeds::results;
+      return friction.coefficient == 0 ? StageTerms::StageNeeds::state
+                                       : StageTerms::StageNeeds::results;
     }
 
   protected:

@@ -21,7 +21,7 @@ namespace auxfem
 
   /** What the inertia of struts has in the plane and in space: elements and
    * energies. */
-  class StrutInertia : public InertiaEffect
+  class StrutInertia : public InertiaEffect, public StageTerms
   {
   public:
     /** @param damped whether a section has mass-proportional damping. */

@@ -75,7 +75,7 @@ namespace auxfem
 
   /** Internal forces of the struts of one polynomial order: geometrically exact
    * beams. */
-  class StrutForces : public Effect
+  class StrutForces : public Effect, public StageTerms, public SmallMotionTerms
   {
   public:
     /** @param group of the elements of @p numbering. */
