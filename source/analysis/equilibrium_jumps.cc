@@ -10,8 +10,6 @@ namespace auxfem
 {
   namespace
   {
-    const std::string jump_record = "equilibrium jumps";
-
     /** Distance from the tangent's prediction over that prediction or, near a
      * limit point where the tangent predicts any motion, over that of the step
      * before. The last long steps to a limit point reach it and are halved. */
@@ -175,22 +173,16 @@ namespace auxfem
     return {{Verdict::doubtful, text.str(), first->time, first->location}};
   }
 
-  void EquilibriumJumps::save(Records &records) const
+  void EquilibriumJumps::serialize(CheckpointArchive &archive)
   {
-    const Jump jump = first.value_or(Jump());
-    records.keep(jump_record,
-                 {double(n_jumps), jump.time, jump.end, jump.size});
-    records.keep_text(jump_record + ": location", jump.location);
-  }
-
-  void EquilibriumJumps::resume(const Records &records)
-  {
-    const std::vector<double> values = records.values(jump_record, 4);
-    n_jumps                          = values[0];
+    Jump jump = first.value_or(Jump());
+    archive.values("equilibrium jumps",
+                   n_jumps,
+                   jump.time,
+                   jump.end,
+                   jump.size);
+    archive.text("equilibrium jumps: location", jump.location);
     if (n_jumps > 0)
-      first = {values[1],
-               values[2],
-               values[3],
-               records.text(jump_record + ": location")};
+      first = jump;
   }
 } // namespace auxfem

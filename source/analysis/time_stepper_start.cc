@@ -73,10 +73,7 @@ namespace auxfem
     control->serialize(archive);
     if (error)
       error->serialize(archive);
-    if (archive.is_saving())
-      watches_of_scene.save(archive.to());
-    else
-      watches_of_scene.resume(archive.from());
+    watches_of_scene.serialize(archive);
   }
 
   void TimeStepper::restart(Solution &solution)
@@ -84,6 +81,7 @@ namespace auxfem
     take_ghosts(equations.restart_couplings(solution.state));
     if (stages)
       stages->forget();
+    watches_of_scene.forget_steps();
     solvers->newton.restart();
     if (solvers->rates)
       solvers->rates->solver.restart();

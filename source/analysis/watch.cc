@@ -21,6 +21,7 @@ namespace auxfem
     {
       return equations.model().simulated.contact && scene.contact.friction > 0;
     }
+
     bool is_free_in_space(const Scene &scene, const Equations &equations)
     {
       const LatticeModel &model = equations.model();
@@ -43,62 +44,54 @@ namespace auxfem
   }
 
   Watches::Watches(const Scene &scene, const Equations &equations, Work &work)
+    : schedule(scene, equations)
+    , statistics(equations.unknowns().layout.communicator())
   {
     const SimulatedEffects &simulated   = equations.model().simulated;
-    const bool              has_inertia = simulated.inertia;
-    const bool              has_struts  = !equations.reporting().struts.empty();
-    watches.push_back(make_energy_watch(scene, equations));
-    // What is linear is as stable as at the start, where mechanisms are
-    // refused.
-    // A path counts what is unstable itself.
-    if (!equations.is_linear() && scene.analysis != Analysis::static_path)
-      watches.push_back(make_stability_watch(scene, equations, work));
-    if (!simulated.large_rotation && !simulated.small_displacements_are_limited)
-      watches.push_back(make_small_displacement_watch(scene, equations, work));
-    if (has_inertia)
-      {
-        watches.push_back(make_step_watch(scene, equations));
-        watches.push_back(make_load_step_watch(scene));
-      }
-    if (has_inertia && scene.time.relative_tolerance &&
-        is_free_in_space(scene, equations))
-      watches.push_back(make_spin_watch(scene, equations));
-    // Time of elastic statics is but a parameter.
-    if (!has_inertia &&
-        (simulated.connector_viscosity || simulated.strut_damping ||
-         has_friction(scene, equations)))
-      watches.push_back(make_load_speed_watch(scene, equations));
-    if (!equations.is_linear() && !equations.reporting().connectors.empty())
-      watches.push_back(make_connector_watch(equations));
-    if (equations.reporting().plates != nullptr ||
-        equations.reporting().strut_contact != nullptr)
-      {
-        watches.push_back(make_contact_watch(equations));
-        if (has_inertia)
-          watches.push_back(make_impact_watch(scene, equations));
-      }
-    if (!scene.plates.empty() && equations.reporting().plates == nullptr)
-      watches.push_back(make_plate_crossing_watch(scene, equations));
-    if (simulated.shear_flexibility)
-      for (const StrutGroup &group : equations.reporting().struts)
-        if (group.forces->elements().order == 1)
-          watches.push_back(make_bending_watch(group, scene, equations));
-    if (has_struts && has_inertia)
-      watches.push_back(make_wave_watch(scene, equations));
-    if (has_struts && has_yield_strain(scene))
-      watches.push_back(make_yield_watch(equations));
-    // Nor does what is in proportion to the loads show by its size.
-    if (has_struts &&
-        (!equations.is_linear() || simulated.small_displacements_are_limited))
-      watches.push_back(make_strain_watch(equations));
-    if (has_struts && !equations.is_linear())
-      watches.push_back(make_local_buckling_watch(scene, equations));
+    const ReportingEffects &reporting   = equations.reporting();
+    const bool              has_inertia = simulated.inertia,
+               is_linear                = equations.is_linear(),
+               has_struts               = !reporting.struts.empty(),
+               has_contact              = reporting.plates != nullptr ||
+      reporting.strut_contact != nullptr;
+    // Loads only order the steps of elastic statics.
+    const bool time_has_meaning = simulated.connector_viscosity ||
+      simulated.strut_damping || has_friction(scene, equations);
+    const bool       is_limited = simulated.small_displacements_are_limited;
+    const WatchedRun run{scene, equations, statistics, work};
+    const auto       add_if = [&](const bool has_cause, MakeWatch &make) {
+      if (auto watch = has_cause ? make(run) : nullptr)
+        watches.push_back(std::move(watch));
+    };
+    add_if(true, make_energy_watch);
+    // Linear scenes are as stable as at the start, where mechanisms are
+    // refused. A path counts unstable modes itself.
+    add_if(!is_linear && scene.analysis != Analysis::static_path,
+           make_stability_watch);
+    add_if(!simulated.large_rotation && !is_limited,
+           make_small_displacement_watch);
+    add_if(has_inertia, make_step_watch);
+    add_if(has_inertia, make_load_step_watch);
+    add_if(has_inertia && scene.time.relative_tolerance &&
+             is_free_in_space(scene, equations),
+           make_spin_watch);
+    add_if(!has_inertia && time_has_meaning, make_load_speed_watch);
+    add_if(!is_linear && !reporting.connectors.empty(), make_connector_watch);
+    add_if(has_contact, make_contact_watch);
+    add_if(has_contact && has_inertia, make_impact_watch);
+    add_if(!scene.plates.empty() && reporting.plates == nullptr,
+           make_plate_crossing_watch);
+    add_if(simulated.shear_flexibility, make_bending_watch);
+    add_if(has_struts && has_inertia, make_wave_watch);
+    add_if(has_struts && has_yield_strain(scene), make_yield_watch);
+    // Answers in proportion to the loads do not show by their size.
+    add_if(has_struts && (!is_linear || is_limited), make_strain_watch);
+    add_if(has_struts && !is_linear, make_local_buckling_watch);
     // Small displacements that are limited end where struts touch.
-    if (has_struts && !scene.lattice.struts_may_cross &&
-        equations.reporting().strut_contact == nullptr &&
-        (!simulated.small_displacements_are_limited ||
-         scene.effects.contact == Switch::off))
-      watches.push_back(make_crossing_watch(scene, equations));
+    add_if(has_struts && !scene.lattice.struts_may_cross &&
+             reporting.strut_contact == nullptr &&
+             (!is_limited || scene.effects.contact == Switch::off),
+           make_crossing_watch);
   }
 
   void Watches::start(const State &state)
@@ -111,8 +104,22 @@ namespace auxfem
                      const EvaluationResults &results,
                      TangentSolver           &solver)
   {
+    const bool is_in_burst =
+      schedule.is_sampled(SamplingRate::bursts, step.from.step);
     for (const auto &watch : watches)
-      watch->step(step, results, solver);
+      if (schedule.is_sampled(watch->rate, step.from.step))
+        {
+          if (watch->rate == SamplingRate::bursts && !follows_burst)
+            watch->forget_steps();
+          watch->step(step, results, solver);
+        }
+    follows_burst = is_in_burst;
+  }
+
+  void Watches::forget_steps()
+  {
+    for (const auto &watch : watches)
+      watch->forget_steps();
   }
 
   bool Watches::changes_stability(const Evaluation &step, TangentSolver &solver)
@@ -145,15 +152,10 @@ namespace auxfem
     return std::nullopt;
   }
 
-  void Watches::save(Records &records) const
+  void Watches::serialize(CheckpointArchive &archive)
   {
+    statistics.serialize(archive);
     for (const auto &watch : watches)
-      watch->save(records);
-  }
-
-  void Watches::resume(const Records &records)
-  {
-    for (const auto &watch : watches)
-      watch->resume(records);
+      watch->serialize(archive);
   }
 } // namespace auxfem

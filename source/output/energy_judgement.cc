@@ -10,8 +10,6 @@ namespace auxfem
 {
   namespace
   {
-    const std::string judgement_record = "watch: energies";
-
     /** Of the energy that moves: what makes a run doubtful, what ruins it. */
     constexpr double doubtful_error = 0.05, ruinous_error = 0.2;
     /** What a scheme may give, and what a damped one may take, unasked. */
@@ -114,28 +112,8 @@ namespace auxfem
             ""};
   }
 
-  void EnergyJudgement::save(Records &records) const
+  void EnergyJudgement::serialize(CheckpointArchive &archive)
   {
-    records.keep(judgement_record,
-                 {zero,
-                  initial,
-                  work,
-                  error.value,
-                  error.time,
-                  given.value,
-                  given.time,
-                  taken.value,
-                  taken.time});
-  }
-
-  void EnergyJudgement::resume(const Records &records)
-  {
-    const std::vector<double> values = records.values(judgement_record, 9);
-    zero                             = values[0];
-    initial                          = values[1];
-    work                             = values[2];
-    error                            = {values[3], values[4]};
-    given                            = {values[5], values[6]};
-    taken                            = {values[7], values[8]};
+    archive.values("watch: energies", zero, initial, work, error, given, taken);
   }
 } // namespace auxfem

@@ -71,8 +71,7 @@ namespace auxfem
 
     std::vector<Finding> findings() const override;
 
-    void save(Records &records) const override;
-    void resume(const Records &records) override;
+    void serialize(CheckpointArchive &archive) override;
 
   private:
     /** A jump that is to be reported once its step is accepted. */

@@ -1,9 +1,10 @@
 #ifndef auxfem_analysis_watch_h
 #define auxfem_analysis_watch_h
 
+#include <auxfem/analysis/run_statistics.h>
+#include <auxfem/analysis/sampling_schedule.h>
 #include <auxfem/analysis/tangent_solver.h>
 #include <auxfem/output/verdict.h>
-#include <auxfem/scene/scene.h>
 
 #include <memory>
 #include <optional>
@@ -11,12 +12,16 @@
 namespace auxfem
 {
   /**
-   * Looks at a run while it goes on, and judges it at the end. All functions
-   * are collective.
+   * Checks accepted steps of a run, and judges the run at the end. What a watch
+   * has found so far is kept in RunStatistics. All functions are collective.
    */
   class Watch
   {
   public:
+    explicit Watch(const SamplingRate rate = SamplingRate::every_step)
+      : rate(rate)
+    {}
+
     virtual ~Watch() = default;
 
     /** The state at t = 0, in order. */
@@ -24,14 +29,19 @@ namespace auxfem
     {}
 
     /**
-     * A step, or a part of one, is solved and accepted; step.to has its
-     * energies.
+     * A step of those that `rate` asks for, or a part of one, is solved and
+     * accepted; step.to has its energies.
      * @param results of its end
      * @param solver of Newton's method, with the factorization it keeps
      */
     virtual void step(const Evaluation        &step,
                       const EvaluationResults &results,
                       TangentSolver           &solver) = 0;
+
+    /** The next step does not follow on the last one that was checked: what is
+     * remembered of steps means nothing any more. */
+    virtual void forget_steps()
+    {}
 
     /**
      * Whether the ends of a static step, solved but not yet accepted, have
@@ -52,18 +62,18 @@ namespace auxfem
     /** What it makes of the run so far; the same on all ranks. */
     virtual std::vector<Finding> findings() const = 0;
 
-    /** How deep struts have gone into plates or other struts so far, over their
-     * thickness; none if it does not look at that. */
+    /** Largest depth of struts in plates or other struts so far, over their
+     * thickness; none if the watch does not check that. */
     virtual std::optional<double> largest_penetration() const
     {
       return std::nullopt;
     }
 
-    /** @name For runs that are resumed. */
-    ///@{
-    virtual void save(Records &records) const   = 0;
-    virtual void resume(const Records &records) = 0;
-    ///@}
+    /** What is not in RunStatistics. */
+    virtual void serialize(CheckpointArchive & /*archive*/)
+    {}
+
+    const SamplingRate rate;
   };
 
   /**
@@ -76,7 +86,8 @@ namespace auxfem
                                 const ImplicitScheme &scheme,
                                 double                missed);
 
-  /** All watches that the scene gives cause for, one per file. */
+  /** All watches that the scene gives cause for, one per file, with the
+   * schedule by which they check steps. */
   class Watches
   {
   public:
@@ -84,7 +95,7 @@ namespace auxfem
      * what they do. */
     Watches(const Scene &scene, const Equations &equations, Work &work);
 
-    /** One more, which looks at what the others do not; returns it. Before
+    /** One more, which checks what the others do not; returns it. Before
      * start(). */
     template <class Added>
     Added *add(std::unique_ptr<Added> watch)
@@ -95,9 +106,15 @@ namespace auxfem
     }
 
     void start(const State &state);
+
+    /** An accepted step: tells the watches that sample it. */
     void step(const Evaluation        &step,
               const EvaluationResults &results,
               TangentSolver           &solver);
+
+    /** At a checkpoint: drops what is remembered of steps before it, so that a
+     * run that is resumed there finds the same. */
+    void forget_steps();
 
     /** Whether one says so. */
     bool changes_stability(const Evaluation &step, TangentSolver &solver);
@@ -112,94 +129,74 @@ namespace auxfem
     /** Of all, the worst first. */
     std::vector<Finding> findings() const;
 
-    /** Of the one that looks at that. */
+    /** Of the one that checks that. */
     std::optional<double> largest_penetration() const;
 
-    void save(Records &records) const;
-    void resume(const Records &records);
+    void serialize(CheckpointArchive &archive);
 
   private:
+    const SamplingSchedule              schedule;
+    RunStatistics                       statistics;
     std::vector<std::unique_ptr<Watch>> watches;
+    /** Whether the step before was in a burst, and is remembered. */
+    bool follows_burst = false;
   };
 
-  /** @name The watches; only watch.cc needs them. */
+  /** What watches of a run refer to; all must outlive them. */
+  struct WatchedRun
+  {
+    const Scene     &scene;
+    const Equations &equations;
+    RunStatistics   &statistics;
+    Work            &work; ///< takes up what watches do
+  };
+
+  using MakeWatch = std::unique_ptr<Watch>(const WatchedRun &);
+
+  /** @name The watches; watch.cc says which scenes have which. */
   ///@{
-  /** Of energy that is not accounted for, or that a scheme with inertia gives
-   * or takes. */
-  std::unique_ptr<Watch> make_energy_watch(const Scene     &scene,
-                                           const Equations &equations);
-
-  /** Of steps that are long for the motion that they follow. With inertia. */
-  std::unique_ptr<Watch> make_step_watch(const Scene     &scene,
-                                         const Equations &equations);
-
-  /** Of loads that change within steps. With inertia. @p scene must outlive it. */
-  std::unique_ptr<Watch> make_load_step_watch(const Scene &scene);
-
-  /** Of strains that no linear law stands for; the scene has elastic struts. */
-  std::unique_ptr<Watch> make_strain_watch(const Equations &equations);
-
-  /** Of strains beyond those at which sections yield; a section has one. */
-  std::unique_ptr<Watch> make_yield_watch(const Equations &equations);
-
-  /** Of struts that buckle between their joints, which their elements do not
+  /** Energy that is not accounted for, or that a scheme with inertia gives or
+   * takes. */
+  MakeWatch make_energy_watch;
+  /** Steps that are too long for the motion. With inertia. */
+  MakeWatch make_step_watch;
+  /** Loads that change within steps. With inertia. */
+  MakeWatch make_load_step_watch;
+  /** Strains for which no linear law stands; the scene has elastic struts. */
+  MakeWatch make_strain_watch;
+  /** Strains beyond those at which sections yield; a section has one. */
+  MakeWatch make_yield_watch;
+  /** Struts that buckle between their joints, which their elements do not
    * show; the scene has elastic struts. */
-  std::unique_ptr<Watch> make_local_buckling_watch(const Scene     &scene,
-                                                   const Equations &equations);
-
-  /** Of bending that elements of order 1 miss; the scene simulates shear
-   * flexibility, without which these bend as they should. */
-  std::unique_ptr<Watch> make_bending_watch(const StrutGroup &linear_elements,
-                                            const Scene      &scene,
-                                            const Equations  &equations);
-
-  /** Of bending waves shorter than elements resolve; the scene has elastic
-   * struts, and inertia. */
-  std::unique_ptr<Watch> make_wave_watch(const Scene     &scene,
-                                         const Equations &equations);
-
-  /** Of connectors that are shortened to nothing; the scene has some. */
-  std::unique_ptr<Watch> make_connector_watch(const Equations &equations);
-
-  /** Of struts that go deep into plates; the scene has some. */
-  std::unique_ptr<Watch> make_contact_watch(const Equations &equations);
-
-  /** Of impacts that steps do not resolve. With inertia; the scene has contact.
+  MakeWatch make_local_buckling_watch;
+  /** Bending that elements of order 1 miss; none without such elements. The
+   * scene simulates shear flexibility, without which they bend as they should.
    */
-  std::unique_ptr<Watch> make_impact_watch(const Scene     &scene,
-                                           const Equations &equations);
-
-  /** Of loads that are too fast to leave inertia out, where time has a meaning.
-   */
-  std::unique_ptr<Watch> make_load_speed_watch(const Scene     &scene,
-                                               const Equations &equations);
-
-  /** Of struts that touch or pass through each other; the scene has elastic
+  MakeWatch make_bending_watch;
+  /** Bending waves shorter than elements resolve; the scene has elastic struts,
+   * and inertia. */
+  MakeWatch make_wave_watch;
+  /** Connectors that are shortened to nothing; the scene has some. */
+  MakeWatch make_connector_watch;
+  /** Struts that go deep into plates or struts; the scene has contact. */
+  MakeWatch make_contact_watch;
+  /** Impacts that steps do not resolve. With inertia; the scene has contact. */
+  MakeWatch make_impact_watch;
+  /** Loads that are too fast to leave inertia out, where time has a meaning. */
+  MakeWatch make_load_speed_watch;
+  /** Struts that touch or pass through each other; the scene has elastic
    * struts. */
-  std::unique_ptr<Watch> make_crossing_watch(const Scene     &scene,
-                                             const Equations &equations);
-
-  /** Of struts that go through plates where contact is left out; the scene has
-   * plates. @p scene must outlive it. */
-  std::unique_ptr<Watch> make_plate_crossing_watch(const Scene     &scene,
-                                                   const Equations &equations);
-
-  /** Of displacements too large for the small-displacement form, in linear
-   * scenes. */
-  std::unique_ptr<Watch>
-  make_small_displacement_watch(const Scene     &scene,
-                                const Equations &equations,
-                                Work            &work);
-
-  /** Watches free lattices in space whose spin makes errors grow beyond the
-   * tolerance that the steps follow. Without rigid parts. */
-  std::unique_ptr<Watch> make_spin_watch(const Scene     &scene,
-                                         const Equations &equations);
-
-  /** Of equilibria and motions that a disturbance would leave. */
-  std::unique_ptr<Watch> make_stability_watch(const Scene     &scene,
-                                              const Equations &equations,
-                                              Work            &work);
+  MakeWatch make_crossing_watch;
+  /** Struts that go through plates where contact is left out; the scene has
+   * plates. */
+  MakeWatch make_plate_crossing_watch;
+  /** Displacements too large for the small-displacement form. */
+  MakeWatch make_small_displacement_watch;
+  /** Free lattices in space whose spin makes errors grow beyond the tolerance
+   * that the steps follow. Without rigid parts. */
+  MakeWatch make_spin_watch;
+  /** Equilibria and motions that a disturbance would leave. */
+  MakeWatch make_stability_watch;
   ///@}
 } // namespace auxfem
 

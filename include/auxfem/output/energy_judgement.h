@@ -2,9 +2,9 @@
 #define auxfem_output_energy_judgement_h
 
 #include <auxfem/output/verdict.h>
+#include <auxfem/time/checkpoint_archive.h>
 #include <auxfem/time/energies.h>
 #include <auxfem/time/largest_in_time.h>
-#include <auxfem/time/records.h>
 
 namespace auxfem
 {
@@ -42,11 +42,7 @@ namespace auxfem
 
     std::vector<Finding> findings() const;
 
-    /** @name For runs that are resumed. */
-    ///@{
-    void save(Records &records) const;
-    void resume(const Records &records);
-    ///@}
+    void serialize(CheckpointArchive &archive);
 
   private:
     Finding error_finding(double moved) const;

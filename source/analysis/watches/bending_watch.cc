@@ -1,4 +1,3 @@
-#include <auxfem/analysis/spaced_looks.h>
 #include <auxfem/analysis/watch.h>
 #include <auxfem/parameters/rounded_text.h>
 
@@ -8,13 +7,8 @@ namespace auxfem
 {
   namespace
   {
-    const std::string bending_record = "watch: bending of linear elements";
-
     /** Part of the compliance that is missed. */
     constexpr double doubtful_lack = 0.05, ruinous_lack = 0.25;
-
-    /** Steps between two looks with inertia. */
-    constexpr unsigned int steps_between_bending_looks = 10;
 
     /**
      * Bending that varies along elements of order 1, which have one curvature
@@ -31,32 +25,37 @@ namespace auxfem
     class BendingWatch : public Watch
     {
     public:
-      BendingWatch(const StrutGroup &group,
-                   const Scene      &scene,
-                   const Equations  &equations)
-        : group(group)
-        , model(equations.model())
-        , looks(scene, model.simulated, steps_between_bending_looks)
+      BendingWatch(const StrutGroup &group, const WatchedRun &run)
+        : Watch(SamplingRate::single_steps)
+        , group(group)
+        , model(run.equations.model())
+        , missing(run.statistics.number("bending: energy missed (J)"))
+        , there(run.statistics.number("bending: energy (J)"))
+        , time(run.statistics.number("bending: time (s)"))
       {}
 
       void step(const Evaluation        &step,
                 const EvaluationResults &results,
                 TangentSolver & /*solver*/) override
       {
-        time = step.to.time;
-        if (!looks.are_due(step.to.time))
-          return;
+        std::vector<double> energies = {0., 0.};
         for (unsigned int e = group.forces->elements().begin;
              e < group.forces->elements().end;
              ++e)
           if (model.numbering.elements()[e].is_owned)
-            add_element(e, step.to, *results.of_effects[group.effect]);
+            add_element(e,
+                        step.to,
+                        *results.of_effects[group.effect],
+                        energies);
+        energies = model.numbering.layout().sum(energies);
+        missing += energies[0];
+        there += energies[1];
+        time = step.to.time;
       }
 
       std::vector<Finding> findings() const override
       {
-        const std::vector<double> sums = sums_of_all();
-        const double missed = sums[0] > 0 ? sums[0] / (sums[0] + sums[1]) : 0.;
+        const double missed = missing > 0 ? missing / (missing + there) : 0.;
         if (missed <= doubtful_lack)
           return {};
         std::ostringstream text;
@@ -74,27 +73,12 @@ namespace auxfem
            ""}};
       }
 
-      void save(Records &records) const override
-      {
-        const std::vector<double> sums = sums_of_all();
-        records.keep(bending_record, {sums[0], sums[1], time, looks.save()});
-      }
-
-      void resume(const Records &records) override
-      {
-        const std::vector<double> values = records.values(bending_record, 4);
-        // Sums go on on one rank.
-        const bool is_first = model.numbering.layout().rank() == 0;
-        missing             = is_first ? values[0] : 0;
-        there               = is_first ? values[1] : 0;
-        time                = values[2];
-        looks.resume(values[3]);
-      }
-
     private:
+      /** Adds to the energies that are missed and that are there (J). */
       void add_element(const unsigned int   e,
                        const State         &state,
-                       const EffectResults &results)
+                       const EffectResults &results,
+                       std::vector<double> &energies) const
       {
         const StrutInterval &interval = model.numbering.elements()[e].interval;
         const Strut         &strut    = model.lattice.struts[interval.strut];
@@ -106,29 +90,23 @@ namespace auxfem
         double squares = force[1] * force[1] / section.bending_stiffness_3();
         if (model.lattice.dimension == 3)
           squares += force[2] * force[2] / section.bending_stiffness_2();
-        missing += squares * length * length * length / 24;
-        there += group.forces->strain_energy(results, e);
-      }
-
-      std::vector<double> sums_of_all() const
-      {
-        return model.numbering.layout().sum({missing, there});
+        energies[0] += squares * length * length * length / 24;
+        energies[1] += group.forces->strain_energy(results, e);
       }
 
       const StrutGroup    group;
       const LatticeModel &model;
-      SpacedLooks         looks;
-      double              time = 0; ///< s
-      /** Energy that is missed and that is there (J), summed up over looks on
-       * this rank. */
-      double missing = 0, there = 0;
+      /** Summed up over sampled steps (J). */
+      double &missing, &there;
+      double &time; ///< s
     };
   } // namespace
 
-  std::unique_ptr<Watch> make_bending_watch(const StrutGroup &linear_elements,
-                                            const Scene      &scene,
-                                            const Equations  &equations)
+  std::unique_ptr<Watch> make_bending_watch(const WatchedRun &run)
   {
-    return std::make_unique<BendingWatch>(linear_elements, scene, equations);
+    for (const StrutGroup &group : run.equations.reporting().struts)
+      if (group.forces->elements().order == 1)
+        return std::make_unique<BendingWatch>(group, run);
+    return nullptr;
   }
 } // namespace auxfem

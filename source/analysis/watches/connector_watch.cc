@@ -1,4 +1,3 @@
-#include <auxfem/analysis/occurrences.h>
 #include <auxfem/analysis/watch.h>
 #include <auxfem/parameters/rounded_text.h>
 #include <auxfem/time/moment_text.h>
@@ -9,8 +8,6 @@ namespace auxfem
 {
   namespace
   {
-    const std::string connector_record = "watch: short connectors";
-
     /** Of the length at rest: no spring or damper has so much stroke. */
     constexpr double doubtful_length = 0.05;
 
@@ -18,9 +15,9 @@ namespace auxfem
     class ConnectorWatch : public Watch
     {
     public:
-      explicit ConnectorWatch(const Equations &equations)
-        : equations(equations)
-        , communicator(equations.unknowns().layout.communicator())
+      explicit ConnectorWatch(const WatchedRun &run)
+        : equations(run.equations)
+        , shortenings(run.statistics.occurrences("short connectors"))
       {}
 
       void step(const Evaluation        &step,
@@ -43,8 +40,7 @@ namespace auxfem
 
       std::vector<Finding> findings() const override
       {
-        const auto first   = shortenings.first_of_all(communicator),
-                   largest = shortenings.largest_of_all(communicator);
+        const auto first = shortenings.first(), largest = shortenings.largest();
         if (!first)
           return {};
         const std::string location = "connector " +
@@ -66,26 +62,15 @@ namespace auxfem
         return {{Verdict::doubtful, text.str(), first->time, location}};
       }
 
-      void save(Records &records) const override
-      {
-        shortenings.save(records, connector_record, communicator);
-      }
-
-      void resume(const Records &records) override
-      {
-        shortenings.resume(records, connector_record);
-      }
-
     private:
       const Equations &equations;
-      const MPI_Comm   communicator;
       /** Parts of the length at rest that are gone. */
-      Occurrences shortenings;
+      Occurrences &shortenings;
     };
   } // namespace
 
-  std::unique_ptr<Watch> make_connector_watch(const Equations &equations)
+  std::unique_ptr<Watch> make_connector_watch(const WatchedRun &run)
   {
-    return std::make_unique<ConnectorWatch>(equations);
+    return std::make_unique<ConnectorWatch>(run);
   }
 } // namespace auxfem

@@ -1,4 +1,3 @@
-#include <auxfem/analysis/occurrences.h>
 #include <auxfem/analysis/watch.h>
 #include <auxfem/equations/effects/contact.h>
 #include <auxfem/parameters/rounded_text.h>
@@ -10,9 +9,6 @@ namespace auxfem
 {
   namespace
   {
-    const std::string into_plates_record = "watch: penetration into plates",
-                      into_struts_record = "watch: penetration into struts";
-
     /** Of the thickness of a strut. Its face is then strained by a fifth. */
     constexpr double doubtful_penetration = 0.1;
 
@@ -21,9 +17,10 @@ namespace auxfem
     class ContactWatch : public Watch
     {
     public:
-      explicit ContactWatch(const Equations &equations)
-        : equations(equations)
-        , communicator(equations.unknowns().layout.communicator())
+      explicit ContactWatch(const WatchedRun &run)
+        : equations(run.equations)
+        , into_plates(run.statistics.occurrences("penetration into plates"))
+        , into_struts(run.statistics.occurrences("penetration into struts"))
       {}
 
       void step(const Evaluation        &step,
@@ -45,13 +42,11 @@ namespace auxfem
       std::vector<Finding> findings() const override
       {
         std::vector<Finding> all;
-        if (const auto largest = into_plates.largest_of_all(communicator);
-            is_doubtful(largest))
+        if (const auto largest = into_plates.largest(); is_doubtful(largest))
           all.push_back(finding(
             *largest,
             touched_plate(equations.reporting().plates->name(largest->group))));
-        if (const auto largest = into_struts.largest_of_all(communicator);
-            is_doubtful(largest))
+        if (const auto largest = into_struts.largest(); is_doubtful(largest))
           all.push_back(
             finding(*largest, touched_strut(largest->number, largest->group)));
         return all;
@@ -61,21 +56,9 @@ namespace auxfem
       {
         double largest = 0;
         for (const Occurrences *occurrences : {&into_plates, &into_struts})
-          if (const auto found = occurrences->largest_of_all(communicator))
+          if (const auto found = occurrences->largest())
             largest = std::max(largest, found->size);
         return largest;
-      }
-
-      void save(Records &records) const override
-      {
-        into_plates.save(records, into_plates_record, communicator);
-        into_struts.save(records, into_struts_record, communicator);
-      }
-
-      void resume(const Records &records) override
-      {
-        into_plates.resume(records, into_plates_record);
-        into_struts.resume(records, into_struts_record);
       }
 
     private:
@@ -109,13 +92,12 @@ namespace auxfem
       }
 
       const Equations &equations;
-      const MPI_Comm   communicator;
-      Occurrences      into_plates, into_struts; ///< group: what they go into
+      Occurrences     &into_plates, &into_struts; ///< group: what they go into
     };
   } // namespace
 
-  std::unique_ptr<Watch> make_contact_watch(const Equations &equations)
+  std::unique_ptr<Watch> make_contact_watch(const WatchedRun &run)
   {
-    return std::make_unique<ContactWatch>(equations);
+    return std::make_unique<ContactWatch>(run);
   }
 } // namespace auxfem

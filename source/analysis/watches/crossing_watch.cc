@@ -1,15 +1,16 @@
-#include <auxfem/algebra/shared_work.h>
-#include <auxfem/analysis/relative_motion.h>
-#include <auxfem/analysis/spaced_looks.h>
 #include <auxfem/analysis/watch.h>
 #include <auxfem/mesh/segment.h>
 #include <auxfem/time/moment_text.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/numerics/rtree.h>
 
 #include <boost/iterator/function_output_iterator.hpp>
+#include <boost/serialization/utility.hpp>
+#include <boost/serialization/vector.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <set>
@@ -19,82 +20,16 @@ namespace auxfem
 {
   namespace
   {
-    const std::string touching_record = "watch: touching struts",
-                      crossing_record = "watch: crossing struts",
-                      look_record     = "watch: last look for crossing struts";
-
-    /** With inertia. */
-    constexpr unsigned int steps_between_crossing_looks = 20;
-
     using Points = std::vector<dealii::Point<3>>;
     using Pair   = std::pair<unsigned int, unsigned int>;
 
-    /** Axes of struts as lines through points, in the order of the struts. */
-    struct Axes
-    {
-      std::vector<unsigned int> struts;
-      std::vector<Points>       points; ///< of each, m
-    };
-
-    dealii::BoundingBox<3> box_of(const Points &points, const double margin)
-    {
-      dealii::BoundingBox<3> box(points);
-      box.extend(margin);
-      return box;
-    }
+    /** A strut with its axis as a line through points (m). */
+    using Axis = std::pair<unsigned int, Points>;
 
     /** Struts that are nearer to each other than they can be. */
     struct NearPairs
     {
       std::set<Pair> touching, crossing;
-    };
-
-    /** What has happened to some pairs first, and to how many at most. */
-    struct FirstPair
-    {
-      /** @param found at @p now (s), beside those of @p at_rest. */
-      void add(const std::set<Pair> &found,
-               const std::set<Pair> &at_rest,
-               const double          now)
-      {
-        unsigned int n = 0;
-        for (const Pair &candidate : found)
-          if (at_rest.count(candidate) == 0)
-            {
-              if (most == 0 && n == 0)
-                {
-                  pair = candidate;
-                  time = now;
-                }
-              ++n;
-            }
-        most = std::max(most, n);
-      }
-
-      std::vector<double> values() const
-      {
-        return {double(most), double(pair.first), double(pair.second), time};
-      }
-
-      void set(const std::vector<double> &values)
-      {
-        most        = values[0];
-        pair.first  = values[1];
-        pair.second = values[2];
-        time        = values[3];
-      }
-
-      /** `at about t = 1 s, later up to 3 pairs`. */
-      void write_time(const bool on_path, std::ostream &text) const
-      {
-        text << " at about " << moment_text(on_path, time, 4);
-        if (most > 1)
-          text << ", later up to " << most << " pairs";
-      }
-
-      unsigned int most = 0;
-      Pair         pair;
-      double       time = 0; ///< s
     };
 
     /** Whether two struts touch, or have passed each other. */
@@ -106,17 +41,19 @@ namespace auxfem
         , sections(sections)
       {}
 
-      /** By how much the box of an axis is to be wider on all sides (m). */
-      double margin(const unsigned int strut) const
+      /** Boxes of struts that touch or cross intersect. */
+      dealii::BoundingBox<3> box(const Axis &axis) const
       {
-        return half_thickness(strut);
+        dealii::BoundingBox<3> box(axis.second);
+        box.extend(half_thickness(axis.first));
+        return box;
       }
 
-      /** How far struts may move against each other between two looks (m). */
-      double motion_between_looks(const double mean_strut_length) const
+      /** How far struts may move between two searches (m): those that pass each
+       * other side by side touch for two thicknesses of the way; in space not
+       * all are as near as that. */
+      double motion_between_searches(const double mean_strut_length) const
       {
-        // Struts that pass each other side by side touch for two thicknesses of
-        // the way; in space not all are as near as that.
         const double of_half_thickness = lattice.dimension == 2 ? 2 : 1;
         double       motion            = mean_strut_length / 10;
         for (unsigned int s = 0; s < lattice.struts.size(); ++s)
@@ -125,31 +62,17 @@ namespace auxfem
         return motion;
       }
 
-      /** Whether two that are not joined are nearer than half the sum of their
-       * thicknesses. */
-      bool touch(const unsigned int one,
-                 const Points      &of_one,
-                 const unsigned int other,
-                 const Points      &of_other) const
+      bool touch(const Axis &one, const Axis &other) const
       {
-        return !meet(one, other) &&
-          are_nearer(of_one,
-                     of_other,
-                     half_thickness(one) + half_thickness(other));
+        return are_nearer(one, other, 1);
       }
 
-      bool cross(const unsigned int one,
-                 const Points      &of_one,
-                 const unsigned int other,
-                 const Points      &of_other) const
+      bool cross(const Axis &one, const Axis &other) const
       {
         return lattice.dimension == 2
-          ? cross_in_plane(of_one, of_other, one == other)
+          ? cross_in_plane(one.second, other.second, one.first == other.first)
           // By half of how far one can be in the other.
-          : !meet(one, other) &&
-            are_nearer(of_one,
-                       of_other,
-                       (half_thickness(one) + half_thickness(other)) / 2);
+          : are_nearer(one, other, 0.5);
       }
 
     private:
@@ -194,13 +117,19 @@ namespace auxfem
         return false;
       }
 
-      static bool
-      are_nearer(const Points &one, const Points &other, const double least)
+      /** Whether two that are not joined are nearer than @p part of half the
+       * sum of their thicknesses. */
+      bool
+      are_nearer(const Axis &one, const Axis &other, const double part) const
       {
-        for (std::size_t i = 0; i + 1 < one.size(); ++i)
-          for (std::size_t j = 0; j + 1 < other.size(); ++j)
-            if (distance({one[i], one[i + 1]}, {other[j], other[j + 1]}) <
-                least)
+        if (meet(one.first, other.first))
+          return false;
+        const double least =
+          part * (half_thickness(one.first) + half_thickness(other.first));
+        const Points &a = one.second, &b = other.second;
+        for (std::size_t i = 0; i + 1 < a.size(); ++i)
+          for (std::size_t j = 0; j + 1 < b.size(); ++j)
+            if (distance({a[i], a[i + 1]}, {b[j], b[j + 1]}) < least)
               return true;
         return false;
       }
@@ -209,94 +138,86 @@ namespace auxfem
       const std::vector<Section> &sections;
     };
 
-    /**
-     * Looks for pairs of struts that touch or have passed each other, through a
-     * tree of their boxes, whenever nodes have moved against each other.
-     */
+    /** Searches for pairs of struts that touch or have passed each other,
+     * through a tree of their boxes. */
     class CrossingWatch : public Watch
     {
     public:
-      CrossingWatch(const Scene &scene, const Equations &equations)
-        : equations(equations)
-        , model(equations.model())
+      explicit CrossingWatch(const WatchedRun &run)
+        : Watch(SamplingRate::single_steps)
+        , equations(run.equations)
+        , model(run.equations.model())
         , rule(model.lattice, model.sections)
-        , motion_between_looks(
-            rule.motion_between_looks(model.mean_strut_length))
-        , end_time(equations.layout().path
+        , motion_between_searches(
+            rule.motion_between_searches(model.mean_strut_length))
+        , end_time(run.equations.layout().path
                      ? std::numeric_limits<double>::infinity()
-                     : scene.time.end_time)
-        , looks(scene, model.simulated, steps_between_crossing_looks)
-        , motion(model)
+                     : run.scene.time.end_time)
+        , touched(run.statistics.occurrences("struts that touch"))
+        , crossed(run.statistics.occurrences("struts that cross"))
       {}
-
-      void start(const State &state) override
-      {
-        motion.start(state.displacement);
-      }
 
       void step(const Evaluation &step,
                 const EvaluationResults & /*results*/,
                 TangentSolver & /*solver*/) override
       {
-        if (!looks.are_due(step.to.time))
+        if (motion_since_search(step.to.displacement) <=
+              motion_between_searches &&
+            step.to.time < end_time)
           return;
-        const bool is_last = step.to.time >= end_time;
-        if (motion.largest(step.to.displacement) > motion_between_looks ||
-            is_last)
-          look(step.to);
+        searched              = step.to.displacement;
+        const NearPairs found = pairs_at(searched);
+        if (found.touching.empty() && found.crossing.empty())
+          return;
+        if (!at_rest)
+          at_rest = pairs_at(Vector(searched.size(), 0.));
+        add_new(found.touching, at_rest->touching, step.to.time, touched);
+        add_new(found.crossing, at_rest->crossing, step.to.time, crossed);
+      }
+
+      void forget_steps() override
+      {
+        searched.clear();
       }
 
       std::vector<Finding> findings() const override
       {
-        if (touched.most == 0 && crossed.most == 0)
+        const auto touch = touched.first(), crossing = crossed.first();
+        if (!touch && !crossing)
           return {};
-        const bool is_told_by_touch = touched.most > 0 &&
-          (crossed.most == 0 || touched.time < crossed.time);
+        const bool is_told_by_touch =
+          touch && (!crossing || touch->time < crossing->time);
         std::ostringstream text;
-        text.precision(4);
         if (is_told_by_touch)
-          {
-            text << "Struts " << touched.pair.first << " and "
-                 << touched.pair.second << " touch";
-            touched.write_time(equations.layout().path, text);
-          }
-        if (crossed.most > 0)
+          text << "Struts " << touch->number << " and " << touch->group
+               << " touch" << time_text(*touch);
+        if (crossing)
           {
             text << (is_told_by_touch ? "; s" : "S");
-            if (crossed.pair.first == crossed.pair.second)
-              text << "trut " << crossed.pair.first << " crosses itself";
+            if (crossing->number == crossing->group)
+              text << "trut " << crossing->number << " crosses itself";
             else
-              text << "truts " << crossed.pair.first << " and "
-                   << crossed.pair.second << " have passed into each other";
-            crossed.write_time(equations.layout().path, text);
+              text << "truts " << crossing->number << " and " << crossing->group
+                   << " have passed into each other";
+            text << time_text(*crossing);
           }
         text << ": contact is left out. What the lattice does from there on "
                 "holds only if its struts can pass each other; if they cannot, "
              << advice();
-        const FirstPair &first = is_told_by_touch ? touched : crossed;
+        const Occurrence &first = is_told_by_touch ? *touch : *crossing;
         return {{Verdict::doubtful,
                  text.str(),
                  first.time,
-                 "strut " + std::to_string(first.pair.first)}};
-      }
-
-      void save(Records &records) const override
-      {
-        records.keep(touching_record, touched.values());
-        records.keep(crossing_record, crossed.values());
-        records.keep(look_record, {looks.save()});
-        motion.save(look_record, records);
-      }
-
-      void resume(const Records &records) override
-      {
-        touched.set(records.values(touching_record, 4));
-        crossed.set(records.values(crossing_record, 4));
-        looks.resume(records.values(look_record, 1)[0]);
-        motion.resume(look_record, records);
+                 "strut " + std::to_string(first.number)}};
       }
 
     private:
+      std::string time_text(const Occurrence &first) const
+      {
+        return " at about " +
+          moment_text(equations.layout().path, first.time, 4);
+      }
+
       /** What to do for struts that touch. */
       const char *advice() const
       {
@@ -308,30 +229,50 @@ namespace auxfem
           : "leave Effects/Large rotation and Effects/Contact at auto.";
       }
 
-      void look(const State &state)
+      /** Largest motion of a joint (m), infinite if there was no search. Joints
+       * near each other move alike: against each other they move by no more.
+       * Collective. */
+      double motion_since_search(const Vector &displacement) const
       {
-        motion.start(state.displacement);
-        const NearPairs found = pairs(axes_of(state.displacement));
-        if (found.touching.empty() && found.crossing.empty())
-          return;
-        if (!at_rest)
-          at_rest = pairs(axes_of(Vector(state.displacement.size(), 0.)));
-        touched.add(found.touching, at_rest->touching, state.time);
-        crossed.add(found.crossing, at_rest->crossing, state.time);
+        // Ranks may differ: one may have got ghosts.
+        const bool is_known = searched.size() == displacement.size();
+        if (equations.unknowns().layout.largest(is_known ? 0 : 1) > 0)
+          return std::numeric_limits<double>::infinity();
+        Vector motion = displacement;
+        add_multiple(-1., searched, motion);
+        return largest_motion(model, motion).first;
       }
 
-      /** Of the elastic struts of this rank. */
-      Axes axes_of(const Vector &displacement) const
+      /** Adds the first of @p found that is not among those of @p before. */
+      static void add_new(const std::set<Pair> &found,
+                          const std::set<Pair> &before,
+                          const double          time,
+                          Occurrences          &pairs)
       {
-        Axes axes;
+        for (const auto &pair : found)
+          if (before.count(pair) == 0)
+            return pairs.add({1., time, pair.first, pair.second});
+      }
+
+      /** Of the elastic struts of all ranks. Collective. */
+      std::vector<Axis> axes_at(const Vector &displacement) const
+      {
+        std::vector<Axis> mine;
         for (const StrutGroup &group : equations.reporting().struts)
-          add_axes(*group.forces, displacement, axes);
-        return axes;
+          add_axes(*group.forces, displacement, mine);
+        const UnknownLayout &layout = model.numbering.layout();
+        if (layout.n_ranks() == 1)
+          return mine;
+        std::vector<Axis> all;
+        for (const auto &axes :
+             dealii::Utilities::MPI::all_gather(layout.communicator(), mine))
+          all.insert(all.end(), axes.begin(), axes.end());
+        return all;
       }
 
       void add_axes(const StrutForces &struts,
                     const Vector      &displacement,
-                    Axes              &axes) const
+                    std::vector<Axis> &axes) const
       {
         for (unsigned int e = struts.elements().begin;
              e < struts.elements().end;
@@ -343,112 +284,58 @@ namespace auxfem
               continue;
             const Points points =
               struts.axis(displacement, e, element.order + 1);
-            if (axes.struts.empty() ||
-                axes.struts.back() != element.interval.strut)
-              {
-                axes.struts.push_back(element.interval.strut);
-                axes.points.push_back(points);
-              }
+            const unsigned int strut = element.interval.strut;
+            if (axes.empty() || axes.back().first != strut)
+              axes.emplace_back(strut, points);
             else
-              axes.points.back().insert(axes.points.back().end(),
+              axes.back().second.insert(axes.back().second.end(),
                                         points.begin() + 1,
                                         points.end());
           }
       }
 
-      /** All that touch or cross, of all ranks, each once. Collective. */
-      NearPairs pairs(const Axes &mine) const
+      /** All that touch or cross, the same on all ranks. Collective. */
+      NearPairs pairs_at(const Vector &displacement) const
       {
-        const bool  is_alone  = model.numbering.layout().n_ranks() == 1;
-        const Axes  of_others = is_alone ? Axes() : axes_of_all_ranks(mine);
-        const Axes &all       = is_alone ? mine : of_others;
+        const std::vector<Axis>             axes = axes_at(displacement);
         std::vector<dealii::BoundingBox<3>> boxes;
-        boxes.reserve(all.struts.size());
-        for (std::size_t i = 0; i < all.struts.size(); ++i)
-          boxes.push_back(box_of(all.points[i], rule.margin(all.struts[i])));
+        for (const Axis &axis : axes)
+          boxes.push_back(rule.box(axis));
         const auto tree = dealii::pack_rtree_of_indices(boxes);
-        NearPairs  of_mine;
-        for (std::size_t i = 0; i < mine.struts.size(); ++i)
+        NearPairs  pairs;
+        for (std::size_t i = 0; i < axes.size(); ++i)
           {
-            const unsigned int one     = mine.struts[i];
-            const auto         look_at = [&](const std::size_t j) {
-              const unsigned int other = all.struts[j];
-              if (one > other)
+            const Axis &one   = axes[i];
+            const auto  check = [&](const std::size_t j) {
+              const Axis &other = axes[j];
+              if (one.first > other.first)
                 return;
-              const Points &points = mine.points[i], &others = all.points[j];
-              if (rule.touch(one, points, other, others))
-                of_mine.touching.emplace(one, other);
-              if (rule.cross(one, points, other, others))
-                of_mine.crossing.emplace(one, other);
+              if (rule.touch(one, other))
+                pairs.touching.emplace(one.first, other.first);
+              if (rule.cross(one, other))
+                pairs.crossing.emplace(one.first, other.first);
             };
-            tree.query(boost::geometry::index::intersects(
-                         box_of(mine.points[i], rule.margin(one))),
-                       boost::make_function_output_iterator(look_at));
+            tree.query(boost::geometry::index::intersects(boxes[i]),
+                       boost::make_function_output_iterator(check));
           }
-        return is_alone ? of_mine : pairs_of_all_ranks(of_mine);
-      }
-
-      /** Of all ranks, in their order. Collective. */
-      Axes axes_of_all_ranks(const Axes &mine) const
-      {
-        const MPI_Comm communicator = model.numbering.layout().communicator();
-        std::vector<unsigned int> n_points;
-        std::vector<double>       coordinates;
-        for (const Points &points : mine.points)
-          {
-            n_points.push_back(points.size());
-            for (const dealii::Point<3> &point : points)
-              coordinates.insert(coordinates.end(),
-                                 point.begin_raw(),
-                                 point.end_raw());
-          }
-        n_points    = of_all_ranks(n_points, communicator);
-        coordinates = of_all_ranks(coordinates, communicator);
-        Axes          all{of_all_ranks(mine.struts, communicator), {}};
-        const double *next = coordinates.data();
-        for (const unsigned int n : n_points)
-          {
-            Points &points = all.points.emplace_back();
-            for (unsigned int i = 0; i < n; ++i, next += 3)
-              points.emplace_back(next[0], next[1], next[2]);
-          }
-        return all;
-      }
-
-      /** Of all ranks. Collective. */
-      NearPairs pairs_of_all_ranks(const NearPairs &mine) const
-      {
-        return {of_all(mine.touching), of_all(mine.crossing)};
-      }
-
-      std::set<Pair> of_all(const std::set<Pair> &mine) const
-      {
-        std::vector<unsigned int> ends;
-        for (const auto &[one, other] : mine)
-          ends.insert(ends.end(), {one, other});
-        ends = of_all_ranks(ends, model.numbering.layout().communicator());
-        std::set<Pair> all;
-        for (std::size_t i = 0; i < ends.size(); i += 2)
-          all.emplace(ends[i], ends[i + 1]);
-        return all;
+        return pairs;
       }
 
       const Equations    &equations;
       const LatticeModel &model;
       const CrossingRule  rule;
-      const double        motion_between_looks; ///< m
-      const double        end_time;             ///< s
-      SpacedLooks         looks;
-      RelativeMotion      motion; ///< since the last look
-      /** Looked for when there is something to compare with it. */
+      const double        motion_between_searches; ///< m
+      const double        end_time;                ///< s
+      Vector              searched; ///< displacements (m); empty: none
+      /** Searched for when there is something to compare with it. */
       std::optional<NearPairs> at_rest;
-      FirstPair                touched, crossed;
+      /** A pair is the number and the group. */
+      Occurrences &touched, &crossed;
     };
   } // namespace
 
-  std::unique_ptr<Watch> make_crossing_watch(const Scene     &scene,
-                                             const Equations &equations)
+  std::unique_ptr<Watch> make_crossing_watch(const WatchedRun &run)
   {
-    return std::make_unique<CrossingWatch>(scene, equations);
+    return std::make_unique<CrossingWatch>(run);
   }
 } // namespace auxfem

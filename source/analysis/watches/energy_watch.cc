@@ -22,16 +22,23 @@ namespace auxfem
                          });
     }
 
+    using Kind = EnergyJudgement::Kind;
+
+    Kind kind_of(const Equations &equations)
+    {
+      return equations.model().simulated.inertia ? Kind::motion
+        : equations.layout().path                ? Kind::static_path
+                                                 : Kind::static_steps;
+    }
+
     class EnergyWatch : public Watch
     {
     public:
-      EnergyWatch(const Scene                &scene,
-                  const Equations            &equations,
-                  const EnergyJudgement::Kind kind)
-        : equations(equations)
-        , judgement(kind)
-        , starts_with_loads(kind == EnergyJudgement::Kind::static_steps &&
-                            has_loads_at_start(scene))
+      explicit EnergyWatch(const WatchedRun &run)
+        : equations(run.equations)
+        , judgement(kind_of(run.equations))
+        , starts_with_loads(kind_of(run.equations) == Kind::static_steps &&
+                            has_loads_at_start(run.scene))
       {}
 
       void start(const State &state) override
@@ -64,14 +71,9 @@ namespace auxfem
         return judgement.findings();
       }
 
-      void save(Records &records) const override
+      void serialize(CheckpointArchive &archive) override
       {
-        judgement.save(records);
-      }
-
-      void resume(const Records &records) override
-      {
-        judgement.resume(records);
+        judgement.serialize(archive);
       }
 
     private:
@@ -96,16 +98,8 @@ namespace auxfem
     };
   } // namespace
 
-  std::unique_ptr<Watch> make_energy_watch(const Scene     &scene,
-                                           const Equations &equations)
+  std::unique_ptr<Watch> make_energy_watch(const WatchedRun &run)
   {
-    using Kind = EnergyJudgement::Kind;
-    return std::make_unique<EnergyWatch>(scene,
-                                         equations,
-                                         equations.model().simulated.inertia
-                                           ? Kind::motion
-                                           : equations.layout().path
-                                           ? Kind::static_path
-                                           : Kind::static_steps);
+    return std::make_unique<EnergyWatch>(run);
   }
 } // namespace auxfem

@@ -14,8 +14,6 @@ namespace auxfem
 {
   namespace
   {
-    const std::string impact_record = "watch: impacts";
-
     /**
      * What contact of few steps may pass on of the largest momentum, and of the
      * impulse of all contact: both, as little is passed on by struts that brush
@@ -40,9 +38,9 @@ namespace auxfem
       unsigned int n_steps = 0;
       double       begin   = 0; ///< end of its first step (s)
 
-      /** What the steps leave open of the impulse: contact that is there in a
-       * single one gets a force for as long as that is, others are found to
-       * second order. */
+      /** Part of the impulse that depends on the steps: contact in a single one
+       * has a force for as long as that is, longer contact is found to second
+       * order. */
       double unresolved() const
       {
         return impulse / (double(n_steps) * n_steps);
@@ -53,56 +51,39 @@ namespace auxfem
     class ForcePeak
     {
     public:
-      static constexpr unsigned int n_values = 7;
+      ForcePeak(const std::string &name, RunStatistics &statistics)
+        : largest(statistics.largest(name + ", largest force (N)"))
+        , largest_mean(statistics.number(name + ", mean of three steps (N)"))
+        , before(statistics.list(name + ", forces (N) and steps (s) before"))
+      {
+        before.assign(4, 0.);
+      }
 
       void add(const double force, const double dt, const double time)
       {
-        const std::array<double, 2> now     = {{force, dt}};
-        double                      impulse = force * dt, length = dt;
-        for (const auto &[of_step, of_length] : before)
+        double impulse = force * dt, length = dt;
+        for (unsigned int i = 0; i < before.size(); i += 2)
           {
-            impulse += of_step * of_length;
+            impulse += before[i] * before[i + 1];
             // There was no force before the first step.
-            length += of_length > 0 ? of_length : dt;
+            length += before[i + 1] > 0 ? before[i + 1] : dt;
           }
-        if (force > largest)
-          {
-            largest = force;
-            at      = time;
-          }
+        largest.add(force, time);
         largest_mean = std::max(largest_mean, impulse / length);
-        before       = {{before[1], now}};
+        before       = {before[2], before[3], force, dt};
       }
 
       bool is_resolved() const
       {
-        return largest_mean >= resolved_peak * largest;
+        return largest_mean >= resolved_peak * largest.value;
       }
 
-      std::vector<double> values() const
-      {
-        return {largest,
-                at,
-                largest_mean,
-                before[0][0],
-                before[0][1],
-                before[1][0],
-                before[1][1]};
-      }
-
-      void restore(const double *const values)
-      {
-        largest      = values[0];
-        at           = values[1];
-        largest_mean = values[2];
-        before       = {{{{values[3], values[4]}}, {{values[5], values[6]}}}};
-      }
-
-      double largest = 0, at = 0, largest_mean = 0; ///< N, s, N
+      LargestInTime &largest;
+      double        &largest_mean; ///< N
 
     private:
-      /** Force (N) and length (s) of the last two steps. */
-      std::array<std::array<double, 2>, 2> before{};
+      /** Force (N) and length (s) of each of the last two steps. */
+      std::vector<double> &before;
     };
 
     /**
@@ -113,14 +94,27 @@ namespace auxfem
     class ImpactWatch : public Watch
     {
     public:
-      ImpactWatch(const Scene &scene, const Equations &equations)
-        : time(scene.time)
-        , equations(equations)
-        , mass(total_mass(scene, equations))
-        , peaks(equations.reporting().plates != nullptr
-                  ? equations.reporting().plates->n_plates()
-                  : 0)
-      {}
+      explicit ImpactWatch(const WatchedRun &run)
+        : time(run.scene.time)
+        , equations(run.equations)
+        , mass(total_mass(run.scene, run.equations))
+        , kinetic(run.statistics.number("impacts: largest kinetic energy (J)"))
+        , unresolved(
+            run.statistics.number("impacts: impulse not resolved (N s)"))
+        , impulse(run.statistics.number("impacts: impulse (N s)"))
+        , n_steps_of_worst(run.statistics.number("impacts: steps of the worst"))
+        , on_plates(run.statistics.occurrences("impacts on plates"))
+        , on_struts(run.statistics.occurrences("impacts on struts"))
+        , going_on(run.statistics.list("impacts: contacts that last"))
+      {
+        const unsigned int n_plates =
+          run.equations.reporting().plates != nullptr
+          ? run.equations.reporting().plates->n_plates()
+          : 0;
+        for (unsigned int i = 0; i < n_plates; ++i)
+          peaks.emplace_back("impacts: plate " + std::to_string(i),
+                             run.statistics);
+      }
 
       void step(const Evaluation        &step,
                 const EvaluationResults &results,
@@ -128,27 +122,40 @@ namespace auxfem
       {
         kinetic = std::max(kinetic, step.to.energies.kinetic());
         std::map<TouchingPair, Impact>    now;
-        std::vector<dealii::Tensor<1, 3>> on_plates(peaks.size());
+        std::vector<dealii::Tensor<1, 3>> of_plates(peaks.size());
         for (const ContactForce &force : forces_of_all(step.to, results))
           {
             const dealii::Tensor<1, 3> vector(force.components);
             if (force.pair[2] != 0)
-              on_plates[force.pair[1]] += vector;
+              of_plates[force.pair[1]] += vector;
             Impact &impact = now.try_emplace(force.pair).first->second;
             impact.impulse += vector.norm() * step.dt;
             impact.n_steps = 1;
             impact.begin   = step.to.time;
           }
-        for (const auto &[pair, before] : going_on)
-          if (const auto same = now.find(pair); same != now.end())
-            same->second = {before.impulse + same->second.impulse,
-                            before.n_steps + 1,
-                            before.begin};
-          else
-            end(pair, before);
-        going_on.swap(now);
+        for (auto i = going_on.begin(); i < going_on.end(); i += n_values)
+          {
+            const TouchingPair pair = {
+              {number(i[0]), number(i[1]), number(i[2])}};
+            const Impact before = {i[3], number(i[4]), i[5]};
+            if (const auto same = now.find(pair); same != now.end())
+              same->second = {before.impulse + same->second.impulse,
+                              before.n_steps + 1,
+                              before.begin};
+            else
+              end(pair, before);
+          }
+        going_on.clear();
+        for (const auto &[pair, impact] : now)
+          {
+            going_on.insert(going_on.end(), pair.begin(), pair.end());
+            going_on.insert(going_on.end(),
+                            {impact.impulse,
+                             double(impact.n_steps),
+                             impact.begin});
+          }
         for (unsigned int i = 0; i < peaks.size(); ++i)
-          peaks[i].add(on_plates[i].norm(), step.dt, step.to.time);
+          peaks[i].add(of_plates[i].norm(), step.dt, step.to.time);
       }
 
       std::vector<Finding> findings() const override
@@ -158,53 +165,6 @@ namespace auxfem
           if (!peaks[i].is_resolved())
             all.push_back(note_on_peak(i));
         return all;
-      }
-
-      void save(Records &records) const override
-      {
-        std::vector<double> values = {unresolved, impulse, kinetic};
-        for (const ForcePeak &peak : peaks)
-          {
-            const std::vector<double> of_peak = peak.values();
-            values.insert(values.end(), of_peak.begin(), of_peak.end());
-          }
-        add_values(worst_pair, worst, values);
-        for (const auto &[pair, impact] : going_on)
-          add_values(pair, impact, values);
-        records.keep(impact_record, values);
-      }
-
-      void resume(const Records &records) override
-      {
-        const std::vector<double> values =
-          records.values(impact_record, records.values_per_item(impact_record));
-        unresolved    = values[0];
-        impulse       = values[1];
-        kinetic       = values[2];
-        std::size_t i = 3;
-        for (ForcePeak &peak : peaks)
-          {
-            peak.restore(values.data() + i);
-            i += ForcePeak::n_values;
-          }
-        going_on.clear();
-        for (const std::size_t first = i; i < values.size(); i += 6)
-          {
-            const TouchingPair pair = {
-              {static_cast<unsigned int>(values[i]),
-               static_cast<unsigned int>(values[i + 1]),
-               static_cast<unsigned int>(values[i + 2])}};
-            const Impact impact = {values[i + 3],
-                                   static_cast<unsigned int>(values[i + 4]),
-                                   values[i + 5]};
-            if (i == first)
-              {
-                worst_pair = pair;
-                worst      = impact;
-              }
-            else
-              going_on.emplace(pair, impact);
-          }
       }
 
     private:
@@ -217,23 +177,26 @@ namespace auxfem
           unresolved > doubtful_share * impulse;
         if (!counts && unresolved <= doubtful_anyway * (largest + impulse))
           return {};
+        const auto plate = on_plates.largest(), strut = on_struts.largest();
+        const bool is_plate = plate && (!strut || plate->size >= strut->size);
+        const Occurrence  &worst    = is_plate ? *plate : *strut;
+        const std::string  location = "strut " + std::to_string(worst.number);
         std::ostringstream text;
         text.precision(3);
-        text
-          << "At t = " << worst.begin << " s strut " << worst_pair[0]
-          << " hits " << name_of_other() << " for " << worst.n_steps
-          << (worst.n_steps == 1 ? " step" : " steps")
-          << " only: the impulse, and what comes after it, depend on how long "
-             "steps are. Contact as short as that leaves open ";
+        text << "At t = " << worst.time << " s " << location << " hits "
+             << (is_plate ? touched_plate(
+                              equations.reporting().plates->name(worst.group))
+                          : touched_strut(worst.number, worst.group))
+             << " for " << n_steps_of_worst
+             << (n_steps_of_worst == 1 ? " step" : " steps")
+             << " only: the impulse, and what comes after it, depend on how "
+                "long steps are. Contact as short as that leaves open ";
         text.precision(2);
         text << percentage_text(unresolved / largest)
              << " of the largest momentum; answers may err by ten times as "
                 "much. "
              << advice();
-        return {{Verdict::doubtful,
-                 text.str(),
-                 worst.begin,
-                 "strut " + std::to_string(worst_pair[0])}};
+        return {{Verdict::doubtful, text.str(), worst.time, location}};
       }
 
       Finding note_on_peak(const unsigned int plate) const
@@ -243,12 +206,12 @@ namespace auxfem
         text.precision(3);
         text << "The largest force on "
              << touched_plate(equations.reporting().plates->name(plate)) << ", "
-             << peak.largest << " N at t = " << peak.at
+             << peak.largest.value << " N at t = " << peak.largest.time
              << " s, lasts for few steps: in the mean of three it is at most "
              << peak.largest_mean
              << " N. Shorter steps may find a higher peak: compare impulses, "
                 "or forces filtered over a time of several steps.";
-        return {Verdict::sound, text.str(), peak.at, ""};
+        return {Verdict::sound, text.str(), peak.largest.time, ""};
       }
 
       struct ContactForce
@@ -289,27 +252,14 @@ namespace auxfem
       {
         unresolved += impact.unresolved();
         impulse += impact.impulse;
-        if (worst.n_steps == 0 || impact.unresolved() > worst.unresolved())
-          {
-            worst_pair = pair;
-            worst      = impact;
-          }
-      }
-
-      static void add_values(const TouchingPair  &pair,
-                             const Impact        &impact,
-                             std::vector<double> &values)
-      {
-        values.insert(values.end(), pair.begin(), pair.end());
-        values.insert(values.end(),
-                      {impact.impulse, double(impact.n_steps), impact.begin});
-      }
-
-      std::string name_of_other() const
-      {
-        return worst_pair[2] != 0
-          ? touched_plate(equations.reporting().plates->name(worst_pair[1]))
-          : touched_strut(worst_pair[0], worst_pair[1]);
+        const auto size = [](const Occurrences &occurrences) {
+          const auto &largest = occurrences.largest_here();
+          return largest ? largest->size : 0.;
+        };
+        if (impact.unresolved() > std::max(size(on_plates), size(on_struts)))
+          n_steps_of_worst = impact.n_steps;
+        (pair[2] != 0 ? on_plates : on_struts)
+          .add({impact.unresolved(), impact.begin, pair[0], pair[1]});
       }
 
       std::string advice() const
@@ -326,23 +276,31 @@ namespace auxfem
         return text.str();
       }
 
-      const TimeParameters          &time;
-      const Equations               &equations;
-      const double                   mass;        ///< kg
-      std::vector<ForcePeak>         peaks;       ///< by plate
-      double                         kinetic = 0; ///< the largest (J)
-      std::map<TouchingPair, Impact> going_on;    ///< the same on all ranks
+      /** Of a contact in `going_on`. */
+      static constexpr unsigned int n_values = 6;
+
+      static unsigned int number(const double value)
+      {
+        return static_cast<unsigned int>(value);
+      }
+
+      const TimeParameters  &time;
+      const Equations       &equations;
+      const double           mass;    ///< kg
+      std::vector<ForcePeak> peaks;   ///< by plate
+      double                &kinetic; ///< J
       /** Of contact that has ended (N s). */
-      double unresolved = 0, impulse = 0;
-      /** That which leaves most open. */
-      TouchingPair worst_pair{};
-      Impact       worst;
+      double &unresolved, &impulse;
+      double &n_steps_of_worst;
+      /** By Impact::unresolved(); the same on all ranks. */
+      Occurrences &on_plates, &on_struts;
+      /** Of each contact that lasts the pair and what an Impact has. */
+      std::vector<double> &going_on;
     };
   } // namespace
 
-  std::unique_ptr<Watch> make_impact_watch(const Scene     &scene,
-                                           const Equations &equations)
+  std::unique_ptr<Watch> make_impact_watch(const WatchedRun &run)
   {
-    return std::make_unique<ImpactWatch>(scene, equations);
+    return std::make_unique<ImpactWatch>(run);
   }
 } // namespace auxfem

@@ -1,7 +1,6 @@
 #include <auxfem/analysis/node_masses.h>
 #include <auxfem/analysis/watch.h>
 #include <auxfem/parameters/rounded_text.h>
-#include <auxfem/time/largest_in_time.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +10,6 @@ namespace auxfem
 {
   namespace
   {
-    const std::string load_speed_record = "watch: speed of loads";
-
     /**
      * Kinetic energy over work: of an oscillator whose load is raised in a time
      * t, the square of its period over 2 pi t; a hundredth with 1.6 periods.
@@ -34,10 +31,13 @@ namespace auxfem
     class LoadSpeedWatch : public Watch
     {
     public:
-      LoadSpeedWatch(const Scene &scene, const Equations &equations)
-        : layout(equations.unknowns().layout)
-        , masses(all_masses(scene, equations))
-        , scene_step(scene.time.step)
+      explicit LoadSpeedWatch(const WatchedRun &run)
+        : layout(run.equations.unknowns().layout)
+        , masses(all_masses(run.scene, run.equations))
+        , scene_step(run.scene.time.step)
+        , kinetic(run.statistics.largest("speed of loads: kinetic energy (J)"))
+        , work(run.statistics.number("speed of loads: work (J)"))
+        , dissipated(run.statistics.number("speed of loads: dissipated (J)"))
       {}
 
       void step(const Evaluation &step,
@@ -76,33 +76,17 @@ namespace auxfem
         return {{Verdict::doubtful, text.str(), kinetic.time, ""}};
       }
 
-      void save(Records &records) const override
-      {
-        records.keep(load_speed_record,
-                     {kinetic.value, kinetic.time, work, dissipated});
-      }
-
-      void resume(const Records &records) override
-      {
-        const std::vector<double> values = records.values(load_speed_record, 4);
-        kinetic                          = {values[0], values[1]};
-        work                             = values[2];
-        dissipated                       = values[3];
-      }
-
     private:
       const UnknownLayout        &layout;
       const std::vector<NodeMass> masses;
-      const double                scene_step; ///< s
-      LargestInTime               kinetic;    ///< J
-      /** The largest so far (J). */
-      double work = 0, dissipated = 0;
+      const double                scene_step;        ///< s
+      LargestInTime              &kinetic;           ///< J
+      double                     &work, &dissipated; ///< the largest so far (J)
     };
   } // namespace
 
-  std::unique_ptr<Watch> make_load_speed_watch(const Scene     &scene,
-                                               const Equations &equations)
+  std::unique_ptr<Watch> make_load_speed_watch(const WatchedRun &run)
   {
-    return std::make_unique<LoadSpeedWatch>(scene, equations);
+    return std::make_unique<LoadSpeedWatch>(run);
   }
 } // namespace auxfem

@@ -11,8 +11,6 @@ namespace auxfem
 {
   namespace
   {
-    const std::string load_step_record = "watch: loads within steps";
-
     /** Part of the impulse: by the trapezoidal rule of a sine with 8 steps a
      * period. */
     constexpr double doubtful_impulse = 0.05;
@@ -25,7 +23,7 @@ namespace auxfem
     struct Impulse
     {
       const TimeFunction *load;
-      double              missed = 0, whole = 0; ///< sums of amounts (N s)
+      double             &missed, &whole; ///< sums of amounts (N s)
     };
 
     /**
@@ -38,15 +36,16 @@ namespace auxfem
     class LoadStepWatch : public Watch
     {
     public:
-      explicit LoadStepWatch(const Scene &scene)
-        : scene_step(scene.time.step)
-        , scheme(scene.time.implicit_scheme())
+      explicit LoadStepWatch(const WatchedRun &run)
+        : scene_step(run.scene.time.step)
+        , scheme(run.scene.time.implicit_scheme())
+        , time(run.statistics.number("loads within steps: time (s)"))
       {
-        for (const auto &loads : scene.joint_loads)
-          add(loads.components);
-        for (const auto &loads : scene.line_loads)
-          add(loads.components);
-        add(scene.gravity.acceleration);
+        for (const auto &loads : run.scene.joint_loads)
+          add(loads.components, run.statistics);
+        for (const auto &loads : run.scene.line_loads)
+          add(loads.components, run.statistics);
+        add(run.scene.gravity.acceleration, run.statistics);
       }
 
       void step(const Evaluation &step,
@@ -88,35 +87,20 @@ namespace auxfem
         return found;
       }
 
-      void save(Records &records) const override
-      {
-        std::vector<double> values = {time};
-        for (const Impulse &impulse : impulses)
-          values.insert(values.end(), {impulse.missed, impulse.whole});
-        records.keep(load_step_record, values);
-      }
-
-      void resume(const Records &records) override
-      {
-        const std::vector<double> values =
-          records.values(load_step_record, 1 + 2 * impulses.size());
-        time             = values[0];
-        std::size_t next = 1;
-        for (Impulse &impulse : impulses)
-          {
-            impulse.missed = values[next++];
-            impulse.whole  = values[next++];
-          }
-      }
-
     private:
       /** Of those that are there. */
       template <class Components>
-      void add(const Components &components)
+      void add(const Components &components, RunStatistics &statistics)
       {
         for (const TimeFunction &load : components)
           if (!load.is_zero())
-            impulses.push_back({&load});
+            {
+              const std::string name =
+                "loads within steps: " + std::to_string(impulses.size());
+              impulses.push_back({&load,
+                                  statistics.number(name + ", missed (N s)"),
+                                  statistics.number(name + ", whole (N s)")});
+            }
       }
 
       Finding finding(const std::string &load, const double missed) const
@@ -133,15 +117,15 @@ namespace auxfem
       const double          scene_step; ///< s
       const ImplicitScheme &scheme;
       std::vector<Impulse>  impulses;
-      double                time = 0; ///< s
+      double               &time; ///< s
       /** In turn, so that no periodic load hides between their points. */
       const std::array<dealii::QGauss<1>, 3> rules = {
         {dealii::QGauss<1>(3), dealii::QGauss<1>(4), dealii::QGauss<1>(5)}};
     };
   } // namespace
 
-  std::unique_ptr<Watch> make_load_step_watch(const Scene &scene)
+  std::unique_ptr<Watch> make_load_step_watch(const WatchedRun &run)
   {
-    return std::make_unique<LoadStepWatch>(scene);
+    return std::make_unique<LoadStepWatch>(run);
   }
 } // namespace auxfem

@@ -1,5 +1,3 @@
-#include <auxfem/analysis/occurrences.h>
-#include <auxfem/analysis/spaced_looks.h>
 #include <auxfem/analysis/watch.h>
 #include <auxfem/time/moment_text.h>
 
@@ -12,8 +10,6 @@ namespace auxfem
 {
   namespace
   {
-    const std::string buckling_record = "watch: local buckling";
-
     /**
      * Axial force, over EI / L^2, from which one element for a whole strut
      * misplaces the load at which the strut buckles between its joints by more
@@ -32,43 +28,30 @@ namespace auxfem
       return std::nullopt;
     }
 
-    /** Steps between two looks with inertia: a strut that is to buckle takes
-     * many. */
-    constexpr unsigned int steps_between_buckling_looks = 10;
-
     /** Struts of one element whose own buckling the mesh does not show. */
     class LocalBucklingWatch : public Watch
     {
     public:
-      LocalBucklingWatch(const Scene &scene, const Equations &equations)
-        : equations(equations)
-        , model(equations.model())
-        , communicator(equations.unknowns().layout.communicator())
-        , looks(scene, model.simulated, steps_between_buckling_looks)
+      explicit LocalBucklingWatch(const WatchedRun &run)
+        : Watch(SamplingRate::single_steps)
+        , equations(run.equations)
+        , model(run.equations.model())
+        , compressions(run.statistics.occurrences("local buckling"))
       {
-        for (const StrutGroup &group : equations.reporting().struts)
+        for (const StrutGroup &group : run.equations.reporting().struts)
           if (const auto load = doubtful_load(group.forces->elements().order))
             add_struts(group, *load);
       }
 
-      void step(const Evaluation        &step,
-                const EvaluationResults &results,
+      void step(const Evaluation &step,
+                const EvaluationResults & /*results*/,
                 TangentSolver & /*solver*/) override
       {
-        if (!looks.are_due(step.to.time))
-          return;
-        const auto &known = compressions.largest_here();
         for (const WatchedStrut &strut : struts)
           {
-            const double least = (known ? known->size : 1.) * strut.load;
-            // The mean of the force is less than its mean square.
-            if (strut.group.forces->strain_energy(
-                  *results.of_effects[strut.group.effect],
-                  strut.element) <= least * least * strut.energy_per_square)
-              continue;
             const double compression =
               -strut.group.forces->axial_force(step.to, strut.element);
-            if (compression > least)
+            if (compression > strut.load)
               compressions.add(
                 {compression / strut.load, step.to.time, strut.number});
           }
@@ -76,8 +59,8 @@ namespace auxfem
 
       std::vector<Finding> findings() const override
       {
-        const auto first   = compressions.first_of_all(communicator),
-                   largest = compressions.largest_of_all(communicator);
+        const auto first   = compressions.first(),
+                   largest = compressions.largest();
         if (!first)
           return {};
         const unsigned int order =
@@ -104,18 +87,6 @@ namespace auxfem
         return {{Verdict::doubtful, text.str(), first->time, location}};
       }
 
-      void save(Records &records) const override
-      {
-        compressions.save(records, buckling_record, communicator);
-        records.keep(buckling_record + ": steps", {looks.save()});
-      }
-
-      void resume(const Records &records) override
-      {
-        compressions.resume(records, buckling_record);
-        looks.resume(records.values(buckling_record + ": steps", 1)[0]);
-      }
-
     private:
       struct WatchedStrut
       {
@@ -123,8 +94,6 @@ namespace auxfem
         unsigned int element; ///< of the numbering
         unsigned int number;  ///< of the strut
         double       load;    ///< N
-        /** Strain energy of an axial force over its square (m/N). */
-        double energy_per_square;
       };
 
       void add_struts(const StrutGroup &group, const double load)
@@ -145,26 +114,20 @@ namespace auxfem
                 ? section.bending_stiffness_3()
                 : std::min(section.bending_stiffness_2(),
                          section.bending_stiffness_3());
-            struts.push_back({group,
-                              e,
-                              interval.strut,
-                              load * bending / (length * length),
-                              length / (2 * section.axial_stiffness())});
+            struts.push_back(
+              {group, e, interval.strut, load * bending / (length * length)});
           }
       }
 
       const Equations          &equations;
       const LatticeModel       &model;
-      const MPI_Comm            communicator;
-      SpacedLooks               looks;
       std::vector<WatchedStrut> struts;
-      Occurrences               compressions; ///< over WatchedStrut::load
+      Occurrences              &compressions; ///< over WatchedStrut::load
     };
   } // namespace
 
-  std::unique_ptr<Watch> make_local_buckling_watch(const Scene     &scene,
-                                                   const Equations &equations)
+  std::unique_ptr<Watch> make_local_buckling_watch(const WatchedRun &run)
   {
-    return std::make_unique<LocalBucklingWatch>(scene, equations);
+    return std::make_unique<LocalBucklingWatch>(run);
   }
 } // namespace auxfem

@@ -1,4 +1,3 @@
-#include <auxfem/analysis/occurrences.h>
 #include <auxfem/analysis/watch.h>
 #include <auxfem/equations/effects/contact.h>
 #include <auxfem/equations/plate_proximity.h>
@@ -10,18 +9,17 @@ namespace auxfem
 {
   namespace
   {
-    const std::string plate_crossing_record = "watch: struts in plates";
-
     /** Of struts that go into plates, as they may where contact is left out. */
     class PlateCrossingWatch : public Watch
     {
     public:
-      PlateCrossingWatch(const Scene &scene, const Equations &equations)
-        : scene(scene)
-        , communicator(equations.unknowns().layout.communicator())
-        , axes(make_contact_axes(equations.model(), scene.contact.stiffness))
-        , curves(equations.model(), axes)
-        , proximity(scene, equations.model(), curves)
+      explicit PlateCrossingWatch(const WatchedRun &run)
+        : scene(run.scene)
+        , axes(make_contact_axes(run.equations.model(),
+                                 run.scene.contact.stiffness))
+        , curves(run.equations.model(), axes)
+        , proximity(run.scene, run.equations.model(), curves)
+        , in_plates(run.statistics.occurrences("struts in plates"))
       {}
 
       void step(const Evaluation &step,
@@ -35,7 +33,7 @@ namespace auxfem
 
       std::vector<Finding> findings() const override
       {
-        const auto first = in_plates.first_of_all(communicator);
+        const auto first = in_plates.first();
         if (!first)
           return {};
         const std::string  location = "strut " + std::to_string(first->number);
@@ -48,29 +46,17 @@ namespace auxfem
         return {{Verdict::doubtful, text.str(), first->time, location}};
       }
 
-      void save(Records &records) const override
-      {
-        in_plates.save(records, plate_crossing_record, communicator);
-      }
-
-      void resume(const Records &records) override
-      {
-        in_plates.resume(records, plate_crossing_record);
-      }
-
     private:
       const Scene                   &scene;
-      const MPI_Comm                 communicator;
       const std::vector<ContactAxis> axes;
       const StrutCurves              curves;
       const PlateProximity           proximity;
-      Occurrences                    in_plates; ///< group: the plate
+      Occurrences                   &in_plates; ///< group: the plate
     };
   } // namespace
 
-  std::unique_ptr<Watch> make_plate_crossing_watch(const Scene     &scene,
-                                                   const Equations &equations)
+  std::unique_ptr<Watch> make_plate_crossing_watch(const WatchedRun &run)
   {
-    return std::make_unique<PlateCrossingWatch>(scene, equations);
+    return std::make_unique<PlateCrossingWatch>(run);
   }
 } // namespace auxfem

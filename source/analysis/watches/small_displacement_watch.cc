@@ -1,6 +1,5 @@
 #include <auxfem/analysis/second_order_effect.h>
 #include <auxfem/analysis/small_displacement_error.h>
-#include <auxfem/analysis/spaced_looks.h>
 #include <auxfem/analysis/watch.h>
 #include <auxfem/parameters/rounded_text.h>
 
@@ -13,8 +12,6 @@ namespace auxfem
 {
   namespace
   {
-    const std::string small_displacement_record = "watch: small displacements";
-
     constexpr double doubtful_displacement_error = 0.05,
                      ruinous_displacement_error  = 0.25;
 
@@ -72,25 +69,19 @@ namespace auxfem
     class SmallDisplacementWatch : public Watch
     {
     public:
-      SmallDisplacementWatch(const Scene     &scene,
-                             const Equations &equations,
-                             Work            &work)
-        : layout(equations.unknowns().layout)
-        , estimate(scene, equations)
-        , second_order(scene, equations)
-        , end_time(scene.time.end_time)
-        , work(work)
-        , looks(scene,
-                equations.model().simulated,
-                SmallDisplacementEstimate::distance_in_motion)
+      explicit SmallDisplacementWatch(const WatchedRun &run)
+        : Watch(SamplingRate::single_steps)
+        , layout(run.equations.unknowns().layout)
+        , estimate(run.scene, run.equations)
+        , second_order(run.scene, run.equations)
+        , end_time(run.scene.time.end_time)
+        , work(run.work)
       {}
 
       void step(const Evaluation &step,
                 const EvaluationResults & /*results*/,
                 TangentSolver & /*solver*/) override
       {
-        if (!looks.are_due(step.to.time))
-          return;
         SmallDisplacementError found = estimate.at(step.to);
         if (found.total() <= worst.total())
           return;
@@ -119,35 +110,21 @@ namespace auxfem
         return all;
       }
 
-      void save(Records &records) const override
+      void serialize(CheckpointArchive &archive) override
       {
-        records.keep(small_displacement_record,
-                     {worst.rotation,
-                      worst.second_order,
-                      worst.strain,
-                      time,
-                      looks.save(),
-                      checked,
-                      loss.time,
-                      loss.compression,
-                      loss.strut,
-                      double(loss.evidence)});
-        records.keep_text(small_displacement_record + ": location",
-                          worst.location);
-      }
-
-      void resume(const Records &records) override
-      {
-        const std::vector<double> values =
-          records.values(small_displacement_record, 10);
-        worst.rotation     = values[0];
-        worst.second_order = values[1];
-        worst.strain       = values[2];
-        worst.location = records.text(small_displacement_record + ": location");
-        time           = values[3];
-        looks.resume(values[4]);
-        checked = values[5];
-        loss    = {values[6], values[7], values[8], Evidence(int(values[9]))};
+        unsigned int evidence = static_cast<unsigned int>(loss.evidence);
+        archive.values("watch: small displacements",
+                       worst.rotation,
+                       worst.second_order,
+                       worst.strain,
+                       time,
+                       checked,
+                       loss.time,
+                       loss.compression,
+                       loss.strut,
+                       evidence);
+        archive.text("watch: small displacements: location", worst.location);
+        loss.evidence = static_cast<Evidence>(evidence);
       }
 
     private:
@@ -210,7 +187,6 @@ namespace auxfem
       SecondOrderEffect               second_order;
       const double                    end_time; ///< s
       Work                           &work;
-      SpacedLooks                     looks;
       SmallDisplacementError          worst;
       double                          time = 0; ///< s, of it
       LossOfStability                 loss;     ///< under the largest forces
@@ -219,11 +195,8 @@ namespace auxfem
     };
   } // namespace
 
-  std::unique_ptr<Watch>
-  make_small_displacement_watch(const Scene     &scene,
-                                const Equations &equations,
-                                Work            &work)
+  std::unique_ptr<Watch> make_small_displacement_watch(const WatchedRun &run)
   {
-    return std::make_unique<SmallDisplacementWatch>(scene, equations, work);
+    return std::make_unique<SmallDisplacementWatch>(run);
   }
 } // namespace auxfem

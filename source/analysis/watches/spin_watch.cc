@@ -12,8 +12,6 @@ namespace auxfem
 {
   namespace
   {
-    const std::string spin_record = "watch: spin";
-
     /** Growth of disturbances from which on a run does not keep its tolerance.
      */
     constexpr double doubtful_growth = 100;
@@ -88,35 +86,40 @@ namespace auxfem
     class SpinWatch : public Watch
     {
     public:
-      SpinWatch(const Scene &scene, const Equations &equations)
-        : layout(equations.unknowns().layout)
-        , tolerance(*scene.time.relative_tolerance)
+      explicit SpinWatch(const WatchedRun &run)
+        : layout(run.equations.unknowns().layout)
+        , tolerance(*run.scene.time.relative_tolerance)
+        , growth(run.statistics.number("spin: growth", 1))
+        , time(run.statistics.number("spin: time (s)"))
+        , turn(run.statistics.list("spin: turns"))
       {
-        add_struts(equations.model(), masses);
-        add_joints(scene, equations.model(), masses);
-        for (unsigned int c = 0; c < 3; ++c)
-          turn[c][c] = 1;
-      }
-
-      void start(const State &state) override
-      {
-        rate = growth_rate(state);
+        add_struts(run.equations.model(), masses);
+        add_joints(run.scene, run.equations.model(), masses);
+        turn = {1, 0, 0, 0, 1, 0, 0, 0, 1};
       }
 
       void step(const Evaluation &step,
                 const EvaluationResults & /*results*/,
                 TangentSolver & /*solver*/) override
       {
-        const SpaceTensor next = growth_rate(step.to),
-                          half = step.dt / 4 * (rate + next);
-        SpaceTensor one;
+        const SpaceTensor half =
+          step.dt / 4 * (growth_rate(step.from) + growth_rate(step.to));
+        SpaceTensor one, before;
         for (unsigned int c = 0; c < 3; ++c)
-          one[c][c] = 1;
-        turn             = invert(one - half) * (one + half) * turn;
-        rate             = next;
-        const double now = turn.norm() / std::sqrt(3.);
-        if (now > growth)
-          growth = now, time = step.to.time;
+          {
+            one[c][c] = 1;
+            for (unsigned int d = 0; d < 3; ++d)
+              before[c][d] = turn[3 * c + d];
+          }
+        const SpaceTensor now = invert(one - half) * (one + half) * before;
+        for (unsigned int c = 0; c < 3; ++c)
+          for (unsigned int d = 0; d < 3; ++d)
+            turn[3 * c + d] = now[c][d];
+        if (const double size = now.norm() / std::sqrt(3.); size > growth)
+          {
+            growth = size;
+            time   = step.to.time;
+          }
       }
 
       std::vector<Finding> findings() const override
@@ -135,28 +138,6 @@ namespace auxfem
           << " holds for each step, not for the motion in the end. Compare "
              "with a smaller tolerance.";
         return {{Verdict::doubtful, text.str(), time, ""}};
-      }
-
-      void save(Records &records) const override
-      {
-        std::vector<double> values = {growth, time};
-        for (const SpaceTensor *tensor : {&turn, &rate})
-          for (unsigned int i = 0; i < 3; ++i)
-            for (unsigned int j = 0; j < 3; ++j)
-              values.push_back((*tensor)[i][j]);
-        records.keep(spin_record, values);
-      }
-
-      void resume(const Records &records) override
-      {
-        const std::vector<double> values = records.values(spin_record, 20);
-        growth                           = values[0];
-        time                             = values[1];
-        std::size_t next                 = 2;
-        for (SpaceTensor *tensor : {&turn, &rate})
-          for (unsigned int i = 0; i < 3; ++i)
-            for (unsigned int j = 0; j < 3; ++j)
-              (*tensor)[i][j] = values[next++];
       }
 
     private:
@@ -210,15 +191,15 @@ namespace auxfem
       const UnknownLayout   &layout;
       const double           tolerance;
       std::vector<PointMass> masses;
-      /** Small turns at t = 0 as they have grown since; their rate (1/s). */
-      SpaceTensor turn, rate;
-      double      growth = 1, time = 0;
+      /** Growth of a small turn at t = 0 since, at most, and when (s). */
+      double &growth, &time;
+      /** Small turns at t = 0 as they have grown since, row by row. */
+      std::vector<double> &turn;
     };
   } // namespace
 
-  std::unique_ptr<Watch> make_spin_watch(const Scene     &scene,
-                                         const Equations &equations)
+  std::unique_ptr<Watch> make_spin_watch(const WatchedRun &run)
   {
-    return std::make_unique<SpinWatch>(scene, equations);
+    return std::make_unique<SpinWatch>(run);
   }
 } // namespace auxfem

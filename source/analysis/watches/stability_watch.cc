@@ -12,22 +12,20 @@ namespace auxfem
 {
   namespace
   {
-    const std::string stability_record = "watch: stability";
-
     /**
      * Tangents that are factorized beside the run: neither its factorization
      * nor the name of its linear solver is touched.
      */
-    class TangentAside
+    class ScratchTangent
     {
     public:
-      TangentAside(const Scene &scene, const Equations &equations, Work &work)
+      ScratchTangent(const Scene &scene, const Equations &equations, Work &work)
         : equations(equations)
         , parameters(scene.solver)
         , work(work)
       {}
 
-      /** Of what the next tangents are. */
+      /** Whose tangents are wanted next. */
       void evaluate(const Evaluation &evaluation)
       {
         if (!solver)
@@ -36,6 +34,12 @@ namespace auxfem
             results = equations.make_results();
           }
         solver->residual(evaluation, results);
+      }
+
+      /** What it remembers of earlier factorizations. */
+      void forget()
+      {
+        solver.reset();
       }
 
       /** Of the tangent with @p factors, if they can be told. */
@@ -98,17 +102,21 @@ namespace auxfem
     class FirstLoss
     {
     public:
-      explicit FirstLoss(const Scene &scene) : scene(scene)
+      FirstLoss(const Scene &scene, RunStatistics &statistics)
+        : scene(scene)
+        , is_lost(statistics.number("stability: is lost"))
+        , time(statistics.number("stability: time of first loss (s)"))
+        , location(statistics.text("stability: location"))
       {}
 
       explicit operator bool() const
       {
-        return is_lost;
+        return is_lost != 0;
       }
 
       void note(const double at, const std::string &in)
       {
-        is_lost  = true;
+        is_lost  = 1;
         time     = at;
         location = in;
       }
@@ -127,27 +135,10 @@ namespace auxfem
         return {Verdict::doubtful, text, time, location};
       }
 
-      void save(Records &records) const
-      {
-        records.keep(stability_record + ": first loss",
-                     {is_lost ? 1. : 0., time});
-        records.keep_text(stability_record + ": location", location);
-      }
-
-      void resume(const Records &records)
-      {
-        const std::vector<double> values =
-          records.values(stability_record + ": first loss", 2);
-        is_lost  = values[0] != 0;
-        time     = values[1];
-        location = records.text(stability_record + ": location");
-      }
-
     private:
       const Scene &scene;
-      bool         is_lost = false;
-      double       time    = 0; ///< s
-      std::string  location;
+      double      &is_lost, &time; ///< 0 or 1; s
+      std::string &location;
     };
 
     /**
@@ -159,12 +150,18 @@ namespace auxfem
     class EquilibriumWatch : public Watch
     {
     public:
-      EquilibriumWatch(const Scene     &scene,
-                       const Equations &equations,
-                       Work            &work)
-        : aside(scene, equations, work)
-        , first(scene)
+      explicit EquilibriumWatch(const WatchedRun &run)
+        : scratch(run.scene, run.equations, run.work)
+        , first(run.scene, run.statistics)
+        , most(run.statistics.number("stability: most negative modes"))
+        , last(run.statistics.number("stability: last negative modes"))
+        , is_least(run.statistics.number("stability: there may be more"))
       {}
+
+      void forget_steps() override
+      {
+        scratch.forget();
+      }
 
       bool changes_stability(const Evaluation &step,
                              TangentSolver    &newtons) override
@@ -172,7 +169,7 @@ namespace auxfem
         const std::optional<NegativeModes> on_the_way =
           newtons.new_negative_modes();
         now =
-          on_the_way && on_the_way->n == 0 ? NegativeModes() : look_at(step);
+          on_the_way && on_the_way->n == 0 ? NegativeModes() : modes_at(step);
         return now.n != last;
       }
 
@@ -182,7 +179,7 @@ namespace auxfem
       {
         last     = now.n;
         most     = std::max(most, last);
-        is_least = is_least || now.is_least;
+        is_least = is_least != 0 || now.is_least;
         if (last > 0 && !first)
           note_loss(step);
       }
@@ -193,7 +190,8 @@ namespace auxfem
           return {};
         std::ostringstream text;
         first.write(text);
-        text << "from there on " << (is_least ? "at least " : "up to ") << most
+        text << "from there on " << (is_least != 0 ? "at least " : "up to ")
+             << most
              << (most == 1 ? " mode of the stiffness is negative"
                            : " modes of the stiffness are negative")
              << (last == 0 ? ", though not in the end" : "")
@@ -201,22 +199,6 @@ namespace auxfem
                 "disturbance (a lateral load, an uneven shape) or compute with "
                 "inertia.";
         return {first.finding(text.str())};
-      }
-
-      void save(Records &records) const override
-      {
-        first.save(records);
-        records.keep(stability_record,
-                     {double(most), double(last), is_least ? 1. : 0.});
-      }
-
-      void resume(const Records &records) override
-      {
-        first.resume(records);
-        const std::vector<double> values = records.values(stability_record, 3);
-        most                             = values[0];
-        last                             = values[1];
-        is_least                         = values[2] != 0;
       }
 
     private:
@@ -229,33 +211,33 @@ namespace auxfem
         State            end = step.to;
         const Evaluation again =
           Evaluation::static_step(step.from, end, step.dt);
-        aside.evaluate(again);
+        scratch.evaluate(again);
         return check(again);
       }
 
       /** Negative modes at step.to. */
-      NegativeModes look_at(const Evaluation &step)
+      NegativeModes modes_at(const Evaluation &step)
       {
         const auto modes = at_end(step, [this](const Evaluation &end) {
-          return aside.negative_modes(end, stiffness);
+          return scratch.negative_modes(end, stiffness);
         });
         // At an equilibrium the stiffness is not symmetric only where loads do
         // not keep their direction.
-        return modes ? *modes : aside.negative_modes_by_determinant();
+        return modes ? *modes : scratch.negative_modes_by_determinant();
       }
 
       void note_loss(const Evaluation &step)
       {
         first.note(step.to.time, at_end(step, [this](const Evaluation &end) {
-                     return aside.location_of_softest_mode(end, stiffness);
+                     return scratch.location_of_softest_mode(end, stiffness);
                    }));
       }
 
-      TangentAside  aside;
-      FirstLoss     first;
-      NegativeModes now; ///< of the step last solved
-      unsigned long most = 0, last = 0;
-      bool          is_least = false; ///< as NegativeModes
+      ScratchTangent scratch;
+      FirstLoss      first;
+      NegativeModes  now; ///< of the step last solved
+      double        &most, &last;
+      double        &is_least; ///< 0 or 1, as NegativeModes
     };
 
     /**
@@ -266,27 +248,32 @@ namespace auxfem
     class MotionWatch : public Watch
     {
     public:
-      MotionWatch(const Scene &scene, const Equations &equations, Work &work)
-        : aside(scene, equations, work)
-        , end_time(scene.time.end_time)
-        , work(work)
-        , first(scene)
+      explicit MotionWatch(const WatchedRun &run)
+        : scratch(run.scene, run.equations, run.work)
+        , end_time(run.scene.time.end_time)
+        , first(run.scene, run.statistics)
+        , exponent(run.statistics.number("stability: exponent"))
+        , last_rate(run.statistics.number("stability: last rate (1/s)"))
+        , last_time(run.statistics.number("stability: time of last rate (s)"))
       {}
 
       void step(const Evaluation &step,
                 const EvaluationResults & /*results*/,
                 TangentSolver & /*solver*/) override
       {
-        const bool is_last = step.to.time >= end_time;
-        if (work.iterations < next_look &&
-            step.to.time < last_look + end_time / n_looks && !is_last)
+        const double interval =
+          end_time / (last_rate > 0 ? n_while_unstable : n_while_stable);
+        if (step.to.time < last_time + interval && step.to.time < end_time)
           return;
         const double rate = growth_rate(step);
-        exponent += std::min(rate, last_rate) * (step.to.time - last_look);
-        last_look = step.to.time;
+        exponent += std::min(rate, last_rate) * (step.to.time - last_time);
+        last_time = step.to.time;
         last_rate = rate;
-        next_look = work.iterations +
-          (rate > 0 ? iterations_while_unstable : iterations_while_stable);
+      }
+
+      void forget_steps() override
+      {
+        scratch.forget();
       }
 
       std::vector<Finding> findings() const override
@@ -305,34 +292,14 @@ namespace auxfem
         return {first.finding(text.str())};
       }
 
-      void save(Records &records) const override
-      {
-        first.save(records);
-        records.keep(stability_record,
-                     {exponent, last_rate, last_look, double(next_look)});
-      }
-
-      void resume(const Records &records) override
-      {
-        first.resume(records);
-        const std::vector<double> values = records.values(stability_record, 4);
-        exponent                         = values[0];
-        last_rate                        = values[1];
-        last_look                        = values[2];
-        next_look                        = values[3];
-      }
-
     private:
       /** A disturbance of a 1e-5th part becomes as large as the motion. */
       static constexpr double doubtful_exponent = 11.5;
-      /** In a run at least: growth between two looks is not seen in full. */
-      static constexpr unsigned int n_looks = 20;
-      /** Newton's iterations between two looks, at most: a look costs as much
-       * as about nine. */
-      static constexpr unsigned long iterations_while_stable   = 600,
-                                     iterations_while_unstable = 50;
+      /** Checks in a run. Each costs as much as about nine iterations of
+       * Newton's method; growth between two of them is not seen in full. */
+      static constexpr double n_while_stable = 20, n_while_unstable = 240;
 
-      /** Largest of the rates looked at (1/s) at which a disturbance grows at
+      /** Largest of the rates tried (1/s) at which a disturbance grows at
        * step.to; 0: none. */
       double growth_rate(const Evaluation &step)
       {
@@ -341,7 +308,7 @@ namespace auxfem
           rates->assign(rates->size(), 0.);
         const State      before  = at_rest;
         const Evaluation instant = Evaluation::step(before, at_rest, step.dt);
-        aside.evaluate(instant);
+        scratch.evaluate(instant);
         const auto shifted = [](const double rate) {
           return TangentFactors{1., 0., rate * rate};
         };
@@ -355,33 +322,27 @@ namespace auxfem
           found = rate;
         if (found > 0 && !first)
           first.note(at_rest.time,
-                     aside.location_of_softest_mode(instant, shifted(found)));
+                     scratch.location_of_softest_mode(instant, shifted(found)));
         return found;
       }
 
       bool is_unstable(const Evaluation &instant, const TangentFactors &factors)
       {
-        const auto modes = aside.negative_modes(instant, factors);
+        const auto modes = scratch.negative_modes(instant, factors);
         return modes && modes->n > 0;
       }
 
-      TangentAside  aside;
-      const double  end_time; ///< s
-      const Work   &work;
-      unsigned long next_look = iterations_while_stable;
-      double        last_rate = 0; ///< 1/s
-      double        last_look = 0; ///< s
-      double        exponent  = 0;
-      FirstLoss     first;
+      ScratchTangent scratch;
+      const double   end_time; ///< s
+      FirstLoss      first;
+      double        &exponent, &last_rate, &last_time; ///< -, 1/s, s
     };
   } // namespace
 
-  std::unique_ptr<Watch> make_stability_watch(const Scene     &scene,
-                                              const Equations &equations,
-                                              Work            &work)
+  std::unique_ptr<Watch> make_stability_watch(const WatchedRun &run)
   {
-    if (equations.model().simulated.inertia)
-      return std::make_unique<MotionWatch>(scene, equations, work);
-    return std::make_unique<EquilibriumWatch>(scene, equations, work);
+    if (run.equations.model().simulated.inertia)
+      return std::make_unique<MotionWatch>(run);
+    return std::make_unique<EquilibriumWatch>(run);
   }
 } // namespace auxfem

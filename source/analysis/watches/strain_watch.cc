@@ -1,4 +1,3 @@
-#include <auxfem/analysis/occurrences.h>
 #include <auxfem/analysis/watch.h>
 #include <auxfem/parameters/rounded_text.h>
 #include <auxfem/time/moment_text.h>
@@ -10,9 +9,6 @@ namespace auxfem
 {
   namespace
   {
-    const std::string strain_record = "watch: strain",
-                      yield_record  = "watch: yield strain";
-
     /**
      * Of outer fibres. At 50 % what is called strain makes as large a
      * difference to the force; at 100 % a fibre in compression is gone.
@@ -74,13 +70,13 @@ namespace auxfem
       /** @param limits by section */
       StrainWatch(const Equations               &equations,
                   const std::vector<StrainLimit> limits,
-                  const std::string             &name,
+                  Occurrences                   &beyond,
                   Finding (*finding)(const Excess &))
-        : limits(limits)
+        : Watch(SamplingRate::bursts)
+        , limits(limits)
         , equations(equations)
-        , communicator(equations.unknowns().layout.communicator())
-        , name(name)
         , finding(finding)
+        , beyond(beyond)
       {}
 
       void step(const Evaluation        &step,
@@ -102,8 +98,7 @@ namespace auxfem
 
       std::vector<Finding> findings() const override
       {
-        const auto first   = beyond.first_of_all(communicator),
-                   largest = beyond.largest_of_all(communicator);
+        const auto first = beyond.first(), largest = beyond.largest();
         if (!first)
           return {};
         const double allowed_there =
@@ -115,23 +110,11 @@ namespace auxfem
                          equations.layout().path})};
       }
 
-      void save(Records &records) const override
-      {
-        beyond.save(records, name, communicator);
-      }
-
-      void resume(const Records &records) override
-      {
-        beyond.resume(records, name);
-      }
-
     private:
       const std::vector<StrainLimit> limits;
       const Equations               &equations;
-      const MPI_Comm                 communicator;
-      const std::string              name;
       Finding (*const finding)(const Excess &);
-      Occurrences beyond; ///< strains over what is allowed
+      Occurrences &beyond; ///< strains over what is allowed
     };
 
     std::vector<StrainLimit>
@@ -158,21 +141,21 @@ namespace auxfem
     }
   } // namespace
 
-  std::unique_ptr<Watch> make_strain_watch(const Equations &equations)
+  std::unique_ptr<Watch> make_strain_watch(const WatchedRun &run)
   {
-    return std::make_unique<StrainWatch>(equations,
+    return std::make_unique<StrainWatch>(run.equations,
                                          doubtful_strains(
-                                           equations.model().sections),
-                                         strain_record,
+                                           run.equations.model().sections),
+                                         run.statistics.occurrences("strain"),
                                          doubtful_strain_finding);
   }
 
-  std::unique_ptr<Watch> make_yield_watch(const Equations &equations)
+  std::unique_ptr<Watch> make_yield_watch(const WatchedRun &run)
   {
-    return std::make_unique<StrainWatch>(equations,
-                                         yield_strains(
-                                           equations.model().sections),
-                                         yield_record,
-                                         yield_finding);
+    return std::make_unique<StrainWatch>(
+      run.equations,
+      yield_strains(run.equations.model().sections),
+      run.statistics.occurrences("yield strain"),
+      yield_finding);
   }
 } // namespace auxfem

@@ -1,7 +1,5 @@
 #include <auxfem/algebra/shared_work.h>
-#include <auxfem/analysis/occurrences.h>
-
-#include <vector>
+#include <auxfem/analysis/run_statistics.h>
 
 namespace auxfem
 {
@@ -46,20 +44,24 @@ namespace auxfem
           best = other;
       return best;
     }
+
+    std::string record_of(const std::string &entry)
+    {
+      return "watch: " + entry;
+    }
   } // namespace
 
   void Occurrences::add(const Occurrence &occurrence)
   {
-    if (!first)
-      first = occurrence;
-    if (!largest || occurrence.size > largest->size)
-      largest = occurrence;
+    if (!first_one)
+      first_one = occurrence;
+    if (!largest_one || occurrence.size > largest_one->size)
+      largest_one = occurrence;
   }
 
-  std::optional<Occurrence>
-  Occurrences::first_of_all(const MPI_Comm communicator) const
+  std::optional<Occurrence> Occurrences::first() const
   {
-    return of_all(first,
+    return of_all(first_one,
                   communicator,
                   [](const Occurrence &one, const Occurrence &other) {
                     return one.time < other.time ||
@@ -67,27 +69,41 @@ namespace auxfem
                   });
   }
 
-  std::optional<Occurrence>
-  Occurrences::largest_of_all(const MPI_Comm communicator) const
+  std::optional<Occurrence> Occurrences::largest() const
   {
-    return of_all(largest,
+    return of_all(largest_one,
                   communicator,
                   [](const Occurrence &one, const Occurrence &other) {
                     return one.size > other.size;
                   });
   }
 
-  void Occurrences::save(Records           &records,
-                         const std::string &name,
-                         const MPI_Comm     communicator) const
+  void Occurrences::serialize(const std::string &name,
+                              CheckpointArchive &archive)
   {
-    records.keep(name + ": first", values_of(first_of_all(communicator)));
-    records.keep(name + ": largest", values_of(largest_of_all(communicator)));
+    for (const auto &[which, of_all] :
+         {std::pair(&first_one, &Occurrences::first),
+          {&largest_one, &Occurrences::largest}})
+      {
+        std::vector<double> values =
+          values_of(archive.is_saving() ? (this->*of_all)() : std::nullopt);
+        archive.list(name + (which == &first_one ? ": first" : ": largest"),
+                     values);
+        *which = occurrence_of(values);
+      }
   }
 
-  void Occurrences::resume(const Records &records, const std::string &name)
+  void RunStatistics::serialize(CheckpointArchive &archive)
   {
-    first   = occurrence_of(records.values(name + ": first", n_values));
-    largest = occurrence_of(records.values(name + ": largest", n_values));
+    for (auto &[name, number] : numbers)
+      archive.values(record_of(name), number);
+    for (auto &[name, largest] : maxima)
+      archive.values(record_of(name), largest);
+    for (auto &[name, occurrences] : all_occurrences)
+      occurrences.serialize(record_of(name), archive);
+    for (auto &[name, list] : lists)
+      archive.list(record_of(name), list);
+    for (auto &[name, text] : texts)
+      archive.text(record_of(name), text);
   }
 } // namespace auxfem
