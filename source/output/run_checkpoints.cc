@@ -34,7 +34,7 @@ namespace auxfem
                       rank_section       = "rank ";
 
     /** Time between two checkpoints over what one takes. */
-    constexpr unsigned int time_over_cost = 100;
+    constexpr unsigned int time_over_cost = 300;
 
     /** Counts what is written to it. */
     struct ByteCounter : public std::streambuf

@@ -25,7 +25,7 @@ namespace auxfem
       1000000,
       "Number of checkpoints, after equal numbers of steps. `auxfem --resume DIR` "
       "continues from the last one, with equal digits. They are written as often "
-      "as 1 % of the run's time allows, and after SIGINT and SIGTERM. 0: none."};
+      "as 0.3 % of the run's time allow, and after SIGINT and SIGTERM. 0: none."};
     const Integer history_interval = {
       "History interval",
       1,

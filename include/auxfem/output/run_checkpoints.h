@@ -43,7 +43,8 @@ namespace auxfem
 
   /**
    * Writes checkpoints of a run into its folder, so rarely that they take less
-   * than a hundredth of its time. All functions are collective.
+   * than a 300th of its time, beside the first and the last. All functions are
+   * collective.
    */
   class RunCheckpoints
   {
