@@ -61,6 +61,33 @@ namespace auxfem
       return times;
     }
 
+    /** Largest translation of joints of all ranks (m). */
+    double largest_of_joints(const LatticeModel &model, const Vector &motion)
+    {
+      const DofNumbering &numbering = model.numbering;
+      double              mine      = 0;
+      for (unsigned int joint = 0; joint < model.lattice.joints.size(); ++joint)
+        for (unsigned int c = 0; c < model.lattice.dimension; ++c)
+          if (numbering.joint_has(joint, c))
+            if (const int i = numbering.joint_unknown(joint, c); i >= 0)
+              mine = std::max(mine, std::abs(motion[i]));
+      return numbering.layout().largest(mine);
+    }
+
+    /** Of @p error over @p motion, see LargeRotationError::translation. */
+    double relative_translation(const LatticeModel &model,
+                                const Vector       &error,
+                                const Vector       &motion)
+    {
+      // Of the largest translation of all nodes.
+      constexpr double least_of_joints = 0.1;
+      const double     of_joints       = largest_of_joints(model, motion),
+                   of_all              = largest_motion(model, motion).first;
+      return of_joints >= least_of_joints * of_all
+        ? largest_of_joints(model, error) / of_joints
+        : largest_motion(model, error).first / of_all;
+    }
+
     std::string location_of(const LatticeModel &model, const Vector &error)
     {
       const DofNumbering &numbering = model.numbering;
@@ -93,10 +120,12 @@ namespace auxfem
   LargeRotationErrorEstimator::LargeRotationErrorEstimator(
     const Scene     &scene,
     const Equations &small,
-    const Equations &exact)
+    const Equations &exact,
+    const double     allowed)
     : scene(scene)
     , small(small)
     , exact(exact)
+    , allowed(allowed)
     , inertia(scene.time.scheme->is_dynamic()
                 ? std::pow(2 / scene.time.end_time, 2)
                 : 0.)
@@ -228,8 +257,7 @@ namespace auxfem
         const double size_of_change = size(change);
         if (size_of_change <=
             std::max(accuracy * size(error),
-                     accuracy_of_tolerance * scene.effects.tolerance *
-                       size(motion)))
+                     accuracy_of_tolerance * allowed * size(motion)))
           return true;
         is_reducing =
           size_of_change <= kept_reduction * (by_rest ? before_last : last);
@@ -260,8 +288,8 @@ namespace auxfem
     const LatticeModel &model = exact.model();
     LargeRotationError  found;
     found.rotation = largest_motion(model, motion).second;
-    found.relative = infinity;
-    if (is_large(found.rotation, scene.effects.tolerance))
+    found.relative = found.translation = infinity;
+    if (is_large(found.rotation, allowed))
       return found;
     TangentSolver solver(exact, scene.solver, work);
     Vector        error(motion.size(), 0.);
@@ -269,9 +297,10 @@ namespace auxfem
         !(find_error(motion, /*by_rest=*/true, solver, error) ||
           find_error(motion, /*by_rest=*/false, solver, error)))
       return found;
-    found.relative = size(error) / size(motion);
-    found.location = location_of(model, error);
-    if (found.relative <= scene.effects.tolerance)
+    found.relative    = size(error) / size(motion);
+    found.translation = relative_translation(model, error, motion);
+    found.location    = location_of(model, error);
+    if (found.relative <= allowed)
       found.is_unstable = !is_positive(exact_state(motion, error), solver);
     return found;
   }

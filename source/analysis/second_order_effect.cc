@@ -108,16 +108,32 @@ namespace auxfem
     return std::exchange(effort, Work());
   }
 
-  std::optional<SecondOrderChange>
-  SecondOrderEffect::at(const State &state, const Vector &forces_by_turning)
+  const Equations *SecondOrderEffect::exact_equations()
   {
     if (is_impossible)
-      return {};
-    SecondOrderChange result;
+      return nullptr;
     try
       {
         if (!exact)
           exact = std::make_unique<Exact>(scene, equations.model(), effort);
+      }
+    catch (const std::runtime_error &)
+      {
+        // Supports that large rotations do not allow.
+        is_impossible = true;
+        return nullptr;
+      }
+    return &exact->equations;
+  }
+
+  std::optional<SecondOrderChange>
+  SecondOrderEffect::at(const State &state, const Vector &forces_by_turning)
+  {
+    if (exact_equations() == nullptr)
+      return {};
+    SecondOrderChange result;
+    try
+      {
         if (exact->factorize_under(state.displacement))
           if (const auto negative = exact->solver.new_negative_modes())
             result.is_unstable = negative->n > 0;
@@ -126,8 +142,7 @@ namespace auxfem
       }
     catch (const std::runtime_error &)
       {
-        // Supports that large rotations do not allow, loads that are no number
-        // at rest.
+        // Loads that are no number at rest.
         is_impossible = true;
         return {};
       }

@@ -40,7 +40,7 @@ namespace auxfem
     : scene(scene)
     , layout(small.unknowns().layout)
     , has_inertia(small.model().simulated.inertia)
-    , estimator(scene, small, exact)
+    , estimator(scene, small, exact, scene.effects.tolerance)
     , estimate(scene, small)
   {
     envelope.compressions.resize(estimate.struts().size());

@@ -93,7 +93,7 @@ namespace auxfem
     flags.time                = time;
     flags.cycle               = number;
     flags.print_date_and_time = false;
-    flags.compression_level   = dealii::DataOutBase::VtkFlags::best_speed;
+    flags.compression_level   = decltype(flags.compression_level)::best_speed;
     for (const GraphicsField &field : fields)
       if (!field.unit.empty())
         flags.physical_units[field.name] = field.unit;

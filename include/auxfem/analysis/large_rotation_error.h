@@ -15,7 +15,10 @@ namespace auxfem
     /** Distance to the exact equilibrium over the motion, root mean squares;
      * not finite: there is no equilibrium near. */
     double relative = 0;
-    double rotation = 0; ///< largest (rad)
+    /** As `relative`, of the largest translations of joints or, where joints
+     * hardly move, of all nodes. */
+    double translation = 0;
+    double rotation    = 0; ///< largest (rad)
     /** Whether the exact stiffness has negative modes there. */
     bool        is_unstable = false;
     std::string location; ///< the unknown with the largest distance
@@ -45,10 +48,13 @@ namespace auxfem
   {
   public:
     /** @param scene, small, exact must outlive the object; both equations are
-     *   of the same numbering */
+     *   of the same numbering
+     * @param allowed error, relative to the motion: larger rotations than go
+     *   with it are not looked into */
     LargeRotationErrorEstimator(const Scene     &scene,
                                 const Equations &small,
-                                const Equations &exact);
+                                const Equations &exact,
+                                double           allowed);
 
     /** The largest linear static answer to the loads in the run, with its
      * energies; nothing where there is none. */
@@ -85,6 +91,7 @@ namespace auxfem
 
     const Scene     &scene;
     const Equations &small, &exact;
+    const double     allowed;
     const double     inertia; ///< of the error (1/s2)
     Work             work;
   };

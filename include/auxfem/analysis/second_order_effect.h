@@ -44,6 +44,10 @@ namespace auxfem
     std::optional<SecondOrderChange> at(const State  &state,
                                         const Vector &forces_by_turning);
 
+    /** The equations of the same structure with large rotations; nullptr where
+     * these are not possible. Collective. */
+    const Equations *exact_equations();
+
     /** Effort of the checks since the last call. */
     Work take_effort();
 

@@ -1,3 +1,4 @@
+#include <auxfem/analysis/large_rotation_error.h>
 #include <auxfem/analysis/second_order_effect.h>
 #include <auxfem/analysis/small_displacement_error.h>
 #include <auxfem/analysis/watch.h>
@@ -18,6 +19,14 @@ namespace auxfem
     /** Growth of the estimate after which the effect of axial forces is found
      * anew, for the price of a factorization. */
     constexpr double growth_between_checks = 1.1;
+
+    /** Estimate from which on the exact equilibrium is compared: struts held at
+     * both ends are stretched when they bend, 500 times longer than thick ones
+     * by some per cent of their stiffness here. */
+    constexpr double least_compared = 5e-4;
+
+    /** Growth of the estimate after which it is compared anyhow. */
+    constexpr double growth_between_comparisons = 8;
 
     Verdict verdict_on(const double error)
     {
@@ -65,6 +74,41 @@ namespace auxfem
       }
     };
 
+    /** The exact equilibrium under the same loads, of which the estimate knows
+     * no axial forces that come from bending. */
+    struct Comparison
+    {
+      double      estimate = 0; ///< when it was found
+      double      error = 0; ///< distance, see LargeRotationError::translation
+      double      time  = 0; ///< s
+      std::string location;
+
+      /** Error of a motion with another estimate: goes with its square. */
+      double expected(const double other) const
+      {
+        return estimate > 0 ? error * std::pow(other / estimate, 2) : 0;
+      }
+
+      Finding finding() const
+      {
+        std::ostringstream text;
+        text << "Displacements are not small, as Large rotation = off "
+                "supposes: at t = "
+             << time << " s ";
+        if (std::isfinite(error))
+          text << "the exact equilibrium under the same loads differs by "
+               << percentage_text(error)
+               << " of the displacements, most in the " << location;
+        else
+          text << "no exact equilibrium under the same loads was found near";
+        text << ". Set Effects/Large rotation = on, or reduce the load.";
+        return {std::isfinite(error) ? verdict_on(error) : Verdict::doubtful,
+                text.str(),
+                time,
+                location};
+      }
+    };
+
     /** Watches linear scenes. */
     class SmallDisplacementWatch : public Watch
     {
@@ -72,6 +116,8 @@ namespace auxfem
       explicit SmallDisplacementWatch(const WatchedRun &run)
         : Watch(SamplingRate::single_steps)
         , layout(run.equations.unknowns().layout)
+        , scene(run.scene)
+        , equations(run.equations)
         , estimate(run.scene, run.equations)
         , second_order(run.scene, run.equations)
         , end_time(run.scene.time.end_time)
@@ -83,6 +129,7 @@ namespace auxfem
                 TangentSolver & /*solver*/) override
       {
         SmallDisplacementError found = estimate.at(step.to);
+        compare(step.to, found);
         if (found.total() <= worst.total())
           return;
         if (verdict_on(found.total()) !=
@@ -103,8 +150,13 @@ namespace auxfem
       std::vector<Finding> findings() const override
       {
         std::vector<Finding> all;
-        if (verdict_on(worst.total()) != Verdict::sound)
+        const Finding        by_comparison = comparison.finding();
+        if (verdict_on(worst.total()) >= by_comparison.verdict)
           all.push_back(error_finding());
+        else
+          all.push_back(by_comparison);
+        if (all.back().verdict == Verdict::sound)
+          all.clear();
         if (loss.evidence != Evidence::none)
           all.push_back(loss.finding());
         return all;
@@ -122,7 +174,12 @@ namespace auxfem
                        loss.time,
                        loss.compression,
                        loss.strut,
-                       evidence);
+                       evidence,
+                       comparison.estimate,
+                       comparison.error,
+                       comparison.time);
+        archive.text("watch: small displacements: location of comparison",
+                     comparison.location);
         archive.text("watch: small displacements: location", worst.location);
         loss.evidence = static_cast<Evidence>(evidence);
       }
@@ -172,6 +229,40 @@ namespace auxfem
                   evidence};
       }
 
+      /** Compares the motion with the exact one where that may differ by more
+       * than is sound, or is not known. */
+      void compare(const State &state, const SmallDisplacementError &now)
+      {
+        const double total = now.total();
+        const bool   is_known =
+          total <= growth_between_comparisons * comparison.estimate &&
+          comparison.expected(total) <= doubtful_displacement_error;
+        const bool has_grown =
+          total > growth_between_checks * comparison.estimate ||
+          (state.time >= end_time && total > comparison.estimate);
+        if (total < least_compared || is_known || !has_grown)
+          return;
+        const Equations *const exact = second_order.exact_equations();
+        if (exact == nullptr)
+          return;
+        LargeRotationErrorEstimator estimator(scene,
+                                              equations,
+                                              *exact,
+                                              doubtful_displacement_error);
+        const LargeRotationError    found = estimator.at(state.displacement);
+        work.add_effort(estimator.effort());
+        comparison.estimate = total;
+        // The estimate tells of motions that are too large to be compared.
+        const bool is_compared = std::isfinite(found.translation) ||
+          total <= doubtful_displacement_error;
+        if (is_compared && found.translation >= comparison.error)
+          {
+            comparison.error    = found.translation;
+            comparison.time     = state.time;
+            comparison.location = found.location;
+          }
+      }
+
       /** The first one; collective. */
       double most_compressed_strut(const SmallDisplacementError &error) const
       {
@@ -183,6 +274,8 @@ namespace auxfem
       }
 
       const UnknownLayout            &layout;
+      const Scene                    &scene;
+      const Equations                &equations;
       const SmallDisplacementEstimate estimate;
       SecondOrderEffect               second_order;
       const double                    end_time; ///< s
@@ -190,6 +283,7 @@ namespace auxfem
       SmallDisplacementError          worst;
       double                          time = 0; ///< s, of it
       LossOfStability                 loss;     ///< under the largest forces
+      Comparison                      comparison;
       /** Estimate with which the effect of axial forces was found last. */
       double checked = 0;
     };
