@@ -141,11 +141,13 @@ TEST(LatticeRun, WorkOfTheStartCounts)
 TEST(LatticeRun, AWholeRunCountsTheStartsWorkToo)
 {
   const auto factorizations = [](const std::string &start_from) {
-    const Scene scene = read_scene_from_text(cantilever("0.3 + t", ten_steps),
-                                             "test.prm",
-                                             {"Effects/Large rotation=off",
-                                              "Time/Start from=" + start_from});
-    Diary       diary;
+    // Too little for its motion to be compared with the exact one.
+    const Scene scene =
+      read_scene_from_text(cantilever("3e-5 + 1e-4 * t", ten_steps),
+                           "test.prm",
+                           {"Effects/Large rotation=off",
+                            "Time/Start from=" + start_from});
+    Diary diary;
     return LatticeRun(scene, MPI_COMM_SELF).run(diary).work.factorizations;
   };
   EXPECT_EQ(factorizations("rest"), 1u) << "all steps share one";
