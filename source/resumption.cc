@@ -128,12 +128,11 @@ namespace auxfem
                        ", which has changed since, or is gone. Put it back, or "
                        "start from t = 0.");
     const auto with = [&run](const std::vector<std::string> &overrides) {
-      Scene scene =
-        read_scene_from_text(run.parameters, run.scene_file, overrides);
-      scene.output.directory = run.folder;
-      return scene;
+      std::vector<std::string> all = {"Output/Directory=" + run.folder};
+      all.insert(all.end(), overrides.begin(), overrides.end());
+      return read_scene_from_text(run.parameters, run.scene_file, all);
     };
-    Scene scene = with(overrides);
+    const Scene scene = with(overrides);
     refuse_changes(with({}), scene);
     refuse_end_before(run.records, scene);
     return scene;

@@ -6,6 +6,7 @@
 #include <auxfem/parameters/named.h>
 #include <auxfem/reduced_cell/cell_history.h>
 #include <auxfem/study/measured_run.h>
+#include <auxfem/study/settings.h>
 #include <auxfem/time/interruption.h>
 
 #include <deal.II/base/mpi.h>
@@ -251,11 +252,12 @@ namespace auxfem
   namespace
   {
     /** A decision that changes from run to run would be an error of its own. */
-    Scene without_decisions_on_the_way(Scene scene)
+    Scene without_decisions_on_the_way(const Scene &scene)
     {
-      if (scene.effects.large_rotation == Switch::automatic)
-        scene.effects.large_rotation = Switch::on;
-      return scene;
+      return scene.context.model == Model::lattice &&
+          scene.effects.large_rotation == Switch::automatic
+        ? scene_with(scene, {"Effects/Large rotation=on"})
+        : scene;
     }
   } // namespace
 

@@ -234,8 +234,7 @@ namespace auxfem
 
   void check_study(const Scene &scene, const MPI_Comm communicator)
   {
-    Scene simulated    = scene;
-    simulated.analysis = Analysis::simulation;
+    const Scene simulated = scene_with(scene, {});
     analysis_of(simulated).check(simulated, communicator);
     const StudyTask               task = task_of(scene, communicator);
     const std::vector<PlannedRun> plan = kind_of(task.scene).plan(task);
