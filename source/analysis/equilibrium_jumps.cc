@@ -39,10 +39,7 @@ namespace auxfem
     constexpr double unshrunk_prediction = 0.75;
   } // namespace
 
-  EquilibriumJumps::EquilibriumJumps(const LatticeModel &model,
-                                     const Scene        &scene)
-    : model(model)
-    , scene(scene)
+  EquilibriumJumps::EquilibriumJumps(const LatticeModel &model) : model(model)
   {}
 
   std::string EquilibriumJumps::rejection_reason(const Evaluation &step,
@@ -80,7 +77,7 @@ namespace auxfem
       by_tangent > unshrunk_prediction * last_attempt->predicted;
     // Without a longer step to compare with nothing is known.
     const bool is_shortest = largest_attempt &&
-      step.dt <= (1 + 1e-9) * shortest_part * scene.time.step;
+      step.dt <= (1 + 1e-9) * shortest_part * model.plan.time.step;
     if (!allows_jumps && !is_shortest && !follows_load_jump)
       {
         if (!largest_attempt || size > largest_attempt->size)
@@ -159,7 +156,7 @@ namespace auxfem
       return {};
     std::ostringstream text;
     text.precision(3);
-    const std::string loads = load_values_text(scene, first->time);
+    const std::string loads = load_values_text(model.plan, first->time);
     text << "The equilibrium jumps between t = " << first->time << " s and "
          << first->end << " s" << (loads.empty() ? "" : " (" + loads + ")")
          << " by " << first->size << " m, most at the " << first->location;

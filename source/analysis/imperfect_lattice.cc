@@ -34,16 +34,6 @@ namespace auxfem
       return is_mode(definition) || is_result(definition);
     }
 
-    /** @p scene such that its buckling modes can be computed. */
-    Scene designed(Scene scene, const unsigned int n_modes)
-    {
-      scene.imperfections.clear();
-      scene.analysis                = Analysis::buckling;
-      scene.modes.number            = n_modes;
-      scene.modes.about_equilibrium = scene.time.static_start;
-      return scene_of_modes(scene);
-    }
-
     /** Displacements of joints and middles of struts in @p shape, on all ranks. */
     GeometryOffsets offsets_of(const Vector &shape, const LatticeRun &run)
     {
@@ -98,13 +88,15 @@ namespace auxfem
             n_modes = std::max(n_modes, definition.mode);
             paths += (paths.empty() ? "" : ", ") + definition.path;
           }
-      const Scene perfect = designed(scene, n_modes);
-      LatticeRun  run(perfect, communicator);
+      RunPlan designed =
+        plan_of_modes(scene, Analysis::buckling, scene.time.static_start);
+      designed.has_imperfections = false;
+      LatticeRun run(designed, communicator);
       run.prepare();
-      if (perfect.time.static_start)
+      if (designed.time.static_start)
         run.start();
       const BucklingModes found =
-        buckling_modes_of(run, paths + ", Type = buckling mode");
+        buckling_modes_of(run, n_modes, paths + ", Type = buckling mode");
       for (const ImperfectionDefinition &definition : scene.imperfections)
         {
           if (!is_mode(definition))
@@ -155,21 +147,24 @@ namespace auxfem
       offsets.add(definition.amplitude / largest, displacements);
     }
 
-    void add_results(const Scene     &scene,
+    void add_results(const RunPlan   &plan,
                      const MPI_Comm   communicator,
                      GeometryOffsets &offsets)
     {
-      Scene designed_scene = scene;
-      designed_scene.imperfections.clear();
-      const LatticeRun run(designed_scene, communicator);
-      for (const ImperfectionDefinition &definition : scene.imperfections)
+      RunPlan designed           = plan;
+      designed.has_imperfections = false;
+      const LatticeRun run(designed, communicator);
+      for (const ImperfectionDefinition &definition : plan.scene.imperfections)
         if (is_result(definition))
           add_result(definition, run, communicator, offsets);
     }
   } // namespace
 
-  Lattice imperfect_lattice(const Scene &scene, const MPI_Comm communicator)
+  Lattice imperfect_lattice(const RunPlan &plan, const MPI_Comm communicator)
   {
+    const Scene &scene = plan.scene;
+    if (!plan.has_imperfections)
+      return designed_lattice(scene);
     const auto has = [&scene](bool (*kind)(const ImperfectionDefinition &)) {
       return std::any_of(scene.imperfections.begin(),
                          scene.imperfections.end(),
@@ -177,14 +172,11 @@ namespace auxfem
     };
     if (!has(is_computed))
       return build_lattice(scene);
-    Scene designed_scene = scene;
-    designed_scene.imperfections.clear();
-    GeometryOffsets offsets =
-      given_offsets(scene, build_lattice(designed_scene));
+    GeometryOffsets offsets = given_offsets(scene, designed_lattice(scene));
     if (has(is_mode))
       add_modes(scene, communicator, offsets);
     if (has(is_result))
-      add_results(scene, communicator, offsets);
+      add_results(plan, communicator, offsets);
     return build_lattice(scene, &offsets);
   }
 } // namespace auxfem

@@ -11,14 +11,15 @@ namespace auxfem
   {
     /** Whether small displacements of the scene are simpler than what it asks
      * for, and their error can be estimated. */
-    bool has_choice(const Scene &scene, const Equations &exact)
+    bool has_choice(const Equations &exact)
     {
-      const auto &loads = scene.joint_loads;
-      return scene.effects.large_rotation == Switch::automatic &&
+      const RunPlan &plan  = exact.model().plan;
+      const auto    &loads = plan.joint_loads();
+      return plan.effects.large_rotation == Switch::automatic &&
         exact.unknowns().n_free() > 0 && !exact.is_linear() &&
         exact.reporting().constraints.empty() &&
         exact.reporting().plates == nullptr &&
-        !scene.time.implicit_scheme().balances_means() &&
+        !plan.time.implicit_scheme().balances_means() &&
         std::none_of(loads.begin(),
                      loads.end(),
                      [](const JointLoadDefinition &load) {
@@ -38,17 +39,17 @@ namespace auxfem
     struct SmallRun
     {
       explicit SmallRun(const LatticeRun &exact)
-        : run(exact, with_small_displacements(exact.model.simulated))
-        , limit(exact.scene, run.equations, exact.equations)
+        : run(exact, with_small_displacements(exact.model.plan.simulated))
+        , limit(run.equations, exact.equations)
       {}
 
       EffectDecision decide()
       {
-        const double             tolerance = run.scene.effects.tolerance;
+        const double             tolerance = run.model.plan.effects.tolerance;
         const LargeRotationError error     = limit.check_static_answer();
         const std::string        why       = error.reason(tolerance);
         const std::string        of =
-          std::string(run.model.simulated.inertia ? "twice " : "") +
+          std::string(run.model.plan.simulated.inertia ? "twice " : "") +
           "the static answer to the loads";
         return {large_rotation_effect().name,
                 !why.empty(),
@@ -70,7 +71,7 @@ namespace auxfem
     {
       model.explain(decision);
       const std::string contact = contact_effect().name;
-      if (model.decision(contact).on)
+      if (model.plan.simulated.decision(contact).on)
         model.explain({contact, false, struts_hardly_move});
     }
 
@@ -79,10 +80,9 @@ namespace auxfem
                                                         Recorder   &recorder)
     {
       SmallRun             small(exact);
-      const Records *const checkpoint = recorder.goes_on_from();
-      const EffectDecision decision   = checkpoint
-          ? saved_decision(large_rotation_effect().name, *checkpoint)
-          : small.decide();
+      const auto          &of_former_run = exact.model.plan.kinematics;
+      const EffectDecision decision =
+        of_former_run ? *of_former_run : small.decide();
       if (decision.on)
         {
           exact.model.explain(decision);
@@ -110,7 +110,7 @@ namespace auxfem
 
   void explain_kinematics(LatticeRun &exact)
   {
-    if (!has_choice(exact.scene, exact.equations))
+    if (!has_choice(exact.equations))
       return;
     const EffectDecision decision = SmallRun(exact).decide();
     if (decision.on)
@@ -119,13 +119,12 @@ namespace auxfem
       explain_small_displacements(decision, exact.model);
   }
 
-  RunResult run_with_chosen_kinematics(const Scene          &scene,
-                                       const MPI_Comm        communicator,
-                                       Recorder             &recorder,
-                                       const ChosenElements *elements)
+  RunResult run_with_chosen_kinematics(const RunPlan &plan,
+                                       const MPI_Comm communicator,
+                                       Recorder      &recorder)
   {
-    LatticeRun exact(scene, communicator, elements);
-    if (has_choice(scene, exact.equations))
+    LatticeRun exact(plan, communicator);
+    if (has_choice(exact.equations))
       if (const auto result = run_by_small_displacements(exact, recorder))
         return *result;
     return exact.run(recorder);

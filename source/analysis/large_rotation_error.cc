@@ -47,15 +47,15 @@ namespace auxfem
     }
 
     /** Times at which loads are looked at. */
-    std::vector<TimeLimit> times_of_loads(const Scene &scene)
+    std::vector<TimeLimit> times_of_loads(const RunPlan &plan)
     {
       constexpr unsigned int n_times = 4, n_events = 8;
       std::vector<TimeLimit> times;
       for (unsigned int i = 1; i <= n_times; ++i)
-        times.push_back({scene.time.end_time * i / n_times, TimeSide::before});
-      const std::vector<StepEnd> ends = step_ends(scene);
+        times.push_back({plan.time.end_time * i / n_times, TimeSide::before});
+      const std::vector<StepEnd> ends = step_ends(plan);
       for (std::size_t i = 0; i < ends.size() && i < n_events; ++i)
-        if (ends[i].time < scene.time.end_time)
+        if (ends[i].time < plan.time.end_time)
           for (const TimeSide side : {TimeSide::before, TimeSide::after})
             times.push_back({ends[i].time, side});
       return times;
@@ -118,16 +118,15 @@ namespace auxfem
   }
 
   LargeRotationErrorEstimator::LargeRotationErrorEstimator(
-    const Scene     &scene,
     const Equations &small,
     const Equations &exact,
     const double     allowed)
-    : scene(scene)
+    : plan(exact.model().plan)
     , small(small)
     , exact(exact)
     , allowed(allowed)
-    , inertia(scene.time.scheme->is_dynamic()
-                ? std::pow(2 / scene.time.end_time, 2)
+    , inertia(plan.time.scheme->is_dynamic()
+                ? std::pow(2 / plan.time.end_time, 2)
                 : 0.)
   {}
 
@@ -189,12 +188,12 @@ namespace auxfem
 
   std::optional<State> LargeRotationErrorEstimator::static_answer()
   {
-    TangentSolver solver(exact, scene.solver, work);
+    TangentSolver solver(exact, plan.solver, work);
     if (!factorize_at_rest(solver))
       return {};
     State  answer  = at_rest(small);
     double largest = 0;
-    for (const TimeLimit &time : times_of_loads(scene))
+    for (const TimeLimit &time : times_of_loads(plan))
       if (std::optional<Vector> motion = linear_answer(time, solver);
           motion && size(*motion) > largest)
         {
@@ -291,7 +290,7 @@ namespace auxfem
     found.relative = found.translation = infinity;
     if (is_large(found.rotation, allowed))
       return found;
-    TangentSolver solver(exact, scene.solver, work);
+    TangentSolver solver(exact, plan.solver, work);
     Vector        error(motion.size(), 0.);
     if (!factorize_at_rest(solver) ||
         !(find_error(motion, /*by_rest=*/true, solver, error) ||

@@ -34,9 +34,12 @@ namespace auxfem
                         const MPI_Comm communicator,
                         Recorder      &recorder)
   {
-    if (scene.discretization.tolerance)
-      return run_with_chosen_elements(scene, communicator, recorder);
-    return run_with_chosen_kinematics(scene, communicator, recorder);
+    RunPlan plan(scene);
+    if (const Records *const checkpoint = recorder.goes_on_from())
+      plan.restore(*checkpoint);
+    else if (scene.discretization.tolerance)
+      plan.elements = choose_elements(plan, communicator, recorder);
+    return run_with_chosen_kinematics(plan, communicator, recorder);
   }
 
   void check_lattice(const Scene &scene, const MPI_Comm communicator)

@@ -4,7 +4,6 @@
 #include <auxfem/analysis/lattice_run.h>
 #include <auxfem/analysis/saved_state.h>
 #include <auxfem/analysis/small_displacement_limit.h>
-#include <auxfem/model/effect_definition.h>
 #include <auxfem/model/load_course.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/out_of_memory.h>
@@ -18,14 +17,13 @@ namespace auxfem
   namespace
   {
     /** 0: there are no checkpoints. */
-    unsigned long steps_between_checkpoints(const Scene &scene,
-                                            const bool   has_inertia)
+    unsigned long steps_between_checkpoints(const RunPlan &plan)
     {
       // The error of steps is found from three in a row, which no checkpoint is
       // to part in short runs.
-      const unsigned long n     = scene.output.checkpoints,
-                          least = has_inertia ? 4 : 1;
-      return n == 0 ? 0 : std::max(least, (scene.time.n_steps() + n - 1) / n);
+      const unsigned long n     = plan.scene.output.checkpoints,
+                          least = plan.simulated.inertia ? 4 : 1;
+      return n == 0 ? 0 : std::max(least, (plan.time.n_steps() + n - 1) / n);
     }
 
     double solver_seconds(const PhaseTimes &wall)
@@ -58,22 +56,16 @@ namespace auxfem
     };
   } // namespace
 
-  LatticeRun::LatticeRun(const Scene                &scene,
-                         const MPI_Comm              communicator,
-                         const ChosenElements *const elements)
+  LatticeRun::LatticeRun(const RunPlan &plan, const MPI_Comm communicator)
     : set_up_watch(std::in_place, work_done.wall.setup)
     , shared_lattice(
-        std::make_shared<const Lattice>(imperfect_lattice(scene, communicator)))
-    , scene(scene)
+        std::make_shared<const Lattice>(imperfect_lattice(plan, communicator)))
+    , scene(plan.scene)
     , lattice(*shared_lattice)
-    , model(scene,
-            lattice,
-            communicator,
-            elements ? elements->divisions : std::vector<StrutDivision>())
-    , equations(scene, model)
+    , model(plan, lattice, communicator)
+    , equations(model)
     , solution(equations.initial_solution())
-    , stepper(equations, scene, work_done)
-    , elements(elements)
+    , stepper(equations, work_done)
   {
     set_up_watch.reset();
   }
@@ -83,11 +75,10 @@ namespace auxfem
     , shared_lattice(other.shared_lattice)
     , scene(other.scene)
     , lattice(*shared_lattice)
-    , model(scene, other.model, std::move(simulated))
-    , equations(scene, model)
+    , model(other.model, std::move(simulated))
+    , equations(model)
     , solution(equations.initial_solution())
-    , stepper(equations, scene, work_done)
-    , elements(other.elements)
+    , stepper(equations, work_done)
   {
     set_up_watch.reset();
   }
@@ -95,14 +86,14 @@ namespace auxfem
   void LatticeRun::refuse_undetermined()
   {
     refuse_overconstrained(stepper.solver(), solution.state);
-    if (model.simulated.inertia && !scene.time.static_start)
+    if (model.plan.simulated.inertia && !model.plan.time.static_start)
       return;
     const bool is_tangent =
       refuse_mechanism(stepper.solver(),
                        solution.state,
-                       scene.time.static_start
+                       model.plan.time.static_start
                          ? std::nullopt
-                         : std::optional<double>(scene.time.step));
+                         : std::optional<double>(model.plan.time.step));
     if (is_tangent)
       stepper.begin_with_factorization(solution.state);
   }
@@ -111,25 +102,26 @@ namespace auxfem
   {
     const SetUpWatch watch(work_done);
     refuse_undetermined();
-    if (!scene.time.static_start)
+    if (!model.plan.time.static_start)
       start();
   }
 
   std::optional<EffectMeasure> LatticeRun::inertia_measure()
   {
-    if (!model.simulated.inertia)
+    if (!model.plan.simulated.inertia)
       return std::nullopt;
     const auto frequency = first_frequency(stepper.solver(), solution.state);
     if (!frequency)
       return std::nullopt;
-    return EffectMeasure{uncommanded_motion(scene, *frequency), "the answer"};
+    return EffectMeasure{uncommanded_motion(model.plan, *frequency),
+                         "the answer"};
   }
 
   void LatticeRun::start()
   {
     stepper.start(solution);
-    if (elements != nullptr)
-      observer.emplace(scene, model, elements->report).start(solution.state);
+    if (const auto &elements = model.plan.elements)
+      observer.emplace(model, elements->report).start(solution.state);
   }
 
   StepReport LatticeRun::advance(Recorder &recorder)
@@ -160,8 +152,8 @@ namespace auxfem
     stepper.serialize(archive);
     if (limit != nullptr)
       limit->serialize(archive);
-    if (elements != nullptr && !observer)
-      observer.emplace(scene, model, elements->report);
+    if (model.plan.elements && !observer)
+      observer.emplace(model, model.plan.elements->report);
     if (observer)
       observer->serialize(archive);
     recorder.serialize(solution, archive);
@@ -173,10 +165,7 @@ namespace auxfem
     CheckpointArchive archive =
       CheckpointArchive::saving(taken, model.numbering.layout());
     serialize(archive, recorder);
-    // What a run that is resumed is set up with.
-    save(model.decision(large_rotation_effect().name), taken);
-    if (elements != nullptr)
-      elements->save(taken);
+    model.plan.save(taken);
     stepper.restart(solution);
     return taken;
   }
@@ -188,17 +177,16 @@ namespace auxfem
     serialize(archive, recorder);
     // Of a run that has ended between two steps of the scene, and goes on.
     while (!solution.state.path && solution.state.step > 0 &&
-           scene.time.time_at(solution.state.step) > solution.state.time)
+           model.plan.time.time_at(solution.state.step) > solution.state.time)
       --solution.state.step;
     stepper.restart(solution);
   }
 
   void LatticeRun::advance_to_end(Recorder &recorder)
   {
-    const unsigned long interval =
-      steps_between_checkpoints(scene, model.simulated.inertia);
-    const MPI_Comm communicator = model.numbering.layout().communicator();
-    while (solution.state.time < scene.time.end_time)
+    const unsigned long interval     = steps_between_checkpoints(model.plan);
+    const MPI_Comm      communicator = model.numbering.layout().communicator();
+    while (solution.state.time < model.plan.time.end_time)
       {
         if (const int signal = noted_signal(communicator); signal != 0)
           {
@@ -207,7 +195,7 @@ namespace auxfem
           }
         const StepReport report = advance(recorder);
         recorder.step(solution, report);
-        const bool has_ended = solution.state.time >= scene.time.end_time;
+        const bool has_ended = solution.state.time >= model.plan.time.end_time;
         if (interval > 0 && (has_ended || solution.state.step % interval == 0))
           recorder.take(checkpoint(recorder));
       }
@@ -228,7 +216,7 @@ namespace auxfem
     prepare();
     recorder.begin(equations);
     has_begun = true;
-    if (scene.time.static_start)
+    if (model.plan.time.static_start)
       start();
     recorder.start(solution);
   }
@@ -264,8 +252,8 @@ namespace auxfem
       result.small_displacement_error = limit->error();
     if (observer)
       observer->add_to(result);
-    else if (elements != nullptr)
-      result.orders = elements->report;
+    else if (model.plan.elements)
+      result.orders = model.plan.elements->report;
     return result;
   }
 

@@ -51,14 +51,10 @@ namespace auxfem
     }
   } // namespace
 
-  MeshError::MeshError(const Scene &scene, const LatticeModel &model)
+  MeshError::MeshError(const LatticeModel &model)
     : model(model)
-    , same(scene,
-           model,
-           model.numbering.divisions(),
-           owned_struts(model.numbering))
-    , finer(scene,
-            model,
+    , same(model, model.numbering.divisions(), owned_struts(model.numbering))
+    , finer(model,
             finer_than(model, model.numbering.divisions()),
             owned_struts(model.numbering))
     , largest(same.struts().size(), -1.)
@@ -101,8 +97,7 @@ namespace auxfem
     archive.values("mesh error: energies of error and motion", error, energy);
   }
 
-  std::vector<double> errors_of_division(const Scene                     &scene,
-                                         const LatticeModel              &model,
+  std::vector<double> errors_of_division(const LatticeModel              &model,
                                          const MeshError                 &seen,
                                          const std::vector<unsigned int> &which,
                                          const StrutDivision division)
@@ -118,8 +113,8 @@ namespace auxfem
       }
     const std::vector<StrutDivision> divisions(model.lattice.struts.size(),
                                                division);
-    HeldStruts                       divided(scene, model, divisions, struts),
-      finer(scene, model, finer_than(model, divisions), struts);
+    HeldStruts                       divided(model, divisions, struts),
+      finer(model, finer_than(model, divisions), struts);
     return errors_of(divided, finer, motions);
   }
 
@@ -128,8 +123,6 @@ namespace auxfem
     /** In a run. */
     constexpr unsigned int n_instants = 64;
 
-    const std::string division_record = "elements of the struts",
-                      report_record   = "search of the elements of the struts";
 
     /** A run whose elements are not good enough. */
     Finding missed_tolerance(const OrderReport &report, const double time)
@@ -146,10 +139,9 @@ namespace auxfem
       return {Verdict::doubtful, text.str(), time, ""};
     }
 
-    unsigned int n_stages(const Scene &scene)
+    unsigned int n_stages(const TimeParameters &time)
     {
-      const ButcherTableau *const stages =
-        scene.time.implicit_scheme().stages();
+      const ButcherTableau *const stages = time.implicit_scheme().stages();
       return stages == nullptr ? 1 : stages->n_stages() - 1;
     }
 
@@ -167,45 +159,6 @@ namespace auxfem
               ""};
     }
   } // namespace
-
-  void ChosenElements::save(Records &records) const
-  {
-    std::vector<double> numbers;
-    for (const StrutDivision &division : divisions)
-      {
-        numbers.push_back(division.order);
-        numbers.push_back(division.n_elements);
-      }
-    records.keep(division_record, numbers);
-    records.keep(report_record,
-                 {report.tolerance,
-                  report.predicted_error,
-                  double(report.unknowns),
-                  double(report.steps),
-                  double(report.iterations),
-                  report.cpu_seconds,
-                  report.reached});
-  }
-
-  ChosenElements ChosenElements::saved(const Records &records)
-  {
-    const std::vector<double> numbers =
-      records.values(division_record, records.values_per_item(division_record));
-    const std::vector<double> values = records.values(report_record, 7);
-    ChosenElements            chosen;
-    for (std::size_t i = 0; i < numbers.size(); i += 2)
-      chosen.divisions.push_back({static_cast<unsigned int>(numbers[i]),
-                                  static_cast<unsigned int>(numbers[i + 1])});
-    OrderReport &report    = chosen.report;
-    report.tolerance       = values[0];
-    report.predicted_error = values[1];
-    report.unknowns        = values[2];
-    report.steps           = values[3];
-    report.iterations      = values[4];
-    report.cpu_seconds     = values[5];
-    report.reached         = values[6];
-    return chosen;
-  }
 
   std::vector<double> own_frequencies(const Lattice              &lattice,
                                       const std::vector<Section> &sections)
@@ -228,16 +181,15 @@ namespace auxfem
     return frequencies;
   }
 
-  MeshErrorObserver::MeshErrorObserver(const Scene        &scene,
-                                       const LatticeModel &model,
+  MeshErrorObserver::MeshErrorObserver(const LatticeModel &model,
                                        const OrderReport  &report)
-    : distance(scene.time.end_time / n_instants)
-    , parts_of_step(n_stages(scene))
+    : distance(model.plan.time.end_time / n_instants)
+    , parts_of_step(n_stages(model.plan.time))
     , report(report)
-    , estimate(scene, model)
+    , estimate(model)
     , communicator(model.numbering.layout().communicator())
   {
-    if (model.simulated.inertia)
+    if (model.plan.simulated.inertia)
       frequencies = own_frequencies(model.lattice, model.sections);
   }
 

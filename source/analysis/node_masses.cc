@@ -33,13 +33,12 @@ namespace auxfem
         }
     }
 
-    void add_point_masses(const Scene           &scene,
-                          const LatticeModel    &model,
+    void add_point_masses(const LatticeModel    &model,
                           std::vector<NodeMass> &masses)
     {
-      for (const MassDefinition &mass : scene.masses)
+      for (const MassDefinition &mass : model.plan.scene.masses)
         for (const unsigned int joint :
-             joints_of(mass, model.lattice, scene.context))
+             joints_of(mass, model.lattice, model.plan.scene.context))
           for (unsigned int c = 0; c < model.lattice.dimension; ++c)
             if (const int unknown = model.numbering.joint_unknown(joint, c);
                 model.numbering.layout().is_owned(unknown))
@@ -83,21 +82,20 @@ namespace auxfem
     return masses;
   }
 
-  std::vector<NodeMass> all_masses(const Scene     &scene,
-                                   const Equations &equations)
+  std::vector<NodeMass> all_masses(const Equations &equations)
   {
     std::vector<NodeMass> masses;
     add_struts(equations, masses);
-    add_point_masses(scene, equations.model(), masses);
+    add_point_masses(equations.model(), masses);
     add_rigid_parts(equations.model(), masses);
     return masses;
   }
 
-  double total_mass(const Scene &scene, const Equations &equations)
+  double total_mass(const Equations &equations)
   {
     const LatticeModel   &model = equations.model();
     std::vector<NodeMass> of_components;
-    add_point_masses(scene, model, of_components);
+    add_point_masses(model, of_components);
     add_rigid_parts(model, of_components);
     double mine = 0;
     for (const NodeMass &node : of_components)
@@ -106,7 +104,7 @@ namespace auxfem
       if (model.numbering.elements()[e].is_owned)
         mine += element_mass(model, e);
     double mass = model.numbering.layout().sum(mine);
-    for (const PlateDefinition &plate : scene.plates)
+    for (const PlateDefinition &plate : model.plan.scene.plates)
       if (plate.mass)
         mass += plate.mass->mass;
     return mass;

@@ -1,4 +1,3 @@
-#include <auxfem/analysis/kinematics_choice.h>
 #include <auxfem/analysis/lattice_run.h>
 #include <auxfem/analysis/order_choice.h>
 #include <auxfem/elements/strut_order.h>
@@ -37,7 +36,7 @@ namespace auxfem
     class SearchProgress : public Recorder
     {
     public:
-      SearchProgress(const Scene &search, Recorder &told)
+      SearchProgress(const RunPlan &search, Recorder &told)
         : search(search)
         , told(told)
       {}
@@ -48,17 +47,17 @@ namespace auxfem
       }
 
     private:
-      const Scene &search;
-      Recorder    &told;
+      const RunPlan &search;
+      Recorder      &told;
     };
 
-    /** The scene with fewer steps. */
-    Scene search_scene(const Scene &scene)
+    /** The run with fewer steps. */
+    RunPlan search_plan(const RunPlan &plan)
     {
-      Scene search                = scene;
-      search.discretization.order = search_order;
+      RunPlan search        = plan;
+      search.division.order = search_order;
       search.newton.tolerance =
-        std::max(scene.newton.tolerance, loose_residual);
+        std::max(search.newton.tolerance, loose_residual);
       TimeParameters &time = search.time;
       if (time.relative_tolerance)
         time.relative_tolerance =
@@ -93,12 +92,10 @@ namespace auxfem
     {
     public:
       /** @param allowed error (J) of one strut */
-      ElementSearch(const Scene        &scene,
-                    const LatticeModel &model,
+      ElementSearch(const LatticeModel &model,
                     const MeshError    &seen,
                     const double        allowed)
-        : scene(scene)
-        , model(model)
+        : model(model)
         , seen(seen)
         , allowed(allowed)
         , best(seen.struts().size())
@@ -113,9 +110,7 @@ namespace auxfem
             for (unsigned int order = lowest_chosen_order;
                  order <= highest_strut_order(model.lattice.dimension);
                  ++order)
-              try_division(
-                {order,
-                 multiple * scene.discretization.common_division().n_elements});
+              try_division({order, multiple * model.plan.division.n_elements});
             for (std::size_t i = 0; i < best.size(); ++i)
               best[i].n_in_vain =
                 best[i].error < before[i].error ? 0 : best[i].n_in_vain + 1;
@@ -133,7 +128,7 @@ namespace auxfem
                 : best[i].n_in_vain < most_in_vain)
             tried.push_back(i);
         const std::vector<double> errors =
-          errors_of_division(scene, model, seen, tried, division);
+          errors_of_division(model, seen, tried, division);
         for (std::size_t k = 0; k < tried.size(); ++k)
           {
             BestElements &of_strut = best[tried[k]];
@@ -144,7 +139,6 @@ namespace auxfem
           }
       }
 
-      const Scene              &scene;
       const LatticeModel       &model;
       const MeshError          &seen;
       const double              allowed;
@@ -153,8 +147,7 @@ namespace auxfem
 
     /** Takes the elements that the motion found in @p run asks for, of which
      * each strut has an equal share in the error. */
-    void take_divisions(const Scene      &search,
-                        const LatticeRun &run,
+    void take_divisions(const LatticeRun &run,
                         const MeshError  &error,
                         ChosenElements   &chosen)
     {
@@ -163,7 +156,7 @@ namespace auxfem
                      mpi::sum(double(error.struts().size()), communicator),
                    wanted = std::pow(aim * chosen.report.tolerance, 2) *
         error.largest_energy();
-      ElementSearch find(search, run.model, error, wanted / n_struts);
+      ElementSearch find(run.model, error, wanted / n_struts);
       const std::vector<BestElements> &found = find.find();
       // Each is counted by one rank, the others have none.
       std::vector<unsigned int> numbers(2 * chosen.divisions.size(), 0);
@@ -187,15 +180,15 @@ namespace auxfem
      * A search run and the elements that it asks for. Returns whether its own
      * are good enough for that.
      */
-    bool search_elements(const Scene    &search,
+    bool search_elements(RunPlan         search,
                          const MPI_Comm  communicator,
                          Recorder       &told,
                          ChosenElements &chosen)
     {
-      const ChosenElements before = chosen;
-      LatticeRun           run(search, communicator, &before);
+      search.elements = chosen;
+      LatticeRun run(search, communicator);
       // What ends the run at its begin may not cost a search.
-      refuse_columns_of_nothing(search, run.lattice);
+      refuse_columns_of_nothing(search.scene, run.lattice);
       SearchProgress progress(search, told);
       try
         {
@@ -206,13 +199,12 @@ namespace auxfem
           // What it has seen until then has to do; the run itself will tell.
         }
       const MeshError *const error = run.mesh_error();
-      chosen.divisions.assign(
-        run.lattice.struts.size(),
-        {lowest_chosen_order,
-         search.discretization.common_division().n_elements});
+      chosen.divisions.assign(run.lattice.struts.size(),
+                              {lowest_chosen_order,
+                               search.division.n_elements});
       // Nothing moves, or nothing that could be judged.
       if (error != nullptr && error->largest_energy() > 0)
-        take_divisions(search, run, *error, chosen);
+        take_divisions(run, *error, chosen);
       OrderReport &report = chosen.report;
       report.unknowns     = run.model.numbering.layout().n_global();
       report.steps += run.work().steps;
@@ -222,14 +214,14 @@ namespace auxfem
     }
   } // namespace
 
-  ChosenElements choose_elements(const Scene   &scene,
+  ChosenElements choose_elements(const RunPlan &plan,
                                  const MPI_Comm communicator,
                                  Recorder      &recorder)
   {
     const double   cpu_before = cpu_seconds();
-    const Scene    search     = search_scene(scene);
+    const RunPlan  search     = search_plan(plan);
     ChosenElements chosen;
-    chosen.report.tolerance = *scene.discretization.tolerance;
+    chosen.report.tolerance = *plan.scene.discretization.tolerance;
     for (unsigned int i = 0; i < most_searches; ++i)
       {
         // A motion with large errors asks for the right struts at least.
@@ -241,16 +233,5 @@ namespace auxfem
     chosen.report.cpu_seconds =
       mpi::sum(cpu_seconds() - cpu_before, communicator);
     return chosen;
-  }
-
-  RunResult run_with_chosen_elements(const Scene   &scene,
-                                     const MPI_Comm communicator,
-                                     Recorder      &recorder)
-  {
-    const Records *const checkpoint = recorder.goes_on_from();
-    const ChosenElements found      = checkpoint
-           ? ChosenElements::saved(*checkpoint)
-           : choose_elements(scene, communicator, recorder);
-    return run_with_chosen_kinematics(scene, communicator, recorder, &found);
   }
 } // namespace auxfem

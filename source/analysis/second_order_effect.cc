@@ -24,10 +24,10 @@ namespace auxfem
 
   struct SecondOrderEffect::Exact
   {
-    Exact(const Scene &scene, const LatticeModel &small_model, Work &work)
-      : model(scene, small_model, with_large_rotation(small_model.simulated))
-      , equations(scene, model)
-      , solver(equations, scene.solver, work)
+    Exact(const LatticeModel &small_model, Work &work)
+      : model(small_model, with_large_rotation(small_model.plan.simulated))
+      , equations(model)
+      , solver(equations, model.plan.solver, work)
     {}
 
     /** K + K_g under the forces of @p motion; false if it has no factors. */
@@ -95,10 +95,8 @@ namespace auxfem
     }
   };
 
-  SecondOrderEffect::SecondOrderEffect(const Scene     &scene,
-                                       const Equations &equations)
-    : scene(scene)
-    , equations(equations)
+  SecondOrderEffect::SecondOrderEffect(const Equations &equations)
+    : equations(equations)
   {}
 
   SecondOrderEffect::~SecondOrderEffect() = default;
@@ -115,7 +113,7 @@ namespace auxfem
     try
       {
         if (!exact)
-          exact = std::make_unique<Exact>(scene, equations.model(), effort);
+          exact = std::make_unique<Exact>(equations.model(), effort);
       }
     catch (const std::runtime_error &)
       {

@@ -88,9 +88,8 @@ namespace auxfem
   }
 
   SmallDisplacementEstimate::SmallDisplacementEstimate(
-    const Scene     &scene,
     const Equations &equations)
-    : scene(scene)
+    : scene(equations.model().plan.scene)
     , equations(equations)
   {
     for (const StrutGroup &group : equations.reporting().struts)
@@ -138,7 +137,7 @@ namespace auxfem
                      section.bending_stiffness_3());
         // By small displacements its mean axial strain is that of its chord.
         const bool is_chord =
-          strut.sagitta == 0 && !model.simulated.large_rotation;
+          strut.sagitta == 0 && !model.plan.simulated.large_rotation;
         using dealii::numbers::PI;
         chords.push_back({line,
                           is_chord ? nullptr : group.forces,

@@ -34,14 +34,13 @@ namespace auxfem
     constexpr double radians_of_way = dealii::numbers::PI / 2;
   } // namespace
 
-  SmallDisplacementLimit::SmallDisplacementLimit(const Scene     &scene,
-                                                 const Equations &small,
+  SmallDisplacementLimit::SmallDisplacementLimit(const Equations &small,
                                                  const Equations &exact)
-    : scene(scene)
+    : plan(exact.model().plan)
     , layout(small.unknowns().layout)
-    , has_inertia(small.model().simulated.inertia)
-    , estimator(scene, small, exact, scene.effects.tolerance)
-    , estimate(scene, small)
+    , has_inertia(small.model().plan.simulated.inertia)
+    , estimator(small, exact, plan.effects.tolerance)
+    , estimate(small)
   {
     envelope.compressions.resize(estimate.struts().size());
     if (const auto *const contact = exact.reporting().strut_contact)
@@ -58,7 +57,7 @@ namespace auxfem
     scale(factor, motion);
     const LargeRotationError found = estimator.at(motion);
     const double             size  = estimator.size(answer->displacement);
-    if (found.reason(scene.effects.tolerance).empty())
+    if (found.reason(plan.effects.tolerance).empty())
       extend(factor,
              size,
              estimate.at(*answer),
@@ -103,7 +102,7 @@ namespace auxfem
       why = "struts " + std::to_string((*struts)[0]) + " and " +
         std::to_string((*struts)[1]) + " touch";
     else if (++n_steps >= SmallDisplacementEstimate::distance_in_motion ||
-             !has_inertia || state.time >= scene.time.end_time)
+             !has_inertia || state.time >= plan.time.end_time)
       {
         n_steps = 0;
         why     = reason(state);
@@ -132,12 +131,12 @@ namespace auxfem
         if (!why.empty())
           why = compute(ahead, state, size, motion);
       }
-    else if (state.time - computed < scene.time.end_time / n_regular_checks ||
-             known <= little_error * scene.effects.tolerance * largest_size)
+    else if (state.time - computed < plan.time.end_time / n_regular_checks ||
+             known <= little_error * plan.effects.tolerance * largest_size)
       largest_error = std::max(largest_error, known);
     else
       why = compute(ahead, state, size, motion);
-    if (why.empty() && error() > scene.effects.tolerance)
+    if (why.empty() && error() > plan.effects.tolerance)
       why = small_displacement_error_text(error()) +
         ", as vibrations get out of phase";
     return why;
@@ -153,7 +152,7 @@ namespace auxfem
     scale(factor, multiple);
     LargeRotationError found = estimator.at(multiple);
     found.relative *= size / largest_size;
-    std::string why = found.reason(scene.effects.tolerance);
+    std::string why = found.reason(plan.effects.tolerance);
     if (!why.empty())
       return why;
     computed = state.time;

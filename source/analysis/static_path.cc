@@ -22,19 +22,19 @@ namespace auxfem
      */
     constexpr double part_between_pairs = 0.02;
 
-    /** @p scene with what paths of equilibria are made of: viscous processes
-     * have come to rest. */
-    Scene at_rest(Scene scene)
+    /** Viscous processes have come to rest on paths of equilibria. */
+    RunPlan plan_of_path(const Scene &scene)
     {
-      scene.time.scheme             = std::make_shared<QuasiStatic>();
-      scene.time.relative_tolerance = std::nullopt;
+      RunPlan plan(scene);
+      plan.time.scheme             = std::make_shared<QuasiStatic>();
+      plan.time.relative_tolerance = std::nullopt;
       // Few iterations a point are what lets steps be long.
-      scene.newton.keep_factorization = false;
-      scene.solver.needs_inertia      = true;
-      scene.effects.inertia           = Switch::automatic;
-      scene.effects.large_rotation    = Switch::on;
-      scene.initial_velocities.clear();
-      return scene;
+      plan.newton.keep_factorization = false;
+      plan.solver.needs_inertia      = true;
+      plan.effects.inertia           = Switch::automatic;
+      plan.effects.large_rotation    = Switch::on;
+      plan.has_initial_velocities    = false;
+      return plan;
     }
 
     /** Follows the equilibria of a run that has started. */
@@ -45,7 +45,7 @@ namespace auxfem
       explicit EquilibriumPath(LatticeRun &run)
         : run(run)
         , path(run.scene.path)
-        , stepper(run.solver(), run.scene.newton)
+        , stepper(run.solver(), run.model.plan.newton)
         , point(stepper.start(run.solution, path.reversed_loads))
         // A straight cable has a tangent of hardly any load.
         , lengths(path.resolution,
@@ -58,7 +58,7 @@ namespace auxfem
       EquilibriumPath(LatticeRun &run, const Records &checkpoint)
         : run(run)
         , path(run.scene.path)
-        , stepper(run.solver(), run.scene.newton)
+        , stepper(run.solver(), run.model.plan.newton)
         , point{{run.solution.state, run.equations.make_results()}, {}}
         , lengths(path.resolution, 0)
       {
@@ -374,12 +374,11 @@ namespace auxfem
       double unstable_branch = 0;
     };
 
-    RunResult run_path(const Scene   &given,
+    RunResult run_path(const Scene   &scene,
                        const MPI_Comm communicator,
                        Recorder      &recorder)
     {
-      const Scene scene = at_rest(given);
-      LatticeRun  run(scene, communicator);
+      LatticeRun run(plan_of_path(scene), communicator);
       // What is no mechanism is stable at rest.
       if (!scene.time.static_start)
         {
@@ -399,10 +398,9 @@ namespace auxfem
       });
     }
 
-    void check_path(const Scene &given, const MPI_Comm communicator)
+    void check_path(const Scene &scene, const MPI_Comm communicator)
     {
-      const Scene scene = at_rest(given);
-      LatticeRun  run(scene, communicator);
+      LatticeRun run(plan_of_path(scene), communicator);
       run.prepare();
       refuse_columns_of_nothing(scene, run.lattice);
       print_overview(scene, run.equations);

@@ -27,31 +27,31 @@ namespace auxfem
      * errors that were made cannot be undone. */
     constexpr double least_share = 0.1;
 
-    double absolute_tolerance_of(const TimeParameters &parameters,
-                                 const LatticeModel   &model)
+    double absolute_tolerance_of(const LatticeModel &model)
     {
+      const TimeParameters &parameters = model.plan.time;
       return parameters.absolute_tolerance.value_or(
         *parameters.relative_tolerance * part_of_strut *
         model.mean_strut_length);
     }
   } // namespace
 
-  StepError::StepError(const Equations &equations, const Scene &scene)
+  StepError::StepError(const Equations &equations)
     : equations(equations)
-    , scheme(scene.time.implicit_scheme())
-    , tolerance(*scene.time.relative_tolerance)
-    , end_time(scene.time.end_time)
-    , sampling_interval(scene.time.step)
+    , scheme(equations.model().plan.time.implicit_scheme())
+    , tolerance(*equations.model().plan.time.relative_tolerance)
+    , end_time(equations.model().plan.time.end_time)
+    , sampling_interval(equations.model().plan.time.step)
     , all{Motions{"displacements",
                   "Time/Absolute tolerance",
                   "m",
                   equations.model().rows.free_translations,
-                  absolute_tolerance_of(scene.time, equations.model())},
+                  absolute_tolerance_of(equations.model())},
           Motions{"rotations",
                   "Time/Absolute tolerance of rotations",
                   "rad",
                   equations.model().rows.free_rotations,
-                  scene.time.absolute_tolerance_of_rotations}}
+                  equations.model().plan.time.absolute_tolerance_of_rotations}}
   {}
 
   double StepError::mean(const Motions &motions, const Vector &values) const

@@ -24,30 +24,29 @@ namespace auxfem
     }
   } // namespace
 
-  TimeStepper::TimeStepper(Equations &equations, const Scene &scene, Work &work)
+  TimeStepper::TimeStepper(Equations &equations, Work &work)
     : equations(equations)
-    , parameters(scene.time)
+    , parameters(equations.model().plan.time)
     , scheme(parameters.implicit_scheme())
     , work(work)
     , trial(equations.initial_solution())
     , rotations(equations.model().numbering)
-    , solvers(std::make_unique<Solvers>(equations, scene, work))
+    , solvers(std::make_unique<Solvers>(equations, work))
     , control(make_step_control(parameters))
     , dense_output(equations, scheme)
-    , ends(scene)
-    , watches_of_scene(scene, equations, work)
+    , ends(equations.model().plan)
+    , watches_of_scene(equations, work)
   {
     if (!equations.reporting().constraints.empty() &&
         scheme.carries_on_alternating_errors())
-      solvers->rates =
-        std::make_unique<RateSolver>(equations, scene.solver, work);
+      solvers->rates = std::make_unique<RateSolver>(equations, work);
     if (parameters.relative_tolerance)
-      error.emplace(equations, scene);
+      error.emplace(equations);
     if (scheme.stages() != nullptr)
       stages.emplace(equations, scheme);
     if (!scheme.is_dynamic() && !equations.is_linear())
       jumps = watches_of_scene.add(
-        std::make_unique<EquilibriumJumps>(equations.model(), scene));
+        std::make_unique<EquilibriumJumps>(equations.model()));
   }
 
   std::vector<Finding> TimeStepper::findings() const

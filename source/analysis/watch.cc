@@ -17,17 +17,16 @@ namespace auxfem
                          });
     }
 
-    bool has_friction(const Scene &scene, const Equations &equations)
+    bool has_friction(const RunPlan &plan)
     {
-      return equations.model().simulated.contact && scene.contact.friction > 0;
+      return plan.simulated.contact && plan.scene.contact.friction > 0;
     }
 
-    bool is_free_in_space(const Scene &scene, const Equations &equations)
+    bool is_free_in_space(const LatticeModel &model)
     {
-      const LatticeModel &model = equations.model();
-      return model.lattice.dimension == 3 && model.simulated.large_rotation &&
-        model.supports.empty() && model.lattice.rigid_parts.empty() &&
-        scene.plates.empty();
+      return model.lattice.dimension == 3 &&
+        model.plan.simulated.large_rotation && model.supports.empty() &&
+        model.lattice.rigid_parts.empty() && model.plan.scene.plates.empty();
     }
   } // namespace
 
@@ -43,11 +42,13 @@ namespace auxfem
     return text.str();
   }
 
-  Watches::Watches(const Scene &scene, const Equations &equations, Work &work)
-    : schedule(scene, equations)
+  Watches::Watches(const Equations &equations, Work &work)
+    : schedule(equations)
     , statistics(equations.unknowns().layout.communicator())
   {
-    const SimulatedEffects &simulated   = equations.model().simulated;
+    const RunPlan          &plan        = equations.model().plan;
+    const Scene            &scene       = plan.scene;
+    const SimulatedEffects &simulated   = plan.simulated;
     const ReportingEffects &reporting   = equations.reporting();
     const bool              has_inertia = simulated.inertia,
                is_linear                = equations.is_linear(),
@@ -56,9 +57,9 @@ namespace auxfem
       reporting.strut_contact != nullptr;
     // Loads only order the steps of elastic statics.
     const bool time_has_meaning = simulated.connector_viscosity ||
-      simulated.strut_damping || has_friction(scene, equations);
+      simulated.strut_damping || has_friction(plan);
     const bool       is_limited = simulated.small_displacements_are_limited;
-    const WatchedRun run{scene, equations, statistics, work};
+    const WatchedRun run{plan, equations, statistics, work};
     const auto       add_if = [&](const bool has_cause, MakeWatch &make) {
       if (auto watch = has_cause ? make(run) : nullptr)
         watches.push_back(std::move(watch));
@@ -66,14 +67,14 @@ namespace auxfem
     add_if(true, make_energy_watch);
     // Linear scenes are as stable as at the start, where mechanisms are
     // refused. A path counts unstable modes itself.
-    add_if(!is_linear && scene.analysis != Analysis::static_path,
+    add_if(!is_linear && plan.analysis != Analysis::static_path,
            make_stability_watch);
     add_if(!simulated.large_rotation && !is_limited,
            make_small_displacement_watch);
     add_if(has_inertia, make_step_watch);
     add_if(has_inertia, make_load_step_watch);
-    add_if(has_inertia && scene.time.relative_tolerance &&
-             is_free_in_space(scene, equations),
+    add_if(has_inertia && plan.time.relative_tolerance &&
+             is_free_in_space(equations.model()),
            make_spin_watch);
     add_if(!has_inertia && time_has_meaning, make_load_speed_watch);
     add_if(!is_linear && !reporting.connectors.empty(), make_connector_watch);
@@ -90,7 +91,7 @@ namespace auxfem
     // Small displacements that are limited end where struts touch.
     add_if(has_struts && !scene.lattice.struts_may_cross &&
              reporting.strut_contact == nullptr &&
-             (!is_limited || scene.effects.contact == Switch::off),
+             (!is_limited || plan.effects.contact == Switch::off),
            make_crossing_watch);
   }
 

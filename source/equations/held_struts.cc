@@ -44,24 +44,6 @@ namespace auxfem
       ties.released.resize(lattice.struts.size(), {{false, false}});
       return ties;
     }
-
-    /** Line loads and weight of the struts alone. */
-    std::vector<std::unique_ptr<Effect>>
-    loads_of_struts(const Scene        &scene,
-                    const LatticeModel &model,
-                    const Lattice      &lattice,
-                    const DofNumbering &numbering)
-    {
-      Scene of_struts = scene;
-      of_struts.joint_loads.clear();
-      of_struts.masses.clear();
-      return make_loads(of_struts,
-                        lattice,
-                        numbering,
-                        model.sections,
-                        rigid_bodies(lattice, numbering),
-                        model.simulated);
-    }
   } // namespace
 
   std::vector<unsigned int> owned_struts(const DofNumbering &numbering)
@@ -73,11 +55,10 @@ namespace auxfem
     return struts;
   }
 
-  HeldStruts::HeldStruts(const Scene               &scene,
-                         const LatticeModel        &model,
+  HeldStruts::HeldStruts(const LatticeModel        &model,
                          std::vector<StrutDivision> divisions,
                          std::vector<unsigned int>  struts)
-    : large_rotation(model.simulated.large_rotation)
+    : large_rotation(model.plan.simulated.large_rotation)
     , counted(std::move(struts))
     , lattice(apart(model.lattice, counted))
     , numbering(lattice,
@@ -89,16 +70,16 @@ namespace auxfem
                                numbering,
                                /*high_frequency_damping=*/0))
     , inertia(make_strut_inertia(model, lattice, numbering))
-    , loads(loads_of_struts(scene, model, lattice, numbering))
+    , loads(make_strut_loads(model, lattice, numbering))
     , pattern(numbering.unknowns())
     , first_element(lattice.struts.size(), invalid_index)
     , instants(lattice.struts.size(), 0.)
     , last_work(lattice.struts.size(), 0.)
   {
     StateLayout layout;
-    layout.velocity = layout.acceleration = model.simulated.inertia;
+    layout.velocity = layout.acceleration = model.plan.simulated.inertia;
     layout.n_rotations =
-      model.simulated.large_rotation ? numbering.rotations().size() : 0;
+      model.plan.simulated.large_rotation ? numbering.rotations().size() : 0;
     for (const auto &effect : forces)
       {
         effect->register_in(layout);

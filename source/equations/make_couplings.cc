@@ -46,7 +46,7 @@ namespace auxfem
     // On all ranks, also those without any: the records of the state are alike.
     if (!have_rotational_springs(model.releases))
       return nullptr;
-    if (model.simulated.large_rotation && model.lattice.dimension == 3)
+    if (model.plan.simulated.large_rotation && model.lattice.dimension == 3)
       {
         std::vector<SpaceSpring> springs;
         for_each_spring(model,
@@ -95,10 +95,11 @@ namespace auxfem
                                 multipliers,
                                 release.definition->axis});
           }
-    return number > 0 ? make_revolute_hinges(numbering,
-                                             model.simulated.large_rotation,
-                                             model.mean_strut_length,
-                                             hinges)
-                      : nullptr;
+    return number > 0
+      ? make_revolute_hinges(numbering,
+                             model.plan.simulated.large_rotation,
+                             model.mean_strut_length,
+                             hinges)
+      : nullptr;
   }
 } // namespace auxfem

@@ -13,16 +13,16 @@ namespace auxfem
 {
   namespace
   {
-    StateLayout layout_of_scheme(const Scene &scene, const LatticeModel &model)
+    StateLayout layout_of_scheme(const LatticeModel &model)
     {
-      StateLayout layout;
-      layout.velocity = layout.acceleration = model.simulated.inertia;
-      layout.path                           = has_load_factor(scene);
-      layout.algorithmic_acceleration =
-        scene.time.implicit_scheme().uses_algorithmic_acceleration();
-      layout.compensation = scene.time.implicit_scheme().balances_means();
-      layout.n_rotations  = model.n_large_rotations();
-      if (layout.compensation && model.simulated.large_rotation)
+      const ImplicitScheme &scheme = model.plan.time.implicit_scheme();
+      StateLayout           layout;
+      layout.velocity = layout.acceleration = model.plan.simulated.inertia;
+      layout.path                           = has_load_factor(model.plan);
+      layout.algorithmic_acceleration = scheme.uses_algorithmic_acceleration();
+      layout.compensation             = scheme.balances_means();
+      layout.n_rotations              = model.n_large_rotations();
+      if (layout.compensation && model.plan.simulated.large_rotation)
         {
           for (unsigned int i = 0; i < layout.n_rotations; ++i)
             layout.space_rotations.push_back(model.numbering.rotations()[i]);
@@ -36,40 +36,40 @@ namespace auxfem
     }
   } // namespace
 
-  Equations::Equations(const Scene                         &scene,
-                       const LatticeModel                  &model,
+  Equations::Equations(const LatticeModel                  &model,
                        std::vector<std::unique_ptr<Effect>> further)
     : structure(model)
-    , state_layout(layout_of_scheme(scene, model))
+    , state_layout(layout_of_scheme(model))
     , tangent_pattern(model.numbering.unknowns())
   {
-    make_internal_forces(scene);
-    make_contact(scene);
-    make_constraints(scene);
+    make_internal_forces();
+    make_contact();
+    make_constraints();
     std::move(further.begin(), further.end(), std::back_inserter(effects));
     n_internal = effects.size();
-    if (model.simulated.inertia)
-      make_inertia(scene);
+    if (model.plan.simulated.inertia)
+      make_inertia();
     n_balanced = effects.size();
-    make_loads(scene);
+    make_loads();
     stage_terms        = implementations<StageTerms>();
     small_motion_terms = implementations<SmallMotionTerms>();
     changing_couplings = implementations<ChangingCouplings>();
-    refuse_unknown_errors(scene);
+    refuse_unknown_errors();
     enter_energies();
     for (const auto &effect : effects)
       effect->register_in(state_layout);
     register_blocks();
-    if (model.simulated.inertia)
+    if (model.plan.simulated.inertia)
       initial_velocities =
-        auxfem::initial_velocities(scene, model.lattice, model.numbering);
+        auxfem::initial_velocities(model.plan, model.lattice, model.numbering);
   }
 
-  void Equations::refuse_unknown_errors(const Scene &scene) const
+  void Equations::refuse_unknown_errors() const
   {
-    const ImplicitScheme &scheme = scene.time.implicit_scheme();
+    const TimeParameters &time   = structure.plan.time;
+    const ImplicitScheme &scheme = time.implicit_scheme();
     // A rank without parts has constraints all the same.
-    if (scene.time.relative_tolerance && scheme.stages() != nullptr &&
+    if (time.relative_tolerance && scheme.stages() != nullptr &&
         !reporting_effects.constraints.empty())
       throw InputError(
         "Time/Relative tolerance: the error of Time/Scheme = " + scheme.name() +
@@ -80,7 +80,7 @@ namespace auxfem
   void Equations::enter_energies()
   {
     // The ledger is that of all ranks, of which some may lack an effect.
-    if (structure.simulated.inertia)
+    if (structure.plan.simulated.inertia)
       {
         state_layout.energies.enter(kinetic_energy_entry());
         state_layout.energies.enter(numerical_energy_entry());
@@ -100,14 +100,14 @@ namespace auxfem
       effect->register_blocks(tangent_pattern);
   }
 
-  void Equations::make_internal_forces(const Scene &scene)
+  void Equations::make_internal_forces()
   {
-    const SimulatedEffects &simulated = structure.simulated;
+    const SimulatedEffects &simulated = structure.plan.simulated;
     for (auto &struts : make_strut_forces(
            structure,
            structure.lattice,
            structure.numbering,
-           scene.time.implicit_scheme().high_frequency_damping()))
+           structure.plan.time.implicit_scheme().high_frequency_damping()))
       {
         reporting_effects.struts.push_back(
           {struts.get(), static_cast<unsigned int>(effects.size())});
@@ -118,6 +118,7 @@ namespace auxfem
     if (auto holds = make_spin_holds(structure))
       effects.push_back(std::move(holds));
 
+    const Scene &scene = structure.plan.scene;
     for (unsigned int group = 0; group < scene.connectors.size(); ++group)
       {
         ConnectorDefinition definition = scene.connectors[group];
@@ -135,36 +136,40 @@ namespace auxfem
       }
   }
 
-  void Equations::make_contact(const Scene &scene)
+  void Equations::make_contact()
   {
-    if (!structure.simulated.contact)
+    if (!structure.plan.simulated.contact)
       return;
+    const Scene &scene = structure.plan.scene;
     if (!scene.plates.empty())
       {
-        auto contact                    = make_plate_contact(scene, structure);
+        auto contact                    = make_plate_contact(structure);
         reporting_effects.plates        = contact.get();
         reporting_effects.plates_effect = effects.size();
         effects.push_back(std::move(contact));
       }
     // Struts that turn little do not come near each other.
-    if (structure.simulated.large_rotation && !scene.lattice.struts_may_cross)
+    if (structure.plan.simulated.large_rotation &&
+        !scene.lattice.struts_may_cross)
       {
-        auto contact                    = make_strut_contact(scene, structure);
-        reporting_effects.strut_contact = contact.get();
+        auto contact                           = make_strut_contact(structure);
+        reporting_effects.strut_contact        = contact.get();
         reporting_effects.strut_contact_effect = effects.size();
         effects.push_back(std::move(contact));
       }
   }
 
-  void Equations::make_constraints(const Scene &scene)
+  void Equations::make_constraints()
   {
-    const SimulatedEffects &simulated = structure.simulated;
+    const SimulatedEffects &simulated = structure.plan.simulated;
     if (!structure.lattice.rigid_parts.empty())
       {
         std::array<TimeFunction, 3> gravity;
         if (simulated.gravity)
           for (unsigned int c = 0; c < gravity.size(); ++c)
-            gravity[c] = proportional(scene.gravity.acceleration[c], scene);
+            gravity[c] =
+              proportional(structure.plan.scene.gravity.acceleration[c],
+                           structure.plan);
         auto of_parts = make_rigid_part_constraints(structure.bodies,
                                                     {structure.lattice,
                                                      structure.numbering,
@@ -181,7 +186,7 @@ namespace auxfem
       }
   }
 
-  void Equations::make_inertia(const Scene &scene)
+  void Equations::make_inertia()
   {
     const RigidBodies &bodies = structure.bodies;
     if (!bodies.in_plane.empty() || !bodies.bars.empty())
@@ -189,18 +194,13 @@ namespace auxfem
     for (auto &inertia :
          make_strut_inertia(structure, structure.lattice, structure.numbering))
       effects.push_back(std::move(inertia));
-    for (auto &masses : make_masses(scene, structure))
+    for (auto &masses : make_masses(structure))
       effects.push_back(std::move(masses));
   }
 
-  void Equations::make_loads(const Scene &scene)
+  void Equations::make_loads()
   {
-    for (auto &loads : auxfem::make_loads(scene,
-                                          structure.lattice,
-                                          structure.numbering,
-                                          structure.sections,
-                                          structure.bodies,
-                                          structure.simulated))
+    for (auto &loads : auxfem::make_loads(structure))
       effects.push_back(std::move(loads));
     if (auto supports = make_support_work(structure))
       effects.push_back(std::move(supports));

@@ -40,7 +40,7 @@ namespace auxfem
           {
             if (definition.components[c].is_zero())
               continue;
-            AppliedLoad load{proportional(definition.components[c], scene),
+            AppliedLoad load{proportional(definition.components[c], plan),
                              work_of(definition.name),
                              {}};
             for (const unsigned int joint : joints)
@@ -61,7 +61,7 @@ namespace auxfem
       {
         auto components = definition.components;
         for (TimeFunction &component : components)
-          component = proportional(component, scene);
+          component = proportional(component, plan);
         FollowerLoad load{components, work_of(definition.name), {}};
         for (const unsigned int joint :
              joints_of(definition, lattice, scene.context))
@@ -94,7 +94,7 @@ namespace auxfem
               {
                 if (definition.components[c].is_zero())
                   continue;
-                AppliedLoad load{proportional(definition.components[c], scene),
+                AppliedLoad load{proportional(definition.components[c], plan),
                                  work_of(definition.name),
                                  {}};
                 add_along_struts(
@@ -108,7 +108,8 @@ namespace auxfem
           }
       }
 
-      void add_gravity()
+      /** @param counts_masses whether point masses have weight */
+      void add_gravity(const bool counts_masses)
       {
         const std::vector<bool> all(lattice.struts.size(), true);
         for (unsigned int c = 0; c < lattice.dimension; ++c)
@@ -116,7 +117,7 @@ namespace auxfem
             const TimeFunction &acceleration = scene.gravity.acceleration[c];
             if (acceleration.is_zero())
               continue;
-            AppliedLoad load{proportional(acceleration, scene),
+            AppliedLoad load{proportional(acceleration, plan),
                              {EnergyKind::work,
                               "gravity_work",
                               "work of the weight since the start"},
@@ -125,7 +126,7 @@ namespace auxfem
               c,
               all,
               [&](const Strut &strut) {
-                return sections[strut.section].mass_per_length();
+                return model.sections[strut.section].mass_per_length();
               },
               load);
             for_each_body([&](const auto &body) {
@@ -135,21 +136,40 @@ namespace auxfem
                 part.mass,
                 load);
             });
-            for (const MassDefinition &mass : scene.masses)
-              for (const unsigned int joint :
-                   joints_of(mass, lattice, scene.context))
-                if (numbering.joint_unknown(joint, c) >= 0)
-                  load.weights.push_back(
-                    {numbering.joint_unknown(joint, c), mass.mass});
+            if (counts_masses)
+              for (const MassDefinition &mass : scene.masses)
+                for (const unsigned int joint :
+                     joints_of(mass, lattice, scene.context))
+                  if (numbering.joint_unknown(joint, c) >= 0)
+                    load.weights.push_back(
+                      {numbering.joint_unknown(joint, c), mass.mass});
             dead.push_back(std::move(load));
           }
       }
 
-      const Scene                &scene;
-      const Lattice              &lattice;
-      const DofNumbering         &numbering;
-      const std::vector<Section> &sections;
-      const RigidBodies          &bodies;
+      const LatticeModel &model;
+      const Lattice      &lattice;
+      const DofNumbering &numbering;
+      const RigidBodies  &bodies;
+
+      const RunPlan &plan  = model.plan;
+      const Scene   &scene = plan.scene;
+
+      std::vector<std::unique_ptr<Effect>> make_effects() const
+      {
+        const bool raised_from_zero =
+          !plan.time.scheme->is_dynamic() && !plan.time.static_start;
+        std::vector<std::unique_ptr<Effect>> effects;
+        if (!dead.empty())
+          effects.push_back(
+            make_applied_loads(numbering, raised_from_zero, dead));
+        if (!following.empty())
+          effects.push_back(make_follower_loads(lattice,
+                                                numbering,
+                                                raised_from_zero,
+                                                following));
+        return effects;
+      }
 
       std::vector<AppliedLoad>  dead      = {};
       std::vector<FollowerLoad> following = {};
@@ -213,35 +233,31 @@ namespace auxfem
 
   } // namespace
 
-  std::vector<std::unique_ptr<Effect>>
-  make_loads(const Scene                &scene,
-             const Lattice              &lattice,
-             const DofNumbering         &numbering,
-             const std::vector<Section> &sections,
-             const RigidBodies          &bodies,
-             const SimulatedEffects     &simulated)
+  std::vector<std::unique_ptr<Effect>> make_loads(const LatticeModel &model)
   {
-    const bool raised_from_zero =
-      !scene.time.scheme->is_dynamic() && !scene.time.static_start;
-    Loads loads{scene, lattice, numbering, sections, bodies};
-    for (const JointLoadDefinition &load : scene.joint_loads)
+    Loads loads{model, model.lattice, model.numbering, model.bodies};
+    for (const JointLoadDefinition &load : model.plan.joint_loads())
       // Without large rotations nothing turns.
-      if (load.follows_joint && simulated.large_rotation)
+      if (load.follows_joint && model.plan.simulated.large_rotation)
         loads.add_following(load);
       else
         loads.add_dead(load);
     loads.add_line_loads();
-    if (simulated.gravity)
-      loads.add_gravity();
-    std::vector<std::unique_ptr<Effect>> effects;
-    if (!loads.dead.empty())
-      effects.push_back(
-        make_applied_loads(numbering, raised_from_zero, loads.dead));
-    if (!loads.following.empty())
-      effects.push_back(make_follower_loads(lattice,
-                                            numbering,
-                                            raised_from_zero,
-                                            loads.following));
-    return effects;
+    if (model.plan.simulated.gravity)
+      loads.add_gravity(/*counts_masses=*/true);
+    return loads.make_effects();
+  }
+
+  std::vector<std::unique_ptr<Effect>>
+  make_strut_loads(const LatticeModel &model,
+                   const Lattice      &lattice,
+                   const DofNumbering &numbering)
+  {
+    const RigidBodies bodies = rigid_bodies(lattice, numbering);
+    Loads             loads{model, lattice, numbering, bodies};
+    loads.add_line_loads();
+    if (model.plan.simulated.gravity)
+      loads.add_gravity(/*counts_masses=*/false);
+    return loads.make_effects();
   }
 } // namespace auxfem

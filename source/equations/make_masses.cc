@@ -35,16 +35,16 @@ namespace auxfem
     }
   } // namespace
 
-  std::vector<std::unique_ptr<Effect>> make_masses(const Scene        &scene,
-                                                   const LatticeModel &model)
+  std::vector<std::unique_ptr<Effect>> make_masses(const LatticeModel &model)
   {
     const Lattice          &lattice   = model.lattice;
     const DofNumbering     &numbering = model.numbering;
     std::vector<PointMass>  points;
     std::vector<RotaryMass> rotary;
     const bool              is_spatial = lattice.dimension == 3;
-    for (const MassDefinition &mass : scene.masses)
-      for (const unsigned int joint : joints_of(mass, lattice, scene.context))
+    for (const MassDefinition &mass : model.plan.scene.masses)
+      for (const unsigned int joint :
+           joints_of(mass, lattice, model.plan.scene.context))
         {
           refuse_missing_rotation(mass, numbering, joint);
           for (const unsigned int c : numbering.components())
@@ -75,7 +75,7 @@ namespace auxfem
       effects.push_back(make_point_masses(numbering, std::move(points)));
     if (!rotary.empty())
       effects.push_back(make_rotary_masses(numbering,
-                                           model.simulated.large_rotation,
+                                           model.plan.simulated.large_rotation,
                                            std::move(rotary)));
     return effects;
   }

@@ -10,7 +10,7 @@ namespace auxfem
     /** Whether a damping of struts is simulated and a section has it. */
     bool has_damping(const LatticeModel &model, double Section::*damping)
     {
-      return model.simulated.strut_damping &&
+      return model.plan.simulated.strut_damping &&
         std::any_of(model.sections.begin(),
                     model.sections.end(),
                     [damping](const Section &section) {
@@ -26,8 +26,8 @@ namespace auxfem
                     const double        high_frequency_damping)
   {
     const StrutModel beams{
-      model.simulated.large_rotation,
-      model.simulated.shear_flexibility,
+      model.plan.simulated.large_rotation,
+      model.plan.simulated.shear_flexibility,
       has_damping(model, &Section::stiffness_proportional_damping),
       high_frequency_damping};
     std::vector<std::unique_ptr<StrutForces>> forces;
@@ -43,11 +43,11 @@ namespace auxfem
                      const DofNumbering &numbering)
   {
     std::vector<std::unique_ptr<Effect>> inertia;
-    if (!model.simulated.inertia)
+    if (!model.plan.simulated.inertia)
       return inertia;
     const InertiaModel of_struts{
-      model.simulated.large_rotation,
-      model.simulated.rotary_inertia,
+      model.plan.simulated.large_rotation,
+      model.plan.simulated.rotary_inertia,
       has_damping(model, &Section::mass_proportional_damping)};
     for (const DofNumbering::Group &group : numbering.groups())
       inertia.push_back(make_strut_inertia(lattice,

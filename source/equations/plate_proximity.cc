@@ -27,24 +27,24 @@ namespace auxfem
     }
   } // namespace
 
-  PlateProximity::PlateProximity(const Scene        &scene,
-                                 const LatticeModel &model,
+  PlateProximity::PlateProximity(const LatticeModel &model,
                                  const StrutCurves  &curves)
     : model(model)
     , curves(curves)
     , axes(curves.list())
     , points_of_axes(model, axes)
-    , allowed_part(scene.contact.largest_penetration)
-    , step_length(model.simulated.inertia ? scene.time.step : 0.)
+    , allowed_part(model.plan.scene.contact.largest_penetration)
+    , step_length(model.plan.simulated.inertia ? model.plan.time.step : 0.)
     , dimension(model.lattice.dimension)
   {
-    const UnknownLayout &layout = model.numbering.layout();
-    for (unsigned int i = 0; i < scene.plates.size(); ++i)
+    const UnknownLayout                &layout      = model.numbering.layout();
+    const std::vector<PlateDefinition> &definitions = model.plan.scene.plates;
+    for (unsigned int i = 0; i < definitions.size(); ++i)
       {
         const GlobalNumbers::OfMotion &of_joint =
           model.numbering.global().joints[model.lattice.joint_of_plate(i)];
         all_plates.push_back(
-          {&scene.plates[i],
+          {&definitions[i],
            std::vector<int>(of_joint.begin(), of_joint.begin() + dimension)});
       }
     for (const ContactAxis &axis : axes)

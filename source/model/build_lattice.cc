@@ -130,24 +130,37 @@ namespace auxfem
       lattice.joints.push_back(plate.position);
       ++lattice.n_plates;
     }
+    /** @param disturb_if_asked gives the designed lattice its imperfections */
+    template <class Disturb>
+    Lattice build(const Scene &scene, const Disturb &disturb_if_asked)
+    {
+      Lattice lattice =
+        make_array(scene.lattice.cell->build(), scene.lattice.n_cells);
+      lattice.dimension = scene.context.dimension;
+      for (const auto &definition : scene.sets)
+        add_set(definition, scene.context, lattice);
+      assign_sections(scene, lattice);
+      disturb_if_asked(lattice);
+      make_rigid_parts(scene, lattice);
+      check_sections(lattice, scene.context.dimension);
+      for (const PlateDefinition &plate : scene.plates)
+        add_plate(plate, lattice);
+      return lattice;
+    }
   } // namespace
 
   Lattice build_lattice(const Scene                 &scene,
                         const GeometryOffsets *const offsets)
   {
-    Lattice lattice =
-      make_array(scene.lattice.cell->build(), scene.lattice.n_cells);
-    lattice.dimension = scene.context.dimension;
-    for (const auto &definition : scene.sets)
-      add_set(definition, scene.context, lattice);
-    assign_sections(scene, lattice);
-    if (!scene.imperfections.empty())
-      disturb(offsets != nullptr ? *offsets : given_offsets(scene, lattice),
-              lattice);
-    make_rigid_parts(scene, lattice);
-    check_sections(lattice, scene.context.dimension);
-    for (const PlateDefinition &plate : scene.plates)
-      add_plate(plate, lattice);
-    return lattice;
+    return build(scene, [&](Lattice &lattice) {
+      if (!scene.imperfections.empty())
+        disturb(offsets != nullptr ? *offsets : given_offsets(scene, lattice),
+                lattice);
+    });
+  }
+
+  Lattice designed_lattice(const Scene &scene)
+  {
+    return build(scene, [](const Lattice &) {});
   }
 } // namespace auxfem

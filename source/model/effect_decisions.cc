@@ -26,17 +26,17 @@ namespace auxfem
     }
 
     EffectDecision decide(const EffectDefinition &effect,
-                          const Scene            &scene,
+                          const RunPlan          &plan,
                           const Lattice          &lattice,
                           const SimulatedEffects &before)
     {
-      const Switch      choice = scene.effects.*effect.choice;
-      const EffectCause cause  = effect.cause(scene);
+      const Switch      choice = plan.effects.*effect.choice;
+      const EffectCause cause  = effect.cause(plan);
       EffectDecision    decision{effect.name, cause.given, cause.reason};
       if (!cause.given)
         return decision;
       if (effect.measure != nullptr)
-        decision.measure = effect.measure(scene, lattice);
+        decision.measure = effect.measure(plan, lattice);
       if (choice != Switch::automatic)
         {
           decision.on     = choice == Switch::on;
@@ -46,15 +46,15 @@ namespace auxfem
         }
       else if (decision.measure)
         decide_by_measure(effect.why_kept(before),
-                          scene.effects.tolerance,
+                          plan.effects.tolerance,
                           decision);
       return decision;
     }
 
     /** What is there or not, and cannot be switched. */
-    EffectDecision rigid_parts_decision(const Scene &scene)
+    EffectDecision rigid_parts_decision(const RunPlan &plan)
     {
-      const bool has_parts = !scene.rigid_parts.empty();
+      const bool has_parts = !plan.scene.rigid_parts.empty();
       return {"rigid parts",
               has_parts,
               has_parts ? "rigid struts or joints"
@@ -76,54 +76,19 @@ namespace auxfem
     return "leaving it out saves nothing";
   }
 
-  SimulatedEffects decide_effects(const Scene &scene, const Lattice &lattice)
+  SimulatedEffects decide_effects(const RunPlan &plan, const Lattice &lattice)
   {
     SimulatedEffects effects{};
     auto            &list = effects.decisions;
-    if (scene.context.dimension == 3 && !scene.sections.empty())
+    if (plan.scene.context.dimension == 3 && !plan.scene.sections.empty())
       list.push_back({"struts in space", true, "Dimension = 3"});
     for (const EffectDefinition &effect : effect_definitions())
       {
-        list.push_back(decide(effect, scene, lattice, effects));
+        list.push_back(decide(effect, plan, lattice, effects));
         effects.*effect.simulated = list.back().on;
       }
-    list.push_back(rigid_parts_decision(scene));
+    list.push_back(rigid_parts_decision(plan));
     return effects;
   }
 
-
-
-  namespace
-  {
-    std::string record_of(const std::string &effect)
-    {
-      return "decision on " + effect;
-    }
-  } // namespace
-
-  void save(const EffectDecision &decision, Records &records)
-  {
-    const std::string record  = record_of(decision.name);
-    const auto       &measure = decision.measure;
-    records.keep(record,
-                 {decision.on ? 1. : 0.,
-                  measure ? 1. : 0.,
-                  measure ? measure->change : 0.});
-    records.keep_text(record + ", reason", decision.reason);
-    records.keep_text(record + ", measure of", measure ? measure->of : "");
-  }
-
-  EffectDecision saved_decision(const std::string &effect,
-                                const Records     &records)
-  {
-    const std::string         record = record_of(effect);
-    const std::vector<double> values = records.values(record, 3);
-    EffectDecision            decision{effect,
-                            values[0] != 0,
-                            records.text(record + ", reason")};
-    if (values[1] != 0)
-      decision.measure =
-        EffectMeasure{values[2], records.text(record + ", measure of")};
-    return decision;
-  }
 } // namespace auxfem

@@ -25,23 +25,23 @@ namespace auxfem
 
     /** Joints whose rotation something may act on beside the struts there. */
     std::vector<bool>
-    joints_held_or_turned(const Scene                     &scene,
+    joints_held_or_turned(const RunPlan                   &plan,
                           const Lattice                   &lattice,
                           const std::vector<JointRelease> &releases)
     {
       std::vector<bool> is_held = joints_of_rigid_parts(lattice);
       is_held.resize(lattice.joints.size(), false);
-      for (const SupportDefinition &support : scene.supports)
+      for (const SupportDefinition &support : plan.scene.supports)
         if (std::any_of(support.fixed.begin() + first_rotation,
                         support.fixed.end(),
                         [](const bool is_fixed) { return is_fixed; }))
           for (const unsigned int joint :
-               joints_of(support, lattice, scene.context))
+               joints_of(support, lattice, plan.scene.context))
             is_held[joint] = true;
-      for (const JointLoadDefinition &load : scene.joint_loads)
+      for (const JointLoadDefinition &load : plan.joint_loads())
         if (turns(load))
           for (const unsigned int joint :
-               joints_of(load, lattice, scene.context))
+               joints_of(load, lattice, plan.scene.context))
             is_held[joint] = true;
       for (const JointRelease &release : releases)
         for (const RotationPair &pair : release.pairs)
@@ -53,13 +53,13 @@ namespace auxfem
     class Chains
     {
     public:
-      Chains(const Scene                     &scene,
+      Chains(const RunPlan                   &plan,
              const Lattice                   &lattice,
              const std::vector<JointRelease> &releases)
         : lattice(lattice)
         , released(ties_of(releases, lattice).released)
         , is_coupled(lattice.struts.size(), {{false, false}})
-        , is_held(joints_held_or_turned(scene, lattice, releases))
+        , is_held(joints_held_or_turned(plan, lattice, releases))
         , rigid_ends(lattice.joints.size())
       {
         for (const JointRelease &release : releases)
@@ -150,14 +150,14 @@ namespace auxfem
     };
   } // namespace
 
-  std::vector<FreeSpin> free_spins(const Scene                     &scene,
+  std::vector<FreeSpin> free_spins(const RunPlan                   &plan,
                                    const Lattice                   &lattice,
                                    const std::vector<JointRelease> &releases)
   {
     std::vector<FreeSpin> spins;
     if (lattice.dimension == 2 || releases.empty())
       return spins;
-    const Chains      chains(scene, lattice, releases);
+    const Chains      chains(plan, lattice, releases);
     std::vector<bool> is_found(lattice.struts.size(), false);
     for (unsigned int s = 0; s < lattice.struts.size(); ++s)
       for (unsigned int end = 0; end < 2; ++end)

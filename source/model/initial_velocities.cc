@@ -84,10 +84,10 @@ namespace auxfem
     class InitialVelocities
     {
     public:
-      InitialVelocities(const Scene        &scene,
+      InitialVelocities(const RunPlan      &plan,
                         const Lattice      &lattice,
                         const DofNumbering &numbering)
-        : scene(scene)
+        : plan(plan)
         , lattice(lattice)
         , numbering(numbering)
         , of_joints(lattice.joints.size())
@@ -95,7 +95,7 @@ namespace auxfem
       {
         find_rotating_parts();
         for (const InitialVelocityDefinition &definition :
-             scene.initial_velocities)
+             plan.initial_velocities())
           take(definition);
         refuse_held();
         for (unsigned int j = 0; j < of_joints.size(); ++j)
@@ -126,7 +126,7 @@ namespace auxfem
       void take(const InitialVelocityDefinition &definition)
       {
         MovingSet set{&definition,
-                      joints_of(definition, lattice, scene.context),
+                      joints_of(definition, lattice, plan.scene.context),
                       std::vector<bool>(lattice.joints.size(), false),
                       {}};
         for (const unsigned int joint : set.joints)
@@ -192,9 +192,9 @@ namespace auxfem
 
       void refuse_held() const
       {
-        for (const SupportDefinition &support : scene.supports)
+        for (const SupportDefinition &support : plan.scene.supports)
           for (const unsigned int joint :
-               joints_of(support, lattice, scene.context))
+               joints_of(support, lattice, plan.scene.context))
             if (of_joints[joint])
               refuse_held(support, joint, *of_joints[joint]);
       }
@@ -292,7 +292,7 @@ namespace auxfem
           }
       }
 
-      const Scene                      &scene;
+      const RunPlan                    &plan;
       const Lattice                    &lattice;
       const DofNumbering               &numbering;
       std::vector<std::optional<Given>> of_joints;
@@ -307,12 +307,12 @@ namespace auxfem
   } // namespace
 
   std::vector<std::pair<int, double>>
-  initial_velocities(const Scene        &scene,
+  initial_velocities(const RunPlan      &plan,
                      const Lattice      &lattice,
                      const DofNumbering &numbering)
   {
-    if (scene.initial_velocities.empty())
+    if (plan.initial_velocities().empty())
       return {};
-    return InitialVelocities(scene, lattice, numbering).by_unknown();
+    return InitialVelocities(plan, lattice, numbering).by_unknown();
   }
 } // namespace auxfem

@@ -81,15 +81,18 @@ namespace auxfem
       return pairs;
     }
 
-    std::vector<StrutDivision>
-    all_divisions(std::vector<StrutDivision> divisions,
-                  const Scene               &scene,
-                  const Lattice             &lattice)
+    RunPlan with_effects(RunPlan plan, SimulatedEffects simulated)
     {
-      return divisions.empty()
-        ? std::vector<StrutDivision>(lattice.struts.size(),
-                                     scene.discretization.common_division())
-        : std::move(divisions);
+      plan.simulated = std::move(simulated);
+      return plan;
+    }
+
+    std::vector<StrutDivision> divisions_of(const RunPlan &plan,
+                                            const Lattice &lattice)
+    {
+      return plan.elements && !plan.elements->divisions.empty()
+        ? plan.elements->divisions
+        : std::vector<StrutDivision>(lattice.struts.size(), plan.division);
     }
 
     Ties all_ties(const Scene                               &scene,
@@ -105,37 +108,33 @@ namespace auxfem
     }
   } // namespace
 
-  LatticeModel::LatticeModel(const Scene               &scene,
-                             const Lattice             &lattice,
-                             const MPI_Comm             communicator,
-                             std::vector<StrutDivision> divisions)
-    : lattice(lattice)
-    , simulated(decide_effects(scene, lattice))
-    , sections(sections_of(scene, lattice))
+  LatticeModel::LatticeModel(const RunPlan &given,
+                             const Lattice &lattice,
+                             const MPI_Comm communicator)
+    : plan(with_effects(given, decide_effects(given, lattice)))
+    , lattice(lattice)
+    , sections(sections_of(plan.scene, lattice))
     , mean_strut_length(mean_length(lattice))
-    , releases(simulated.hinges ? joint_releases(scene, lattice)
-                                : std::vector<JointRelease>())
-    , free_spins(auxfem::free_spins(scene, lattice, releases))
-    , connector_pairs(pairs_of(scene, lattice))
+    , releases(plan.simulated.hinges ? joint_releases(plan.scene, lattice)
+                                     : std::vector<JointRelease>())
+    , free_spins(auxfem::free_spins(plan, lattice, releases))
+    , connector_pairs(pairs_of(plan.scene, lattice))
     , shared_numbering(std::make_shared<const DofNumbering>(
         lattice,
-        StrutPartition(lattice,
-                       all_divisions(std::move(divisions), scene, lattice),
-                       communicator),
-        all_ties(scene, lattice, releases, connector_pairs),
+        StrutPartition(lattice, divisions_of(plan, lattice), communicator),
+        all_ties(plan.scene, lattice, releases, connector_pairs),
         communicator))
     , numbering(*shared_numbering)
     , rows(numbering.unknowns().owned_rows())
     , supports(
-        make_supports(scene, lattice, numbering, simulated.large_rotation))
+        make_supports(plan, lattice, numbering, plan.simulated.large_rotation))
     , bodies(rigid_bodies(lattice, numbering))
   {}
 
-  LatticeModel::LatticeModel(const Scene        &scene,
-                             const LatticeModel &other,
+  LatticeModel::LatticeModel(const LatticeModel &other,
                              SimulatedEffects    simulated)
-    : lattice(other.lattice)
-    , simulated(std::move(simulated))
+    : plan(with_effects(other.plan, std::move(simulated)))
+    , lattice(other.lattice)
     , sections(other.sections)
     , mean_strut_length(other.mean_strut_length)
     , releases(other.releases)
@@ -144,33 +143,8 @@ namespace auxfem
     , shared_numbering(other.shared_numbering)
     , numbering(*shared_numbering)
     , rows(other.rows)
-    , supports(make_supports(scene,
-                             lattice,
-                             numbering,
-                             this->simulated.large_rotation))
+    , supports(
+        make_supports(plan, lattice, numbering, plan.simulated.large_rotation))
     , bodies(other.bodies)
   {}
-
-  namespace
-  {
-    template <class Decisions>
-    auto &decision_on(Decisions &decisions, const std::string &effect)
-    {
-      return *std::find_if(decisions.begin(),
-                           decisions.end(),
-                           [&effect](const EffectDecision &decision) {
-                             return decision.name == effect;
-                           });
-    }
-  } // namespace
-
-  const EffectDecision &LatticeModel::decision(const std::string &effect) const
-  {
-    return decision_on(simulated.decisions, effect);
-  }
-
-  void LatticeModel::explain(const EffectDecision &decision)
-  {
-    decision_on(simulated.decisions, decision.name) = decision;
-  }
 } // namespace auxfem

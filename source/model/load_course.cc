@@ -13,15 +13,15 @@ namespace auxfem
     /** Loads and motions are looked at this many times at most. */
     constexpr unsigned long most_looks = 4096;
 
-    unsigned long n_looks(const Scene &scene)
+    unsigned long n_looks(const RunPlan &plan)
     {
-      return std::min(scene.time.n_steps(), most_looks);
+      return std::min(plan.time.n_steps(), most_looks);
     }
 
     /** All courses in time of the scene that are not zero. */
-    std::vector<TimeFunction> courses_of(const Scene &scene)
+    std::vector<TimeFunction> courses_of(const RunPlan &plan)
     {
-      std::vector<TimeFunction> courses = functions_of_time(scene);
+      std::vector<TimeFunction> courses = functions_of_time(plan);
       courses.erase(std::remove_if(courses.begin(),
                                    courses.end(),
                                    [](const TimeFunction &course) {
@@ -31,12 +31,12 @@ namespace auxfem
       return courses;
     }
 
-    bool jumps(const TimeFunction &course, const Scene &scene)
+    bool jumps(const TimeFunction &course, const RunPlan &plan)
     {
-      if (!scene.time.static_start && course.value(0) != 0)
+      if (!plan.time.static_start && course.value(0) != 0)
         return true;
       const std::vector<TimeEvent> events =
-        course.events(0, scene.time.end_time);
+        course.events(0, plan.time.end_time);
       return std::any_of(events.begin(),
                          events.end(),
                          [](const TimeEvent &event) {
@@ -44,10 +44,10 @@ namespace auxfem
                          });
     }
 
-    double relative_rate(const TimeFunction &course, const Scene &scene)
+    double relative_rate(const TimeFunction &course, const RunPlan &plan)
     {
-      const unsigned long n        = n_looks(scene);
-      const double        interval = scene.time.end_time / n;
+      const unsigned long n        = n_looks(plan);
+      const double        interval = plan.time.end_time / n;
       double previous = course.value(0), largest = std::abs(previous), rate = 0;
       for (unsigned long i = 1; i <= n; ++i)
         {
@@ -61,11 +61,11 @@ namespace auxfem
 
     /** See uncommanded_motion(); of one course, which does not jump. */
     double uncommanded_part(const TimeFunction &course,
-                            const Scene        &scene,
+                            const RunPlan      &plan,
                             const double        frequency)
     {
-      const double        end      = scene.time.end_time;
-      const unsigned long n        = n_looks(scene);
+      const double        end      = plan.time.end_time;
+      const unsigned long n        = n_looks(plan);
       const auto          at_start = course.jet(0);
       double largest = std::abs(at_start[0]), worst = std::abs(at_start[1]);
       for (const TimeEvent &event : course.events(0, end))
@@ -82,16 +82,16 @@ namespace auxfem
     }
   } // namespace
 
-  double uncommanded_motion(const Scene &scene, const double frequency)
+  double uncommanded_motion(const RunPlan &plan, const double frequency)
   {
-    if (load_course(scene).is_sudden)
+    if (load_course(plan).is_sudden)
       return 1;
     double largest = 0;
     try
       {
-        for (const TimeFunction &course : courses_of(scene))
+        for (const TimeFunction &course : courses_of(plan))
           largest =
-            std::max(largest, uncommanded_part(course, scene, frequency));
+            std::max(largest, uncommanded_part(course, plan, frequency));
       }
     catch (const ComputationError &)
       {
@@ -101,28 +101,28 @@ namespace auxfem
     return std::min(1., largest);
   }
 
-  double resolved_frequency(const Scene &scene)
+  double resolved_frequency(const RunPlan &plan)
   {
     constexpr double steps_of_a_period = 20;
-    return 2 * std::acos(-1.) / (steps_of_a_period * scene.time.step);
+    return 2 * std::acos(-1.) / (steps_of_a_period * plan.time.step);
   }
 
-  LoadCourse load_course(const Scene &scene)
+  LoadCourse load_course(const RunPlan &plan)
   {
-    const std::vector<TimeFunction> courses  = courses_of(scene);
-    const double                    resolved = resolved_frequency(scene);
-    const bool                      falls =
-      courses.empty() && !scene.gravity.is_zero() && !scene.time.static_start;
-    if (falls || !scene.initial_velocities.empty())
+    const std::vector<TimeFunction> courses  = courses_of(plan);
+    const double                    resolved = resolved_frequency(plan);
+    const bool falls = courses.empty() && !plan.scene.gravity.is_zero() &&
+      !plan.time.static_start;
+    if (falls || !plan.initial_velocities().empty())
       return {resolved, true};
     double rate = 0;
     try
       {
         for (const TimeFunction &course : courses)
           {
-            if (jumps(course, scene))
+            if (jumps(course, plan))
               return {resolved, true};
-            rate = std::max(rate, relative_rate(course, scene));
+            rate = std::max(rate, relative_rate(course, plan));
           }
       }
     catch (const ComputationError &)
@@ -133,10 +133,10 @@ namespace auxfem
     return {std::min(rate, resolved), false};
   }
 
-  double LoadCourse::lost(const Scene &scene, const double per_radian) const
+  double LoadCourse::lost(const RunPlan &plan, const double per_radian) const
   {
-    const double radians = is_sudden && scene.time.scheme->is_dynamic()
-      ? std::max(1., rate * scene.time.end_time / 2)
+    const double radians = is_sudden && plan.time.scheme->is_dynamic()
+      ? std::max(1., rate * plan.time.end_time / 2)
       : 1.;
     return std::min(1., per_radian * radians);
   }

@@ -134,7 +134,7 @@ namespace auxfem
     return motions;
   }
 
-  std::vector<Support> make_supports(const Scene        &scene,
+  std::vector<Support> make_supports(const RunPlan      &plan,
                                      const Lattice      &lattice,
                                      const DofNumbering &numbering,
                                      const bool          large_rotations)
@@ -142,13 +142,13 @@ namespace auxfem
     const std::vector<bool> is_of_rigid_part = joints_of_rigid_parts(lattice);
     Holders                 holders;
     std::vector<Support>    supports;
-    for (const SupportDefinition &definition : scene.supports)
+    for (const SupportDefinition &definition : plan.scene.supports)
       {
         Support support{definition.name, {}, {}, definition.motion};
         for (TimeFunction &motion : support.motion)
-          motion = proportional(motion, scene);
+          motion = proportional(motion, plan);
         for (const unsigned int joint :
-             joints_of(definition, lattice, scene.context))
+             joints_of(definition, lattice, plan.scene.context))
           for (const unsigned int c : numbering.components())
             {
               if (!definition.fixed[c] ||

@@ -191,18 +191,18 @@ namespace auxfem
     }
   } // namespace
 
-  unsigned int loaded_axis(const Scene &scene, const Lattice &lattice)
+  unsigned int loaded_axis(const RunPlan &plan, const Lattice &lattice)
   {
-    LoadedAxes axes(scene, lattice);
-    for (const SupportDefinition &support : scene.supports)
+    LoadedAxes axes(plan.scene, lattice);
+    for (const SupportDefinition &support : plan.scene.supports)
       axes.add(support, acting(support.motion));
-    for (const JointLoadDefinition &load : scene.joint_loads)
+    for (const JointLoadDefinition &load : plan.joint_loads())
       axes.add(load, acting(load.components));
-    for (const InitialVelocityDefinition &initial : scene.initial_velocities)
+    for (const InitialVelocityDefinition &initial : plan.initial_velocities())
       axes.add(initial, nonzero(initial.velocity));
-    for (const LineLoadDefinition &load : scene.line_loads)
+    for (const LineLoadDefinition &load : plan.scene.line_loads)
       axes.add(acting(load.components));
-    axes.add(acting(scene.gravity.acceleration));
+    axes.add(acting(plan.scene.gravity.acceleration));
     return axes.only_or(1);
   }
 

@@ -106,8 +106,8 @@ namespace auxfem
     if (scene.output.effective_strains)
       {
         strains.emplace(equations.model());
-        strain_so_far =
-          LargestStrain(loaded_axis(scene, equations.model().lattice));
+        strain_so_far = LargestStrain(
+          loaded_axis(equations.model().plan, equations.model().lattice));
         for (const Column &column : strains->columns())
           column_list.push_back(column);
       }
@@ -151,7 +151,7 @@ namespace auxfem
                    Quantity::rotation_vector,
                    first_rotation + c);
       }
-    if (equations.model().simulated.inertia)
+    if (equations.model().plan.simulated.inertia)
       for (unsigned int c = 0; c < lattice.dimension; ++c)
         define({"v" + axis_name(c), "m/s", "velocity along " + axis_name(c)},
                Quantity::velocity,

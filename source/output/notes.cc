@@ -72,16 +72,16 @@ namespace auxfem
 
     /** Loads on unknowns that supports prescribe, which only add to reactions.
      */
-    void add_loads_on_supports(const Scene              &scene,
+    void add_loads_on_supports(const RunPlan            &plan,
                                const Lattice            &lattice,
                                std::vector<std::string> &notes)
     {
       std::set<std::pair<unsigned int, unsigned int>> prescribed;
-      for (const JointMotion &motion : prescribed_motions(scene, lattice))
+      for (const JointMotion &motion : prescribed_motions(plan.scene, lattice))
         prescribed.insert({motion.joint, motion.component});
-      for (const JointLoadDefinition &load : scene.joint_loads)
+      for (const JointLoadDefinition &load : plan.joint_loads())
         {
-          const auto joints  = joints_of(load, lattice, scene.context);
+          const auto joints  = joints_of(load, lattice, plan.scene.context);
           const auto is_held = [&](const unsigned int c) {
             return std::all_of(joints.begin(),
                                joints.end(),
@@ -150,12 +150,12 @@ namespace auxfem
         }
     }
 
-    void add_held_spins(const Scene              &scene,
-                        const LatticeModel       &model,
+    void add_held_spins(const LatticeModel       &model,
                         std::vector<std::string> &notes)
     {
-      const bool is_static = !model.simulated.inertia ||
-        scene.time.static_start || scene.analysis != Analysis::simulation;
+      const bool is_static = !model.plan.simulated.inertia ||
+        model.plan.time.static_start ||
+        model.plan.analysis != Analysis::simulation;
       if (model.free_spins.empty() || !is_static)
         return;
       constexpr std::size_t most = 3;
@@ -226,24 +226,25 @@ namespace auxfem
     }
   } // namespace
 
-  std::vector<std::string> notes_on(const Scene     &scene,
-                                    const Equations &equations)
+  std::vector<std::string> notes_on(const Equations &equations)
   {
     const LatticeModel      &model = equations.model();
+    const RunPlan           &plan  = model.plan;
+    const Scene             &scene = plan.scene;
     std::vector<std::string> notes = model.lattice.notes;
-    for (const std::string &note : scene.time.values_without_effect)
+    for (const std::string &note : plan.time.values_without_effect)
       notes.push_back(note);
     if (const std::optional<std::string> on_scheme =
-          scene.time.scheme->note_on_rigid_parts();
+          plan.time.scheme->note_on_rigid_parts();
         on_scheme && model.numbering.constraints().n_multipliers() > 0)
       notes.push_back(*on_scheme);
-    for (const std::string &note : time_function_notes(scene))
+    for (const std::string &note : time_function_notes(plan))
       notes.push_back(note);
     add_imperfections(model.lattice, notes);
     add_thick_sections(scene, model, notes);
-    add_loads_on_supports(scene, model.lattice, notes);
+    add_loads_on_supports(plan, model.lattice, notes);
     add_inputs_beside_results(scene.output.directory, notes);
-    add_held_spins(scene, model, notes);
+    add_held_spins(model, notes);
     add_unknown_fibres(scene, notes);
     if (equations.reporting().strut_contact != nullptr)
       add_overlaps(*equations.reporting().strut_contact, notes);

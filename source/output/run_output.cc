@@ -66,7 +66,7 @@ namespace auxfem
                          nearness_of_step_ends(scene.time))
       {}
 
-      void search_step(const Scene      &search,
+      void search_step(const RunPlan    &search,
                        const State      &state,
                        const StepReport &report) override
       {
@@ -114,12 +114,13 @@ namespace auxfem
         const Counts counts = count(equations);
         if (console)
           {
-            notes = notes_on(scene, equations);
-            console->print(overview_text(scene,
-                                         counts,
-                                         equations.model().simulated.decisions,
-                                         notes) +
-                           '\n');
+            notes = notes_on(equations);
+            console->print(
+              overview_text(scene,
+                            counts,
+                            equations.model().plan.simulated.decisions,
+                            notes) +
+              '\n');
           }
         this->equations = &equations;
         last_row.reset();
@@ -261,7 +262,7 @@ namespace auxfem
         summary.exit_state               = result.exit_state;
         summary.findings                 = result.findings;
         summary.notes                    = notes;
-        summary.decisions = equations->model().simulated.decisions;
+        summary.decisions = equations->model().plan.simulated.decisions;
 
         on_first_rank(communicator, [&]() {
           replace_file(folder + "/summary.json", summary_json(scene, summary));
@@ -455,8 +456,8 @@ namespace auxfem
     if (equations.model().numbering.layout().rank() == 0)
       std::cout << overview_text(scene,
                                  counts,
-                                 equations.model().simulated.decisions,
-                                 notes_on(scene, equations))
+                                 equations.model().plan.simulated.decisions,
+                                 notes_on(equations))
                 << std::endl;
   }
 } // namespace auxfem

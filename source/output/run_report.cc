@@ -14,7 +14,7 @@ namespace auxfem
                        const FileRules      &rules,
                        const FolderContents &further)
     : scene(scene)
-    , notes(notes_on(scene, equations))
+    , notes(notes_on(equations))
   {
     const UnknownLayout &layout = equations.unknowns().layout;
     const Counts         counts = count(equations);
@@ -25,7 +25,7 @@ namespace auxfem
                       files->log());
       print(overview_text(scene,
                           counts,
-                          equations.model().simulated.decisions,
+                          equations.model().plan.simulated.decisions,
                           notes) +
             '\n');
     });

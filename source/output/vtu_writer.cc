@@ -116,7 +116,7 @@ namespace auxfem
   std::vector<GraphicsField> VtuWriter::strut_fields() const
   {
     std::vector<GraphicsField> fields = {{"displacement", 3, "m"}};
-    if (equations.model().simulated.inertia)
+    if (equations.model().plan.simulated.inertia)
       fields.push_back({"velocity", 3, "m/s"});
     for (const GraphicsField &field : equations.model().lattice.dimension == 2
            ? section_force_fields_in_plane
@@ -139,7 +139,7 @@ namespace auxfem
                                std::vector<float> &values) const
   {
     append(values, point.displacement);
-    if (equations.model().simulated.inertia)
+    if (equations.model().plan.simulated.inertia)
       append(values, point.velocity);
     if (equations.model().lattice.dimension == 2)
       append_in_plane(values, point);
@@ -198,7 +198,7 @@ namespace auxfem
   std::vector<GraphicsField> VtuWriter::rigid_part_fields() const
   {
     std::vector<GraphicsField> fields = {{"displacement", 3, "m"}};
-    if (equations.model().simulated.inertia)
+    if (equations.model().plan.simulated.inertia)
       fields.push_back({"velocity", 3, "m/s"});
     fields.push_back({"force", 3, "N"});
     fields.push_back(
@@ -254,7 +254,7 @@ namespace auxfem
               {
                 const PointMotion motion = parts.motion(i, point, state);
                 append(values, motion.displacement);
-                if (equations.model().simulated.inertia)
+                if (equations.model().plan.simulated.inertia)
                   append(values, motion.velocity);
                 append(values, force_at(lattice, part, report, point));
                 if (lattice.dimension == 2)

@@ -9,24 +9,24 @@ namespace auxfem
     using Kind = TimeEvent::Kind;
     using Jump = StepEnd::Jump;
 
-    std::vector<TimeFunction> loads_of(const Scene &scene)
+    std::vector<TimeFunction> loads_of(const RunPlan &plan)
     {
       std::vector<TimeFunction> functions;
       const auto                add = [&functions](const auto &components) {
         functions.insert(functions.end(), components.begin(), components.end());
       };
-      for (const JointLoadDefinition &load : scene.joint_loads)
+      for (const JointLoadDefinition &load : plan.joint_loads())
         add(load.components);
-      for (const LineLoadDefinition &load : scene.line_loads)
+      for (const LineLoadDefinition &load : plan.scene.line_loads)
         add(load.components);
-      add(scene.gravity.courses());
+      add(plan.scene.gravity.courses());
       return functions;
     }
 
-    std::vector<TimeFunction> motions_of(const Scene &scene)
+    std::vector<TimeFunction> motions_of(const RunPlan &plan)
     {
       std::vector<TimeFunction> functions;
-      for (const SupportDefinition &support : scene.supports)
+      for (const SupportDefinition &support : plan.scene.supports)
         functions.insert(functions.end(),
                          support.motion.begin(),
                          support.motion.end());
@@ -125,10 +125,10 @@ namespace auxfem
     }
   } // namespace
 
-  std::vector<TimeFunction> functions_of_time(const Scene &scene)
+  std::vector<TimeFunction> functions_of_time(const RunPlan &plan)
   {
-    std::vector<TimeFunction> functions = loads_of(scene);
-    for (const TimeFunction &motion : motions_of(scene))
+    std::vector<TimeFunction> functions = loads_of(plan);
+    for (const TimeFunction &motion : motions_of(plan))
       functions.push_back(motion);
     return functions;
   }
@@ -138,11 +138,11 @@ namespace auxfem
     return 1e-6 * time.step;
   }
 
-  std::vector<StepEnd> step_ends(const Scene &scene)
+  std::vector<StepEnd> step_ends(const RunPlan &plan)
   {
-    const TimeParameters           &time    = scene.time;
-    const std::vector<TimeFunction> loads   = loads_of(scene),
-                                    motions = motions_of(scene);
+    const TimeParameters           &time    = plan.time;
+    const std::vector<TimeFunction> loads   = loads_of(plan),
+                                    motions = motions_of(plan);
     std::vector<StepEnd> all;
     add_given_ends(time.events, motions, all);
     add_ends_of_samples(loads, time, with_loads, all);
@@ -170,9 +170,9 @@ namespace auxfem
     return ends;
   }
 
-  StepEnds::StepEnds(const Scene &scene)
-    : near(nearness_of_step_ends(scene.time))
-    , ends(step_ends(scene))
+  StepEnds::StepEnds(const RunPlan &plan)
+    : near(nearness_of_step_ends(plan.time))
+    , ends(step_ends(plan))
   {}
 
   double StepEnds::next(const double time, const double end_of_scene_step) const

@@ -25,10 +25,10 @@ namespace auxfem
     };
 
     /** The times at which steps end if none fails, with 0. */
-    std::vector<double> stops_of(const Scene                &scene,
+    std::vector<double> stops_of(const RunPlan              &plan,
                                  const std::vector<StepEnd> &ends)
     {
-      const TimeParameters &time = scene.time;
+      const TimeParameters &time = plan.time;
       const double          near = nearness_of_step_ends(time);
       std::vector<double>   stops{0.};
       auto                  event = ends.begin();
@@ -185,38 +185,38 @@ namespace auxfem
     }
   } // namespace
 
-  std::vector<std::string> time_function_notes(const Scene &scene)
+  std::vector<std::string> time_function_notes(const RunPlan &plan)
   {
     std::vector<std::string> notes;
     const auto               add = [&](const std::optional<std::string> &note) {
       if (note)
         notes.push_back(*note);
     };
-    const bool                is_sampled = scene.time.n_steps() < most_samples;
+    const bool                is_sampled = plan.time.n_steps() < most_samples;
     const std::vector<double> stops =
-      is_sampled ? stops_of(scene, step_ends(scene)) : std::vector<double>();
-    for (const TimeFunction &function : functions_of_time(scene))
+      is_sampled ? stops_of(plan, step_ends(plan)) : std::vector<double>();
+    for (const TimeFunction &function : functions_of_time(plan))
       if (!function.is_zero())
         {
-          add(note_on_end(function, scene.time.end_time));
+          add(note_on_end(function, plan.time.end_time));
           add(note_on_overshoot(function));
           if (is_sampled)
-            add(note_on_steps(function, scene.time, stops));
+            add(note_on_steps(function, plan.time, stops));
         }
-    if (scene.time.scheme->is_dynamic())
-      for (const SupportDefinition &support : scene.supports)
+    if (plan.time.scheme->is_dynamic())
+      for (const SupportDefinition &support : plan.scene.supports)
         for (const TimeFunction &motion : support.motion)
-          add(note_on_strikes(motion, scene.time.end_time));
+          add(note_on_strikes(motion, plan.time.end_time));
     return notes;
   }
 
-  std::string load_values_text(const Scene &scene, const double time)
+  std::string load_values_text(const RunPlan &plan, const double time)
   {
     constexpr unsigned int most = 3;
     std::ostringstream     words;
     words.precision(4);
     unsigned int n = 0;
-    for (const TimeFunction &function : functions_of_time(scene))
+    for (const TimeFunction &function : functions_of_time(plan))
       if (const double value = function.value(time); value != 0)
         {
           if (++n > most)

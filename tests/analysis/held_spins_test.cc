@@ -105,7 +105,7 @@ TEST(HeldSpins, AreToldOnce)
   const Scene scene = read_scene_from_text(loaded(tripod()).str(), "t.prm");
   const LatticeRun run(scene, MPI_COMM_SELF);
   unsigned int     n = 0;
-  for (const std::string &note : notes_on(scene, run.equations))
+  for (const std::string &note : notes_on(run.equations))
     if (note.find(
           "strut 0, strut 1, strut 2 could turn about their own axes") !=
         std::string::npos)

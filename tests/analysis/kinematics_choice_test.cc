@@ -25,9 +25,10 @@ namespace
     void begin(const Equations &equations) override
     {
       ++n_beginnings;
-      is_exact = equations.model().simulated.large_rotation;
-      reason   = equations.model().decision("large rotation").reason;
-      contact  = equations.model().decision("contact");
+      is_exact = equations.model().plan.simulated.large_rotation;
+      reason =
+        equations.model().plan.simulated.decision("large rotation").reason;
+      contact = equations.model().plan.simulated.decision("contact");
       MemoryRecorder::begin(equations);
     }
 

@@ -1,3 +1,4 @@
+#include <auxfem/analysis/lattice_analysis.h>
 #include <auxfem/analysis/lattice_run.h>
 #include <auxfem/analysis/order_choice.h>
 #include <auxfem/output/memory_recorder.h>
@@ -159,10 +160,9 @@ namespace
                                         const std::vector<double> &exact,
                                         const double               factor = 1)
   {
-    const Scene      scene = scene_of(text, tolerance);
-    DivisionRecorder recorder(scene, MPI_COMM_WORLD);
-    const RunResult  result =
-      run_with_chosen_elements(scene, MPI_COMM_WORLD, recorder);
+    const Scene       scene = scene_of(text, tolerance);
+    DivisionRecorder  recorder(scene, MPI_COMM_WORLD);
+    const RunResult   result = run_lattice(scene, MPI_COMM_WORLD, recorder);
     const OrderReport report = result.orders.value();
     EXPECT_EQ(report.tolerance, tolerance);
     EXPECT_LE(report.predicted_error, tolerance);
@@ -269,10 +269,11 @@ TEST(OrderChoiceOnRanks, EstimateIsNoLessThanTheErrorOfTheJoints)
   const std::vector<double> exact = exact_motion(knee(), 6);
   for (unsigned int order = 2; order <= 5; ++order)
     {
-      const Scene          scene = scene_of_order(knee(), order);
-      MemoryRecorder       memory(scene, MPI_COMM_WORLD);
-      const ChosenElements all;
-      LatticeRun           run(scene, MPI_COMM_WORLD, &all);
+      const Scene    scene = scene_of_order(knee(), order);
+      MemoryRecorder memory(scene, MPI_COMM_WORLD);
+      RunPlan        plan(scene);
+      plan.elements = ChosenElements();
+      LatticeRun run(plan, MPI_COMM_WORLD);
       run.run(memory);
       const double error    = relative_difference(tip_motion(memory), exact),
                    estimate = run.mesh_error()->relative();
@@ -287,8 +288,7 @@ TEST(OrderChoice, WhatIsNotMetIsAFinding)
   // No order is good enough; 6 is chosen for all that need it.
   const Scene     scene = scene_of(knee(), 1e-14);
   MemoryRecorder  recorder(scene, MPI_COMM_WORLD);
-  const RunResult result =
-    run_with_chosen_elements(scene, MPI_COMM_WORLD, recorder);
+  const RunResult result = run_lattice(scene, MPI_COMM_WORLD, recorder);
   EXPECT_TRUE(std::any_of(result.findings.begin(),
                           result.findings.end(),
                           [](const Finding &finding) {
@@ -302,11 +302,11 @@ TEST(OrderChoice, SearchTellsHowFarItHasCome)
 {
   struct : public Recorder
   {
-    void search_step(const Scene &search,
-                     const State &state,
+    void search_step(const RunPlan &search,
+                     const State   &state,
                      const StepReport &) override
     {
-      EXPECT_EQ(search.discretization.order, 2u);
+      EXPECT_EQ(search.division.order, 2u);
       EXPECT_FALSE(has_begun);
       EXPECT_EQ(state.step, ++n_steps);
       time = state.time;
@@ -319,9 +319,7 @@ TEST(OrderChoice, SearchTellsHowFarItHasCome)
     double        time      = 0;
     bool          has_begun = false;
   } recorder;
-  run_with_chosen_elements(scene_of(hit_knee(), 1e-3),
-                           MPI_COMM_WORLD,
-                           recorder);
+  run_lattice(scene_of(hit_knee(), 1e-3), MPI_COMM_WORLD, recorder);
   EXPECT_EQ(recorder.n_steps, 64u);
   EXPECT_DOUBLE_EQ(recorder.time, 0.1);
   EXPECT_TRUE(recorder.has_begun);
@@ -331,16 +329,16 @@ TEST(OrderChoice, MistypedProbeIsFoundBeforeTheSearch)
 {
   struct : public Recorder
   {
-    void search_step(const Scene &, const State &, const StepReport &) override
+    void
+    search_step(const RunPlan &, const State &, const StepReport &) override
     {
       ADD_FAILURE();
     }
   } recorder;
-  EXPECT_THROW(
-    run_with_chosen_elements(scene_of(knee().probe("nowhere", "x > 100"), 1e-3),
-                             MPI_COMM_WORLD,
-                             recorder),
-    InputError);
+  EXPECT_THROW(run_lattice(scene_of(knee().probe("nowhere", "x > 100"), 1e-3),
+                           MPI_COMM_WORLD,
+                           recorder),
+               InputError);
 }
 
 TEST(OrderChoice, StrutsThatVibrateAreAFinding)
@@ -349,8 +347,7 @@ TEST(OrderChoice, StrutsThatVibrateAreAFinding)
   const auto      finds = [](const SceneText &text) {
     const Scene     scene = scene_of(text, 1e-2);
     MemoryRecorder  recorder(scene, MPI_COMM_WORLD);
-    const RunResult result =
-      run_with_chosen_elements(scene, MPI_COMM_WORLD, recorder);
+    const RunResult result = run_lattice(scene, MPI_COMM_WORLD, recorder);
     return std::any_of(result.findings.begin(),
                        result.findings.end(),
                        [](const Finding &finding) {
@@ -384,16 +381,17 @@ TEST(OrderChoiceOnRanks, RunThatIsResumedGoesOnAlike)
 {
   for (const SceneText &text : {hit_knee(), space_knee().time(1, 0.1)})
     {
-      const Scene          scene = scene_of(text, 1e-3);
-      const ChosenElements found = elements_of(scene, MPI_COMM_WORLD);
-      const auto end_of          = [](MemoryRecorder &memory, LatticeRun &run) {
+      const Scene scene = scene_of(text, 1e-3);
+      RunPlan     plan(scene);
+      plan.elements     = elements_of(scene, MPI_COMM_WORLD);
+      const auto end_of = [](MemoryRecorder &memory, LatticeRun &run) {
         run.advance_to_end(memory);
         return std::make_pair(memory.rows().back(),
                               run.mesh_error()->relative());
       };
 
       MemoryRecorder first(scene, MPI_COMM_WORLD);
-      LatticeRun     run(scene, MPI_COMM_WORLD, &found);
+      LatticeRun     run(plan, MPI_COMM_WORLD);
       first.begin(run.equations);
       run.start();
       first.start(run.solution);
@@ -406,7 +404,7 @@ TEST(OrderChoiceOnRanks, RunThatIsResumedGoesOnAlike)
       const auto    whole      = end_of(first, run);
 
       MemoryRecorder second(scene, MPI_COMM_WORLD);
-      LatticeRun     resumed(scene, MPI_COMM_WORLD, &found);
+      LatticeRun     resumed(plan, MPI_COMM_WORLD);
       second.begin(resumed.equations);
       resumed.resume(checkpoint, second);
       const auto half = end_of(second, resumed);

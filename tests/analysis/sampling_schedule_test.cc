@@ -74,7 +74,7 @@ TEST(SamplingSchedule, TakesBurstsOfLinearMotions)
                              .time(end, "20 us", scheme),
                            "test.prm");
     const LatticeRun       run(scene, MPI_COMM_SELF);
-    const SamplingSchedule schedule(scene, run.equations);
+    const SamplingSchedule schedule(run.equations);
     Steps                  steps;
     for (unsigned long i = 0; i < scene.time.n_steps(); ++i)
       if (schedule.is_sampled(rate, i))

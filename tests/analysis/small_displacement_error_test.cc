@@ -37,7 +37,7 @@ namespace
     MemoryRecorder recorder(scene, communicator);
     run.run(recorder);
     SmallOutcome outcome{
-      SmallDisplacementEstimate(scene, run.equations).at(run.solution.state),
+      SmallDisplacementEstimate(run.equations).at(run.solution.state),
       {}};
     for (unsigned int joint = 0; joint < run.lattice.joints.size(); ++joint)
       for (unsigned int c = 0; c < 2; ++c)
@@ -98,7 +98,7 @@ TEST(SmallDisplacementEstimate, HasTheAxialForcesOfTheStruts)
           std::mt19937     generator(5);
           for (double &value : state.displacement)
             value = std::uniform_real_distribution<double>(-1, 1)(generator);
-          const SmallDisplacementEstimate estimate(scene, run.equations);
+          const SmallDisplacementEstimate estimate(run.equations);
           const auto        compressions = estimate.at(state).compressions;
           const StrutGroup &group = run.equations.reporting().struts.at(0);
           ASSERT_EQ(compressions.size(), 3u);

@@ -106,9 +106,9 @@ namespace
                                    std::array<unsigned int, 2>{{1, 7}},
                                    0.5,
                                    1.95));
-    Equations   equations(scene, model, std::move(further));
+    Equations   equations(model, std::move(further));
     Work        work;
-    TimeStepper stepper(equations, scene, work);
+    TimeStepper stepper(equations, work);
     Solution    solution = equations.initial_solution();
     stepper.start(solution);
     Recorder            nobody;

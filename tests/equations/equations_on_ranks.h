@@ -28,7 +28,7 @@ namespace auxfem
         : scene(read_scene_from_text(prm_text, "test.prm", overrides))
         , lattice(build_lattice(scene))
         , model(scene, lattice, communicator)
-        , equations(scene, model)
+        , equations(model)
         , results(equations.make_results())
       {}
 

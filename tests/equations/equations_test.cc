@@ -249,7 +249,7 @@ TEST(Equations, WhatIsLeftOutCostsNoState)
   EXPECT_FALSE(state.velocity);
   EXPECT_FALSE(state.acceleration);
   EXPECT_FALSE(state.algorithmic_acceleration);
-  EXPECT_FALSE(elastic.model.simulated.inertia);
+  EXPECT_FALSE(elastic.model.plan.simulated.inertia);
 }
 
 TEST(Equations, StatesCarryASecondAccelerationOnlyIfTheSchemeUsesIt)

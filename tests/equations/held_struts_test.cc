@@ -39,8 +39,7 @@ namespace
          const unsigned int order,
          const unsigned int n_elements = 1)
       : of_scene(SceneText(text).mesh(given_order).str(), {}, MPI_COMM_SELF)
-      , struts(of_scene.scene,
-               of_scene.model,
+      , struts(of_scene.model,
                std::vector<StrutDivision>(2, {order, n_elements}),
                owned_struts(of_scene.model.numbering))
     {}

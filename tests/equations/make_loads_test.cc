@@ -143,13 +143,7 @@ TEST(MakeLoads, GravityPullsStrutsAndPointMasses)
 TEST(MakeLoads, ASceneWithoutLoadsHasNone)
 {
   const EquationsOnRanks of_scene(three_struts(), {}, MPI_COMM_SELF);
-  EXPECT_TRUE(make_loads(of_scene.scene,
-                         of_scene.lattice,
-                         of_scene.dofs(),
-                         of_scene.model.sections,
-                         {},
-                         decide_effects(of_scene.scene, of_scene.lattice))
-                .empty());
+  EXPECT_TRUE(make_loads(of_scene.model).empty());
 }
 
 TEST(MakeLoads, InitialVelocitiesAreThoseOfARigidBody)

@@ -22,7 +22,7 @@ namespace
     to.acceleration->assign(to.acceleration->size(), 1.);
     const Evaluation    step = Evaluation::step(from, to, 1.);
     std::vector<double> residual(of_scene.dofs().layout().n_local(), 0.);
-    for (const auto &effect : make_masses(of_scene.scene, of_scene.model))
+    for (const auto &effect : make_masses(of_scene.model))
       effect->add_residual(step, residual.data(), effect->make_results().get());
     return residual;
   }

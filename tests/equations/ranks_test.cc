@@ -122,7 +122,7 @@ namespace
              const std::vector<std::string> &overrides,
              const MPI_Comm                  communicator)
       : on_ranks(text, overrides, communicator)
-      , stepper(on_ranks.equations, on_ranks.scene, work)
+      , stepper(on_ranks.equations, work)
       , solution(on_ranks.equations.initial_solution())
     {
       stepper.start(solution);

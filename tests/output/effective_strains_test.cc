@@ -51,7 +51,7 @@ TEST(EffectiveStrains, AreDifferencesOfMeansOverTheDistance)
   EXPECT_EQ(names_of(strains), (Words{"strain.x", "strain.y"}));
 
   // Numbers of few binary digits: all is exact.
-  State state = Equations(scene, model).initial_state();
+  State state = Equations(model).initial_state();
   displace(state, model, 1, 0, 0.25);
   displace(state, model, 2, 0, 0.75);
   displace(state, model, 0, 0, -0.5);
@@ -73,7 +73,7 @@ TEST(EffectiveStrains, MeasureUnevenFacesByTheirMeanPlaces)
   const LatticeModel     model(scene, lattice, MPI_COMM_WORLD);
   const EffectiveStrains strains(model);
   EXPECT_EQ(strains.axes(), (std::vector<unsigned int>{0, 1, 2}));
-  State state = Equations(scene, model).initial_state();
+  State state = Equations(model).initial_state();
   displace(state, model, 3, 2, 1);
   EXPECT_EQ(strains.values(state), (std::vector<double>{0, 0, 0.25}));
 }

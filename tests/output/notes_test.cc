@@ -17,7 +17,7 @@ namespace
   std::vector<std::string> notes_on_scene(const SceneText &scene)
   {
     const EquationsOnRanks of_scene(scene, {}, MPI_COMM_SELF);
-    return notes_on(of_scene.scene, of_scene.equations);
+    return notes_on(of_scene.equations);
   }
 
   /** A clamped strut whose free end has a support of @p type. */
@@ -39,7 +39,7 @@ namespace
         .rectangle("strip", "5 mm", height, {1e9, 1}),
       {},
       MPI_COMM_SELF);
-    return notes_on(of_scene.scene, of_scene.equations);
+    return notes_on(of_scene.equations);
   }
 } // namespace
 
@@ -68,7 +68,7 @@ TEST(Notes, TellOfParametersOfAnotherScheme)
                                       .set("Time/Order of esdirk", 5),
                                     {},
                                     MPI_COMM_SELF);
-    return notes_on(of_scene.scene, of_scene.equations);
+    return notes_on(of_scene.equations);
   };
   const std::vector<std::string> notes = notes_with("newmark");
   ASSERT_EQ(notes.size(), 1u);
@@ -89,7 +89,7 @@ TEST(Notes, NameStrutsThatOverlapAtRest)
                                       .set("Effects/Contact", contact),
                                     {},
                                     MPI_COMM_SELF);
-    return notes_on(of_scene.scene, of_scene.equations);
+    return notes_on(of_scene.equations);
   };
   const std::string crossing                 = "0 0; 1 0; 0.3 -0.5; 0.3 0.5",
                     beside                   = "0 0; 1 0; 0 0.015; 1 0.015",

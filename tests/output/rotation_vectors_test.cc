@@ -26,7 +26,7 @@ namespace
       : scene(read_scene_from_text(strut_text + more, "test.prm"))
       , lattice(build_lattice(scene))
       , model(scene, lattice, MPI_COMM_WORLD)
-      , equations(scene, model)
+      , equations(model)
       , rotations(model.numbering)
       , state(equations.initial_state())
       , vectors(model)

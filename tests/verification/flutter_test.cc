@@ -70,13 +70,13 @@ namespace
       .time(1, 0.1, "newmark");
     if (column.damping > 0)
       scene.set("Modes/Damped", "true");
-    return scene_of_modes(read_scene_from_text(scene.str(), "test.prm"));
+    return read_scene_from_text(scene.str(), "test.prm");
   }
 
   ComplexModes modes_of(const PressedColumn &column, const double force)
   {
     const Scene scene = scene_of(column, force);
-    LatticeRun  run(scene, MPI_COMM_SELF);
+    LatticeRun  run(plan_of_modes(scene), MPI_COMM_SELF);
     run.prepare();
     run.start();
     return complex_modes(run.solver(),

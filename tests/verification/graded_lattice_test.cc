@@ -101,7 +101,9 @@ namespace
                                const ChosenElements &elements = {})
   {
     MemoryRecorder memory(scene, MPI_COMM_WORLD);
-    LatticeRun     run(scene, MPI_COMM_WORLD, &elements);
+    RunPlan        plan(scene);
+    plan.elements = elements;
+    LatticeRun run(plan, MPI_COMM_WORLD);
     run.run(memory);
     GradedOutcome outcome{run.model.numbering.divisions(),
                           run.model.numbering.layout().n_global(),

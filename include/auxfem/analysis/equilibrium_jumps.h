@@ -17,8 +17,8 @@ namespace auxfem
   class EquilibriumJumps : public Watch
   {
   public:
-    /** @p model, scene must outlive the object. */
-    EquilibriumJumps(const LatticeModel &model, const Scene &scene);
+    /** @p model must outlive the object. */
+    explicit EquilibriumJumps(const LatticeModel &model);
 
     /** A step of the scene begins, which no attempt has been made at. */
     void begin_step()
@@ -96,7 +96,6 @@ namespace auxfem
     };
 
     const LatticeModel &model;
-    const Scene        &scene;
     /** The attempt at this step with the largest motion. */
     std::optional<Motion>  largest_attempt;
     std::optional<Attempt> last_attempt;

@@ -11,13 +11,10 @@ namespace auxfem
    * `Effects/Tolerance`. If the run comes to SmallDisplacementLimit, it is
    * done again from the start with exact kinematics. Other scenes run as they
    * are. Throws as LatticeRun::run(); collective.
-   * @param elements as LatticeRun
    */
-  RunResult
-  run_with_chosen_kinematics(const Scene          &scene,
-                             MPI_Comm              communicator,
-                             Recorder             &recorder,
-                             const ChosenElements *elements = nullptr);
+  RunResult run_with_chosen_kinematics(const RunPlan &plan,
+                                       MPI_Comm       communicator,
+                                       Recorder      &recorder);
 
   /**
    * The first part of that for a dry run: the line about it among what is

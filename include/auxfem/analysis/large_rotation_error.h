@@ -2,7 +2,6 @@
 #define auxfem_analysis_large_rotation_error_h
 
 #include <auxfem/analysis/tangent_solver.h>
-#include <auxfem/scene/scene.h>
 
 #include <optional>
 #include <string>
@@ -47,12 +46,11 @@ namespace auxfem
   class LargeRotationErrorEstimator
   {
   public:
-    /** @param scene, small, exact must outlive the object; both equations are
+    /** @param small, exact must outlive the object; both equations are
      *   of the same numbering
      * @param allowed error, relative to the motion: larger rotations than go
      *   with it are not looked into */
-    LargeRotationErrorEstimator(const Scene     &scene,
-                                const Equations &small,
+    LargeRotationErrorEstimator(const Equations &small,
                                 const Equations &exact,
                                 double           allowed);
 
@@ -89,7 +87,7 @@ namespace auxfem
     /** Whether the stiffness there is positive, as far as that can be told. */
     bool is_positive(State exact, TangentSolver &solver) const;
 
-    const Scene     &scene;
+    const RunPlan   &plan;
     const Equations &small, &exact;
     const double     allowed;
     const double     inertia; ///< of the error (1/s2)

@@ -23,7 +23,7 @@ namespace auxfem
     const std::shared_ptr<const Lattice> shared_lattice;
 
   public:
-    const Scene   &scene;
+    const Scene   &scene; ///< of the plan
     const Lattice &lattice;
     /** Constant but for what LatticeModel::explain() says. */
     LatticeModel model;
@@ -32,18 +32,14 @@ namespace auxfem
 
     /**
      * Sets up lattice, model, equations and solver.
-     * @param scene must outlive the object.
-     * @param elements chosen ones, whose error the run estimates, must outlive
-     *   it; none: they are those of the scene
+     * @param plan whose scene must outlive the object
      *
      * Throws InputError for what the lattice shows to be wrong with the scene.
      */
-    LatticeRun(const Scene          &scene,
-               MPI_Comm              communicator,
-               const ChosenElements *elements = nullptr);
+    LatticeRun(const RunPlan &plan, MPI_Comm communicator);
 
     /**
-     * The scene and lattice of @p other, which must outlive the object, with
+     * The plan and lattice of @p other, which must outlive the object, with
      * other effects, as LatticeModel.
      */
     LatticeRun(const LatticeRun &other, SimulatedEffects simulated);
@@ -163,8 +159,7 @@ namespace auxfem
 
     TimeStepper                      stepper;
     SmallDisplacementLimit          *limit = nullptr;
-    const ChosenElements *const      elements;
-    std::optional<MeshErrorObserver> observer; ///< of these
+    std::optional<MeshErrorObserver> observer; ///< of chosen elements
   };
 } // namespace auxfem
 

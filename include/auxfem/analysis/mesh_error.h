@@ -26,8 +26,8 @@ namespace auxfem
   class MeshError
   {
   public:
-    /** @param scene, model must outlive the object. */
-    MeshError(const Scene &scene, const LatticeModel &model);
+    /** @param model must outlive the object. */
+    explicit MeshError(const LatticeModel &model);
 
     /** Looks at an instant. Collective. */
     void look(const State &state);
@@ -76,26 +76,10 @@ namespace auxfem
    *   they are not
    * @param which struts, by their numbers in MeshError::struts()
    */
-  std::vector<double> errors_of_division(const Scene                     &scene,
-                                         const LatticeModel              &model,
+  std::vector<double> errors_of_division(const LatticeModel              &model,
                                          const MeshError                 &seen,
                                          const std::vector<unsigned int> &which,
                                          StrutDivision division);
-
-  /** Elements of the struts that the program has chosen for a run of a scene,
-   * and how it has found them. */
-  struct ChosenElements
-  {
-    /** By strut; empty: all have common_division() of the scene. */
-    std::vector<StrutDivision> divisions;
-    OrderReport                report;
-
-    /** @name For runs that are resumed. */
-    ///@{
-    void                  save(Records &records) const;
-    static ChosenElements saved(const Records &records);
-    ///@}
-  };
 
   /** Wave number times length of the first bending mode between clamped ends.
    */
@@ -112,12 +96,10 @@ namespace auxfem
   {
   public:
     /**
-     * @param scene, model must outlive the object
+     * @param model must outlive the object
      * @param report what is known of the choice before the run
      */
-    MeshErrorObserver(const Scene        &scene,
-                      const LatticeModel &model,
-                      const OrderReport  &report);
+    MeshErrorObserver(const LatticeModel &model, const OrderReport &report);
 
     const MeshError &error() const
     {

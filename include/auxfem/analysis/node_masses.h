@@ -26,11 +26,10 @@ namespace auxfem
    * struts, point masses, and of rigid parts half at each end of their base, or
    * at their centre of mass. Rotary inertia is left out.
    */
-  std::vector<NodeMass> all_masses(const Scene     &scene,
-                                   const Equations &equations);
+  std::vector<NodeMass> all_masses(const Equations &equations);
 
   /** Of struts, point masses, rigid parts and plates (kg). Collective. */
-  double total_mass(const Scene &scene, const Equations &equations);
+  double total_mass(const Equations &equations);
 } // namespace auxfem
 
 #endif

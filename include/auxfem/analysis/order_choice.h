@@ -14,17 +14,9 @@ namespace auxfem
    * errors of that are large, a second one has what the first found.
    * Collective. Throws InputError for a probe whose joints do not exist.
    */
-  ChosenElements choose_elements(const Scene &scene,
-                                 MPI_Comm     communicator,
-                                 Recorder    &recorder);
-
-  /**
-   * A lattice's run with Discretization/Order = auto: chooses the elements, and
-   * estimates their error on the way.
-   */
-  RunResult run_with_chosen_elements(const Scene &scene,
-                                     MPI_Comm     communicator,
-                                     Recorder    &recorder);
+  ChosenElements choose_elements(const RunPlan &plan,
+                                 MPI_Comm       communicator,
+                                 Recorder      &recorder);
 } // namespace auxfem
 
 #endif

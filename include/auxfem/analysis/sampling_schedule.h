@@ -2,7 +2,6 @@
 #define auxfem_analysis_sampling_schedule_h
 
 #include <auxfem/equations/equations.h>
-#include <auxfem/scene/scene.h>
 
 #include <algorithm>
 
@@ -25,10 +24,10 @@ namespace auxfem
   class SamplingSchedule
   {
   public:
-    SamplingSchedule(const Scene &scene, const Equations &equations)
-      : has_inertia(equations.model().simulated.inertia)
+    explicit SamplingSchedule(const Equations &equations)
+      : has_inertia(equations.model().plan.simulated.inertia)
       , is_linear(equations.is_linear())
-      , n_steps(scene.time.n_steps())
+      , n_steps(equations.model().plan.time.n_steps())
       , period(std::min(longest_period, (n_steps + n_bursts - 1) / n_bursts))
     {}
 

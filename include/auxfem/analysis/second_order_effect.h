@@ -29,9 +29,9 @@ namespace auxfem
   class SecondOrderEffect
   {
   public:
-    /** @param scene, equations of small displacements, must outlive the object.
+    /** @param equations of small displacements, must outlive the object.
      */
-    SecondOrderEffect(const Scene &scene, const Equations &equations);
+    explicit SecondOrderEffect(const Equations &equations);
     ~SecondOrderEffect();
 
     /**
@@ -59,7 +59,6 @@ namespace auxfem
     std::optional<double> relative_change(const State  &state,
                                           const Vector &forces);
 
-    const Scene           &scene;
     const Equations       &equations;
     Work                   effort;
     std::unique_ptr<Exact> exact; ///< made when it is needed

@@ -60,8 +60,8 @@ namespace auxfem
      * as much as a tenth of a step, and motions take many steps. */
     static constexpr unsigned int distance_in_motion = 20;
 
-    /** @param scene, equations must outlive the object. */
-    SmallDisplacementEstimate(const Scene &scene, const Equations &equations);
+    /** @param equations must outlive the object. */
+    explicit SmallDisplacementEstimate(const Equations &equations);
 
     /** Of @p state, which has its energies; the same on all ranks, but for
      * SmallDisplacementError::compressions. Collective. */

@@ -26,11 +26,9 @@ namespace auxfem
   class SmallDisplacementLimit
   {
   public:
-    /** @param scene, small, exact must outlive the object, as
+    /** @param small, exact must outlive the object, as
      *   LargeRotationErrorEstimator */
-    SmallDisplacementLimit(const Scene     &scene,
-                           const Equations &small,
-                           const Equations &exact);
+    SmallDisplacementLimit(const Equations &small, const Equations &exact);
 
     /** The error of the static answer to the loads; with inertia of twice that,
      * as to sudden loads. */
@@ -82,7 +80,7 @@ namespace auxfem
                         double                        size,
                         const SmallDisplacementError &motion);
 
-    const Scene                          &scene;
+    const RunPlan                        &plan;
     const UnknownLayout                  &layout;
     const bool                            has_inertia;
     LargeRotationErrorEstimator           estimator;

@@ -42,7 +42,7 @@ namespace auxfem
   {
   public:
     /** @p equations must outlive the object. */
-    StepError(const Equations &equations, const Scene &scene);
+    explicit StepError(const Equations &equations);
 
     /**
      * The error that @p step adds over the one it may add. Collective.

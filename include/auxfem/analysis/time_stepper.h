@@ -25,10 +25,10 @@ namespace auxfem
   {
   public:
     /**
-     * @param equations, scene, work must outlive the object. @p work takes up
+     * @param equations, work must outlive the object. @p work takes up
      *   all that is done.
      */
-    TimeStepper(Equations &equations, const Scene &scene, Work &work);
+    TimeStepper(Equations &equations, Work &work);
 
     /**
      * Brings Equations::initial_solution() into order: prescribed motion,
@@ -162,10 +162,8 @@ namespace auxfem
     /** With the mass matrix. */
     struct RateSolver
     {
-      RateSolver(const Equations        &equations,
-                 const SolverParameters &parameters,
-                 Work                   &work)
-        : solver(equations, parameters, work)
+      RateSolver(const Equations &equations, Work &work)
+        : solver(equations, equations.model().plan.solver, work)
         , rates(solver)
       {}
 
@@ -176,9 +174,9 @@ namespace auxfem
     /** All that keeps factorizations. */
     struct Solvers
     {
-      Solvers(const Equations &equations, const Scene &scene, Work &work)
-        : tangent(equations, scene.solver, work)
-        , newton(tangent, scene.newton)
+      Solvers(const Equations &equations, Work &work)
+        : tangent(equations, equations.model().plan.solver, work)
+        , newton(tangent, equations.model().plan.newton)
       {}
 
       TangentSolver tangent;
@@ -188,7 +186,7 @@ namespace auxfem
     };
 
     Equations                     &equations;
-    const TimeParameters           parameters;
+    const TimeParameters          &parameters;
     const ImplicitScheme          &scheme;
     Work                          &work;
     Solution                       trial;

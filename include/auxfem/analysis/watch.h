@@ -91,9 +91,9 @@ namespace auxfem
   class Watches
   {
   public:
-    /** @param scene, equations, work must outlive the object; @p work takes up
+    /** @param equations, work must outlive the object; @p work takes up
      * what they do. */
-    Watches(const Scene &scene, const Equations &equations, Work &work);
+    Watches(const Equations &equations, Work &work);
 
     /** One more, which checks what the others do not; returns it. Before
      * start(). */
@@ -145,7 +145,7 @@ namespace auxfem
   /** What watches of a run refer to; all must outlive them. */
   struct WatchedRun
   {
-    const Scene     &scene;
+    const RunPlan   &plan;
     const Equations &equations;
     RunStatistics   &statistics;
     Work            &work; ///< takes up what watches do

@@ -63,13 +63,12 @@ namespace auxfem
   {
   public:
     /**
-     * @param scene, model must outlive the object. Throws InputError for
+     * @param model must outlive the object. Throws InputError for
      * contradictions only the model can show (a moment on a joint without
      * rotation).
      * @param further internal forces beside those of the scene
      */
-    Equations(const Scene                         &scene,
-              const LatticeModel                  &model,
+    Equations(const LatticeModel                  &model,
               std::vector<std::unique_ptr<Effect>> further = {});
 
     const LatticeModel &model() const
@@ -258,13 +257,13 @@ namespace auxfem
                                const EvaluationResults &results) const;
 
   private:
-    void make_internal_forces(const Scene &scene);
-    void make_contact(const Scene &scene);
-    void make_constraints(const Scene &scene);
-    void make_inertia(const Scene &scene);
-    void make_loads(const Scene &scene);
+    void make_internal_forces();
+    void make_contact();
+    void make_constraints();
+    void make_inertia();
+    void make_loads();
     /** Throws InputError if steps are to follow an error that is not known. */
-    void refuse_unknown_errors(const Scene &scene) const;
+    void refuse_unknown_errors() const;
     void enter_energies();
     void register_blocks();
     /** Of motions at @p state. */

@@ -17,14 +17,13 @@ namespace auxfem
   {
   public:
     /**
-     * @param scene, model must outlive the object. The elements of the model
+     * @param model must outlive the object. The elements of the model
      *   have at least two orders, so that all of a strut's are counted by one
      *   rank.
      * @param divisions of the struts here, by their numbers in the lattice
      * @param struts which, of those that owned_struts() of the model tells
      */
-    HeldStruts(const Scene               &scene,
-               const LatticeModel        &model,
+    HeldStruts(const LatticeModel        &model,
                std::vector<StrutDivision> divisions,
                std::vector<unsigned int>  struts);
 

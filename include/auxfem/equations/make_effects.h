@@ -33,8 +33,7 @@ namespace auxfem
    * parts that have a rotation of their own, as effects. Throws InputError for
    * rotary inertia on a joint without rotation.
    */
-  std::vector<std::unique_ptr<Effect>> make_masses(const Scene        &scene,
-                                                   const LatticeModel &model);
+  std::vector<std::unique_ptr<Effect>> make_masses(const LatticeModel &model);
 
   /** The rotational springs of this rank. nullptr if the scene has none. */
   std::unique_ptr<Effect> make_rotational_springs(const LatticeModel &model);
@@ -51,13 +50,14 @@ namespace auxfem
    * as effects: dead loads, and loads that follow their joints. Throws
    * InputError for a moment on a joint without rotation.
    */
+  std::vector<std::unique_ptr<Effect>> make_loads(const LatticeModel &model);
+
+  /** Of these the line loads and the weight of the struts of @p lattice alone.
+   */
   std::vector<std::unique_ptr<Effect>>
-  make_loads(const Scene                &scene,
-             const Lattice              &lattice,
-             const DofNumbering         &numbering,
-             const std::vector<Section> &sections,
-             const RigidBodies          &bodies,
-             const SimulatedEffects     &simulated);
+  make_strut_loads(const LatticeModel &model,
+                   const Lattice      &lattice,
+                   const DofNumbering &numbering);
 } // namespace auxfem
 
 #endif

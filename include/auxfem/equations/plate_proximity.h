@@ -44,11 +44,9 @@ namespace auxfem
     };
 
     /**
-     * @param scene, model, curves must outlive the object
+     * @param model, curves must outlive the object
      */
-    PlateProximity(const Scene        &scene,
-                   const LatticeModel &model,
-                   const StrutCurves  &curves);
+    PlateProximity(const LatticeModel &model, const StrutCurves &curves);
 
     /** Throws InputError for struts without thickness, and for such as lie in a
      * plate at rest. */

@@ -15,6 +15,9 @@ namespace auxfem
    */
   Lattice build_lattice(const Scene           &scene,
                         const GeometryOffsets *offsets = nullptr);
+
+  /** The same without imperfections. */
+  Lattice designed_lattice(const Scene &scene);
 } // namespace auxfem
 
 #endif

@@ -35,14 +35,14 @@ namespace auxfem
     Switch EffectSwitches::*choice;
     bool SimulatedEffects::*simulated;
 
-    EffectCause (*cause)(const Scene &scene);
+    EffectCause (*cause)(const RunPlan &plan);
 
     /**
      * How much of the answer the effect is, of a scene that gives cause for it
      * (formulas: doc/theory.md, Effects); nothing if there is no telling.
      * Without a function the effect is on wherever there is cause.
      */
-    std::optional<EffectMeasure> (*measure)(const Scene   &scene,
+    std::optional<EffectMeasure> (*measure)(const RunPlan &plan,
                                             const Lattice &lattice) = nullptr;
 
     /**

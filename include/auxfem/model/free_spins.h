@@ -22,7 +22,7 @@ namespace auxfem
    * plane.
    * @param releases of @p lattice
    */
-  std::vector<FreeSpin> free_spins(const Scene                     &scene,
+  std::vector<FreeSpin> free_spins(const RunPlan                   &plan,
                                    const Lattice                   &lattice,
                                    const std::vector<JointRelease> &releases);
 } // namespace auxfem

@@ -2,7 +2,7 @@
 #define auxfem_model_initial_velocities_h
 
 #include <auxfem/model/numbering.h>
-#include <auxfem/scene/scene.h>
+#include <auxfem/scene/run_plan.h>
 
 namespace auxfem
 {
@@ -18,7 +18,7 @@ namespace auxfem
    * angular velocity that turns nothing.
    */
   std::vector<std::pair<int, double>>
-  initial_velocities(const Scene        &scene,
+  initial_velocities(const RunPlan      &plan,
                      const Lattice      &lattice,
                      const DofNumbering &numbering);
 } // namespace auxfem

@@ -19,32 +19,28 @@ namespace auxfem
   struct LatticeModel
   {
     /**
-     * @param scene, lattice must outlive the model.
-     * @param divisions of the struts; none: all have common_division()
+     * @param plan of which the effects are decided here
+     * @param lattice, scene of the plan must outlive the model.
      *
      * Throws InputError for contradictions only the lattice can show (a
      * component prescribed twice, a section that its reference vector does not
      * orient).
      */
-    LatticeModel(const Scene               &scene,
-                 const Lattice             &lattice,
-                 MPI_Comm                   communicator,
-                 std::vector<StrutDivision> divisions = {});
+    LatticeModel(const RunPlan &plan,
+                 const Lattice &lattice,
+                 MPI_Comm       communicator);
 
     /**
      * The structure of @p other with other effects, of which hinges may not
      * differ; shares the numbering.
-     * @param scene must outlive the model, as the lattice of @p other.
      */
-    LatticeModel(const Scene        &scene,
-                 const LatticeModel &other,
-                 SimulatedEffects    simulated);
+    LatticeModel(const LatticeModel &other, SimulatedEffects simulated);
 
     LatticeModel(const LatticeModel &)            = delete;
     LatticeModel &operator=(const LatticeModel &) = delete;
 
+    RunPlan                    plan; ///< with the effects that are decided
     const Lattice             &lattice;
-    SimulatedEffects           simulated;
     const std::vector<Section> sections; ///< by Strut::section
     /** Ties moments to forces in tests (m). */
     const double mean_strut_length;
@@ -68,15 +64,15 @@ namespace auxfem
     /** Rotations in space kept as quaternions; none if they stay small. */
     unsigned int n_large_rotations() const
     {
-      return simulated.large_rotation ? numbering.rotations().size() : 0;
+      return plan.simulated.large_rotation ? numbering.rotations().size() : 0;
     }
 
-    /** On the effect of this name. */
-    const EffectDecision &decision(const std::string &effect) const;
-
-    /** Replaces that on the same effect in the list for users: where it takes a
-     * computation to know. */
-    void explain(const EffectDecision &decision);
+    /** Replaces the decision on the same effect in the list for users: where it
+     * takes a computation to know. */
+    void explain(const EffectDecision &decision)
+    {
+      plan.simulated.decision(decision.name) = decision;
+    }
   };
 } // namespace auxfem
 

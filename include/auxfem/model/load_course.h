@@ -1,7 +1,7 @@
 #ifndef auxfem_model_load_course_h
 #define auxfem_model_load_course_h
 
-#include <auxfem/scene/scene.h>
+#include <auxfem/scene/run_plan.h>
 
 #include <vector>
 
@@ -23,26 +23,26 @@ namespace auxfem
 
     /**
      * What becomes of a relative loss @p per_radian of oscillations until the
-     * end of @p scene; of loads that follow one course it is the change itself.
+     * end of @p plan; of loads that follow one course it is the change itself.
      * At most 1.
      */
-    double lost(const Scene &scene, double per_radian) const;
+    double lost(const RunPlan &plan, double per_radian) const;
   };
 
   /** Weight counts as a load if there is no other. */
-  LoadCourse load_course(const Scene &scene);
+  LoadCourse load_course(const RunPlan &plan);
 
   /**
-   * How much of the answer is motion that the loads of @p scene do not command,
+   * How much of the answer is motion that the loads of @p plan do not command,
    * of a structure with the lowest angular frequency @p frequency (1/s): the
    * largest jump of a load, of its slope over the frequency, and second
    * derivative over its square, over its largest value; at most 1.
    */
-  double uncommanded_motion(const Scene &scene, double frequency);
+  double uncommanded_motion(const RunPlan &plan, double frequency);
 
-  /** Angular frequency (1/s) of an oscillation of which steps of @p scene
+  /** Angular frequency (1/s) of an oscillation of which steps of @p plan
    * make a period of twenty. */
-  double resolved_frequency(const Scene &scene);
+  double resolved_frequency(const RunPlan &plan);
 } // namespace auxfem
 
 #endif

@@ -2,7 +2,7 @@
 #define auxfem_model_supports_h
 
 #include <auxfem/model/numbering.h>
-#include <auxfem/scene/scene.h>
+#include <auxfem/scene/run_plan.h>
 
 namespace auxfem
 {
@@ -57,11 +57,11 @@ namespace auxfem
                                               const Lattice &lattice);
 
   /**
-   * The supports of @p scene. Throws InputError for a component prescribed
+   * The supports of @p plan. Throws InputError for a component prescribed
    * twice and for a rotation that a joint does not have.
    * @param large_rotations whether rotations in space are large.
    */
-  std::vector<Support> make_supports(const Scene        &scene,
+  std::vector<Support> make_supports(const RunPlan      &plan,
                                      const Lattice      &lattice,
                                      const DofNumbering &numbering,
                                      bool                large_rotations);

@@ -3,7 +3,7 @@
 
 #include <auxfem/model/lattice_model.h>
 #include <auxfem/output/csv_table.h>
-#include <auxfem/scene/scene.h>
+#include <auxfem/scene/run_plan.h>
 #include <auxfem/time/checkpoint_archive.h>
 
 #include <optional>
@@ -59,7 +59,7 @@ namespace auxfem
    * joints of its opposite sides are moved, pushed or thrown, or plates, line
    * loads or gravity act. y if there is none or several.
    */
-  unsigned int loaded_axis(const Scene &scene, const Lattice &lattice);
+  unsigned int loaded_axis(const RunPlan &plan, const Lattice &lattice);
 
   /** Effective strains at the largest shortening or lengthening along the
    * loaded axis. */

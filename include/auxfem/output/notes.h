@@ -15,8 +15,7 @@ namespace auxfem
    * contact, struts that overlap at rest. A text each, for the screen and
    * summary.json.
    */
-  std::vector<std::string> notes_on(const Scene     &scene,
-                                    const Equations &equations);
+  std::vector<std::string> notes_on(const Equations &equations);
 } // namespace auxfem
 
 #endif

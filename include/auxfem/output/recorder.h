@@ -63,9 +63,9 @@ namespace auxfem
     ///@{
     /**
      * Before begin(), with Discretization/Order = auto: a step is done of the
-     * scene @p search, whose motion tells which elements to take.
+     * run @p search, whose motion tells which elements to take.
      */
-    virtual void search_step(const Scene & /*search*/,
+    virtual void search_step(const RunPlan & /*search*/,
                              const State & /*state*/,
                              const StepReport & /*report*/)
     {}

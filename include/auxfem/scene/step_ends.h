@@ -1,7 +1,7 @@
 #ifndef auxfem_scene_step_ends_h
 #define auxfem_scene_step_ends_h
 
-#include <auxfem/scene/scene.h>
+#include <auxfem/scene/run_plan.h>
 
 #include <optional>
 #include <vector>
@@ -41,13 +41,13 @@ namespace auxfem
    * not; jumps never are, nor what strikes. The times of `Time/Events` are
    * among them.
    */
-  std::vector<StepEnd> step_ends(const Scene &scene);
+  std::vector<StepEnd> step_ends(const RunPlan &plan);
 
-  /** Those of a scene, as its steps ask for them. */
+  /** Those of a plan, as its steps ask for them. */
   class StepEnds
   {
   public:
-    explicit StepEnds(const Scene &scene);
+    explicit StepEnds(const RunPlan &plan);
 
     /** Where a step from @p time (s) ends at the latest: at the next of them,
      * if that comes before @p end_of_scene_step. */
@@ -76,7 +76,7 @@ namespace auxfem
   double nearness_of_step_ends(const TimeParameters &time);
 
   /** All functions of time that act on the lattice. */
-  std::vector<TimeFunction> functions_of_time(const Scene &scene);
+  std::vector<TimeFunction> functions_of_time(const RunPlan &plan);
 } // namespace auxfem
 
 #endif

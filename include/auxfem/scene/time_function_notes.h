@@ -1,7 +1,7 @@
 #ifndef auxfem_scene_time_function_notes_h
 #define auxfem_scene_time_function_notes_h
 
-#include <auxfem/scene/scene.h>
+#include <auxfem/scene/run_plan.h>
 
 #include <string>
 #include <vector>
@@ -18,14 +18,14 @@ namespace auxfem
    * times a step, 2^18 in all, and at kinks and jumps, in runs of fewer than
    * 2^18 steps.
    */
-  std::vector<std::string> time_function_notes(const Scene &scene);
+  std::vector<std::string> time_function_notes(const RunPlan &plan);
 
   /**
    * The loads and motions of supports that are not zero at @p time (s), with
    * their values, in words, e.g. `Loads/press/Force x: '-40 * t' = -4.9`; three
    * at most.
    */
-  std::string load_values_text(const Scene &scene, double time);
+  std::string load_values_text(const RunPlan &plan, double time);
 } // namespace auxfem
 
 #endif

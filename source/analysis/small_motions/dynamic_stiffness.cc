@@ -121,11 +121,11 @@ namespace auxfem
     return {of_real, of_imaginary};
   }
 
-  void include_damping(Scene &scene)
+  void include_damping(EffectSwitches &effects)
   {
     for (Switch EffectSwitches::*damping :
          {&EffectSwitches::connector_viscosity, &EffectSwitches::strut_damping})
-      if (scene.effects.*damping == Switch::automatic)
-        scene.effects.*damping = Switch::on;
+      if (effects.*damping == Switch::automatic)
+        effects.*damping = Switch::on;
   }
 } // namespace auxfem

@@ -29,15 +29,6 @@ namespace auxfem
   {
     const std::string table_name = "frequency_response.csv";
 
-    /** @p scene at rest at t = 0, with all its damping. */
-    Scene vibrating(Scene scene)
-    {
-      scene.time.static_start = scene.frequency_response.about_equilibrium;
-      scene.initial_velocities.clear();
-      include_damping(scene);
-      return scene;
-    }
-
     std::vector<Column> columns_of(const std::vector<Column> &quantities)
     {
       std::vector<Column> columns = {{"frequency", "Hz", "of the loads"}};
@@ -181,18 +172,18 @@ namespace auxfem
       return row;
     }
 
-    /** The response with the elements of a scene. */
+    /** The response with the elements of a plan. */
     struct ResponseComputation
     {
       /** Sets up. Throws InputError for what is wrong with the scene. */
-      ResponseComputation(const Scene &given, const MPI_Comm communicator)
-        : scene(given)
+      ResponseComputation(const RunPlan &plan, const MPI_Comm communicator)
+        : scene(plan.scene)
         , communicator(communicator)
-        , run(scene, communicator)
+        , run(plan, communicator)
         , history(scene, run.equations, communicator)
       {
         run.prepare();
-        if (scene.time.static_start)
+        if (plan.time.static_start)
           run.start();
         response.emplace(run.solver(), run.solution.state);
       }
@@ -225,7 +216,7 @@ namespace auxfem
           }
       }
 
-      const Scene    scene;
+      const Scene   &scene;
       const MPI_Comm communicator;
       LatticeRun     run;
       const History  history;
@@ -268,19 +259,23 @@ namespace auxfem
       }
     };
 
-    /** @p scene with elements that carry the waves of the band, where it asks
-     * for a choice. */
-    Scene with_elements_for_band(Scene scene)
+    /** At t = 0 without initial velocities, with all damping; where the scene
+     * asks for a choice, with elements that carry the waves of the band. */
+    RunPlan plan_of_vibrations(const Scene &scene)
     {
       // Little damping makes errors larger by about so much.
       constexpr double at_resonance = 0.1;
+      RunPlan          plan(scene);
+      plan.time.static_start      = scene.frequency_response.about_equilibrium;
+      plan.has_initial_velocities = false;
+      include_damping(plan.effects);
       if (scene.discretization.tolerance)
         choose_elements(phase_at(scene,
                                  2 * dealii::numbers::PI *
                                    scene.frequency_response.highest),
                         at_resonance * *scene.discretization.tolerance,
-                        scene);
-      return scene;
+                        plan);
+      return plan;
     }
   } // namespace
 
@@ -289,38 +284,36 @@ namespace auxfem
     return {{table_name, "frequency_response.units.csv"}, {}};
   }
 
-  RunResult run_frequency_response(const Scene         &given,
+  RunResult run_frequency_response(const Scene         &scene,
                                    const MPI_Comm       communicator,
                                    const FolderOptions &options)
   {
-    const Scene base  = vibrating(given);
-    const Scene first = with_elements_for_band(base);
+    const RunPlan first = plan_of_vibrations(scene);
     // Mistakes it finds must not cost the results of an earlier run.
     auto computation =
       std::make_unique<ResponseComputation>(first, communicator);
     const SignalsWaitForStep  signals;
-    RunReport                 report(base,
+    RunReport                 report(scene,
                      computation->run.equations,
                      options.rules,
                      frequency_response_contents());
     const std::vector<Column> quantities = computation->history.sum_columns();
     on_first_rank(communicator, [&]() {
-      write_column_reference(base.output.directory +
+      write_column_reference(scene.output.directory +
                                "/frequency_response.units.csv",
                              columns_of(quantities));
     });
     computation->find_response();
-    for (Scene scene = first; !are_accepted(scene, computation->errors) &&
-         refine_elements(first, computation->errors, scene);)
+    for (RunPlan plan = first; !are_accepted(scene, computation->errors) &&
+         refine_elements(first, computation->errors, plan);)
       {
         const Work before = computation->run.work();
         computation.reset();
-        computation =
-          std::make_unique<ResponseComputation>(scene, communicator);
+        computation = std::make_unique<ResponseComputation>(plan, communicator);
         computation->run.add_effort(before);
         computation->find_response();
       }
-    const Scene      &scene  = computation->scene;
+    const RunPlan    &plan   = computation->run.model.plan;
     const MeshErrors &errors = computation->errors;
     const Work       &work   = computation->run.work();
     const Peaks       peaks(quantities, computation->rows);
@@ -328,25 +321,24 @@ namespace auxfem
     RunResult result;
     result.exit_state = "completed";
     result.work       = work;
-    result.findings   = findings_of_mesh(scene, errors, "amplitudes");
+    result.findings   = findings_of_mesh(plan, errors, "amplitudes");
     on_first_rank(communicator, [&]() {
       report.print(peaks.text(errors));
-      report.print(mesh_text(scene, errors));
+      report.print(mesh_text(plan, errors));
       std::ostringstream text;
       text << "  " << work.factorizations << " factorizations, "
            << work.linear_solutions << " solutions by " << work.linear_solver;
       report.print(text.str());
       report.finish({{"largest_amplitudes", peaks.json(errors)},
-                     {"elements", json_of(scene, errors)}},
+                     {"elements", json_of(plan, errors)}},
                     result.findings);
     });
     return result;
   }
 
-  void check_frequency_response(const Scene &given, const MPI_Comm communicator)
+  void check_frequency_response(const Scene &scene, const MPI_Comm communicator)
   {
-    const Scene scene = with_elements_for_band(vibrating(given));
-    LatticeRun  run(scene, communicator);
+    LatticeRun run(plan_of_vibrations(scene), communicator);
     refuse_columns_of_nothing(scene, run.lattice);
     run.prepare();
     print_overview(scene, run.equations);

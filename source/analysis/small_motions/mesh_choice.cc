@@ -20,7 +20,7 @@ namespace auxfem
   namespace
   {
     /** More than 64 elements a strut are not tried. */
-    constexpr unsigned int most_halvings = 6;
+    constexpr unsigned int most_elements = 64;
 
     /** Part of the tolerance that new elements aim at, as their error is known
      * by a rule only. */
@@ -64,39 +64,36 @@ namespace auxfem
     bool choose(const double       phase,
                 const double       wanted,
                 const unsigned int n_inner_nodes,
-                const unsigned int least_refinements,
-                Scene             &scene)
+                const unsigned int least_elements,
+                RunPlan           &plan)
     {
-      DiscretizationParameters &chosen = scene.discretization;
-      unsigned int              best   = invalid_index;
-      for (unsigned int refinements = least_refinements;
-           refinements <= std::max(least_refinements, most_halvings);
-           ++refinements)
+      unsigned int best = invalid_index;
+      for (unsigned int n_elements = least_elements;
+           n_elements <= std::max(least_elements, most_elements);
+           n_elements *= 2)
         for (unsigned int order = lowest_chosen_order;
-             order <= highest_strut_order(scene.context.dimension);
+             order <= highest_strut_order(plan.scene.context.dimension);
              ++order)
           {
-            const StrutDivision division{order, 1u << refinements};
+            const StrutDivision division{order, n_elements};
             const unsigned int  n = division.n_inner_nodes();
             if (n > n_inner_nodes && n < best &&
-                dispersion(order, phase / division.n_elements) <= wanted)
+                dispersion(order, phase / n_elements) <= wanted)
               {
-                best               = n;
-                chosen.order       = order;
-                chosen.refinements = refinements;
+                best          = n;
+                plan.division = division;
               }
           }
       return best != invalid_index;
     }
 
-    Scene with_finer_elements(Scene scene)
+    RunPlan with_finer_elements(RunPlan plan)
     {
-      DiscretizationParameters &discretization = scene.discretization;
-      discretization.order =
-        std::min(discretization.order + 1,
-                 highest_strut_order(scene.context.dimension));
-      ++discretization.refinements;
-      return scene;
+      plan.division = {std::min(plan.division.order + 1,
+                                highest_strut_order(
+                                  plan.scene.context.dimension)),
+                       2 * plan.division.n_elements};
+      return plan;
     }
 
     /** @p state with a displacement alone, which has no large rotations. */
@@ -134,11 +131,11 @@ namespace auxfem
       return text.str();
     }
 
-    std::string elements_text(const DiscretizationParameters &discretization)
+    std::string elements_text(const StrutDivision &division)
     {
-      const unsigned int n = discretization.common_division().n_elements;
+      const unsigned int n = division.n_elements;
       return std::to_string(n) + (n == 1 ? " element" : " elements") +
-        " of order " + std::to_string(discretization.order) + " a strut";
+        " of order " + std::to_string(division.order) + " a strut";
     }
 
     std::string advice(const Scene &scene)
@@ -148,11 +145,6 @@ namespace auxfem
           "may stay."
         : "Set Discretization/Order = auto, or raise Order or Global "
           "refinements.";
-    }
-    Lattice designed_lattice(Scene scene)
-    {
-      scene.imperfections.clear();
-      return build_lattice(scene);
     }
 
     std::vector<double> own_frequencies(const Scene &scene)
@@ -216,23 +208,22 @@ namespace auxfem
         std::sqrt(omega / *std::min_element(firsts.begin(), firsts.end()));
   }
 
-  void choose_elements(const double phase, const double wanted, Scene &scene)
+  void choose_elements(const double phase, const double wanted, RunPlan &plan)
   {
-    const unsigned int least = scene.discretization.refinements;
+    const unsigned int least = plan.division.n_elements;
     // Shorter waves are seldom asked for.
-    constexpr unsigned int most_at_first = 3;
-    if (choose(phase, wanted, 0, scene.discretization.refinements, scene) &&
-        scene.discretization.refinements <= least + most_at_first)
+    constexpr unsigned int most_at_first = 8;
+    if (choose(phase, wanted, 0, least, plan) &&
+        plan.division.n_elements <= most_at_first * least)
       return;
-    scene.discretization.order = highest_strut_order(scene.context.dimension);
-    scene.discretization.refinements = least + most_at_first;
+    plan.division = {highest_strut_order(plan.scene.context.dimension),
+                     most_at_first * least};
   }
 
   bool
-  refine_elements(const Scene &first, const MeshErrors &errors, Scene &scene)
+  refine_elements(const RunPlan &first, const MeshErrors &errors, RunPlan &plan)
   {
-    const DiscretizationParameters &now      = scene.discretization;
-    const StrutDivision             division = now.common_division();
+    const StrutDivision division = plan.division;
     // Where modes are missing, or errors are large, waves are not carried.
     const double error = errors.n_missing > 0 || errors.has_too_few
       ? 1.
@@ -240,10 +231,10 @@ namespace auxfem
     const double phase =
       division.n_elements * phase_with_dispersion(division.order, error);
     return choose(phase,
-                  aim * *now.tolerance,
+                  aim * *plan.scene.discretization.tolerance,
                   division.n_inner_nodes(),
-                  first.discretization.refinements,
-                  scene);
+                  first.division.n_elements,
+                  plan);
   }
 
   bool are_accepted(const Scene &scene, const MeshErrors &errors)
@@ -254,7 +245,7 @@ namespace auxfem
        !errors.has_too_few);
   }
 
-  std::vector<Finding> findings_of_mesh(const Scene       &scene,
+  std::vector<Finding> findings_of_mesh(const RunPlan     &plan,
                                         const MeshErrors  &errors,
                                         const std::string &values)
   {
@@ -262,7 +253,7 @@ namespace auxfem
     const auto           add = [&](const Verdict verdict, std::string text) {
       findings.push_back({verdict, std::move(text), 0., ""});
     };
-    const std::string elements = elements_text(scene.discretization);
+    const std::string elements = elements_text(plan.division);
     if (!errors.why_unknown.empty())
       add(Verdict::doubtful,
           "The error of the elements is not known: " + errors.why_unknown);
@@ -270,53 +261,52 @@ namespace auxfem
       add(Verdict::not_to_be_used,
           std::to_string(errors.n_missing) +
             " further modes lie below the last with finer elements than " +
-            elements + ". " + advice(scene));
+            elements + ". " + advice(plan.scene));
     const double error = errors.largest();
     if (!errors.why_unknown.empty())
       return findings;
-    const double limit = scene.discretization.tolerance
-      ? safety * *scene.discretization.tolerance
+    const double limit = plan.scene.discretization.tolerance
+      ? safety * *plan.scene.discretization.tolerance
       : doubtful_error;
     if (error > limit)
       add(error > std::max(limit, unusable_error) ? Verdict::not_to_be_used
                                                   : Verdict::doubtful,
           std::isfinite(error) ? "With " + elements + " the " + values +
               " err by up to " + percent(error) +
-              ", by comparison with finer elements. " + advice(scene)
+              ", by comparison with finer elements. " + advice(plan.scene)
                                : "With " + elements + " some " + values +
-              " are not those of finer elements. " + advice(scene));
+              " are not those of finer elements. " + advice(plan.scene));
     return findings;
   }
 
-  std::string mesh_text(const Scene &scene, const MeshErrors &errors)
+  std::string mesh_text(const RunPlan &plan, const MeshErrors &errors)
   {
     std::ostringstream text;
     text.precision(2);
-    text << "  " << elements_text(scene.discretization);
+    text << "  " << elements_text(plan.division);
     if (std::isfinite(errors.largest()))
       text << ": largest error " << errors.largest()
            << ", by comparison with finer elements";
-    if (scene.discretization.tolerance)
-      text << "; tolerance " << *scene.discretization.tolerance;
+    if (plan.scene.discretization.tolerance)
+      text << "; tolerance " << *plan.scene.discretization.tolerance;
     return text.str();
   }
 
-  Json json_of(const Scene &scene, const MeshErrors &errors)
+  Json json_of(const RunPlan &plan, const MeshErrors &errors)
   {
-    Json json = {{"order", scene.discretization.order},
-                 {"elements_per_strut",
-                  scene.discretization.common_division().n_elements},
+    Json json = {{"order", plan.division.order},
+                 {"elements_per_strut", plan.division.n_elements},
                  {"largest_error", errors.largest()},
                  {"missing_modes", errors.n_missing}};
-    if (scene.discretization.tolerance)
-      json["tolerance"] = *scene.discretization.tolerance;
+    if (plan.scene.discretization.tolerance)
+      json["tolerance"] = *plan.scene.discretization.tolerance;
     return json;
   }
 
   FinerRun::FinerRun(LatticeRun &coarse)
     : coarse(coarse)
-    , scene(with_finer_elements(coarse.scene))
-    , run(scene, coarse.model.numbering.layout().communicator())
+    , run(with_finer_elements(coarse.model.plan),
+          coarse.model.numbering.layout().communicator())
   {
     run.start();
   }

@@ -233,7 +233,7 @@ namespace auxfem
     {
       const ModesDefinition &asked = run.scene.modes;
       if (run.scene.analysis == Analysis::buckling)
-        return buckling_modes_of(run, "Analysis = buckling");
+        return buckling_modes_of(run, asked.number, "Analysis = buckling");
       if (!has_natural_modes(run.solver(), run.solution.state))
         return complex_modes(run.solver(),
                              run.solution.state,
@@ -253,36 +253,35 @@ namespace auxfem
         : "natural frequencies";
     }
 
-    /** @p scene with elements that carry the waves of its modes, where it asks
+    /** With elements that carry the waves of the modes, where the scene asks
      * for a choice. */
-    Scene with_elements_for_modes(Scene scene)
+    RunPlan plan_with_elements(const Scene &scene)
     {
       // Good enough to know the frequencies that the next ones are made for.
       constexpr double wanted = 0.01;
-      if (!scene.discretization.tolerance)
-        return scene;
-      choose_elements(scene.analysis == Analysis::buckling
-                        ? phase_of_buckling(scene, scene.modes.number)
-                        : phase_of_modes(scene, scene.modes.number),
-                      wanted,
-                      scene);
-      return scene;
+      RunPlan          plan   = plan_of_modes(scene);
+      if (scene.discretization.tolerance)
+        choose_elements(scene.analysis == Analysis::buckling
+                          ? phase_of_buckling(scene, scene.modes.number)
+                          : phase_of_modes(scene, scene.modes.number),
+                        wanted,
+                        plan);
+      return plan;
     }
 
-    /** Modes on the elements of a scene. */
+    /** Modes on the elements of a plan. */
     struct ModeComputation
     {
       /** Sets up. Throws InputError for what is wrong with the scene. */
-      ModeComputation(const Scene &given, const MPI_Comm communicator)
-        : scene(given)
-        , run(scene, communicator)
+      ModeComputation(const RunPlan &plan, const MPI_Comm communicator)
+        : run(plan, communicator)
       {
         run.prepare();
       }
 
       void find_modes()
       {
-        if (scene.time.static_start)
+        if (run.model.plan.time.static_start)
           run.start();
         found = modes_of(run);
         errors =
@@ -291,30 +290,37 @@ namespace auxfem
                      found);
       }
 
-      const Scene scene;
-      LatticeRun  run;
-      FoundModes  found;
-      MeshErrors  errors;
+      LatticeRun run;
+      FoundModes found;
+      MeshErrors errors;
     };
   } // namespace
 
-  Scene scene_of_modes(Scene scene)
+  RunPlan plan_of_modes(const Scene   &scene,
+                        const Analysis analysis,
+                        const bool     about_equilibrium)
   {
-    scene.time.static_start = scene.modes.about_equilibrium;
-    scene.initial_velocities.clear();
+    RunPlan plan(scene);
+    plan.analysis               = analysis;
+    plan.time.static_start      = about_equilibrium;
+    plan.has_initial_velocities = false;
     // At rest there are no loads, and none that changes the stiffness.
-    if (scene.analysis == Analysis::modes && !scene.modes.about_equilibrium)
-      scene.joint_loads.clear();
+    plan.has_joint_loads = analysis == Analysis::buckling || about_equilibrium;
     if (scene.modes.damped || scene.modes.relaxations > 0)
-      include_damping(scene);
-    if (scene.analysis == Analysis::buckling)
+      include_damping(plan.effects);
+    if (analysis == Analysis::buckling)
       {
-        scene.time.scheme             = std::make_shared<QuasiStatic>();
-        scene.time.relative_tolerance = std::nullopt;
-        scene.effects.inertia         = Switch::automatic;
-        scene.effects.large_rotation  = Switch::on;
+        plan.time.scheme             = std::make_shared<QuasiStatic>();
+        plan.time.relative_tolerance = std::nullopt;
+        plan.effects.inertia         = Switch::automatic;
+        plan.effects.large_rotation  = Switch::on;
       }
-    return scene;
+    return plan;
+  }
+
+  RunPlan plan_of_modes(const Scene &scene)
+  {
+    return plan_of_modes(scene, scene.analysis, scene.modes.about_equilibrium);
   }
 
   BucklingLoads buckling_loads(const Scene &scene)
@@ -323,14 +329,16 @@ namespace auxfem
             scene.modes.reversed_loads};
   }
 
-  BucklingModes buckling_modes_of(LatticeRun &run, const std::string &purpose)
+  BucklingModes buckling_modes_of(LatticeRun        &run,
+                                  const unsigned int n,
+                                  const std::string &purpose)
   {
     try
       {
         return buckling_modes(run.solver(),
                               run.solution.state,
                               buckling_loads(run.scene),
-                              run.scene.modes.number);
+                              n);
       }
     catch (const InputError &error)
       {
@@ -351,33 +359,30 @@ namespace auxfem
     return mode_contents().names();
   }
 
-  RunResult run_modes(const Scene         &given,
+  RunResult run_modes(const Scene         &scene,
                       const MPI_Comm       communicator,
                       const FolderOptions &options)
   {
-    const Scene base = scene_of_modes(given);
+    const RunPlan first = plan_with_elements(scene);
     // Mistakes it finds must not cost the results of an earlier run.
-    auto computation =
-      std::make_unique<ModeComputation>(with_elements_for_modes(base),
-                                        communicator);
+    auto computation = std::make_unique<ModeComputation>(first, communicator);
     const SignalsWaitForStep signals;
-    RunReport                report(base,
+    RunReport                report(scene,
                      computation->run.equations,
                      options.rules,
                      mode_contents());
     computation->find_modes();
-    const Scene first = computation->scene;
-    for (Scene scene = first; !are_accepted(scene, computation->errors) &&
-         refine_elements(first, computation->errors, scene);)
+    for (RunPlan plan = first; !are_accepted(scene, computation->errors) &&
+         refine_elements(first, computation->errors, plan);)
       {
         const Work before = computation->run.work();
         computation.reset();
-        computation = std::make_unique<ModeComputation>(scene, communicator);
+        computation = std::make_unique<ModeComputation>(plan, communicator);
         computation->run.add_effort(before);
         computation->find_modes();
       }
-    const Scene      &scene = computation->scene;
     LatticeRun       &run   = computation->run;
+    const RunPlan    &plan  = run.model.plan;
     const FoundModes &found = computation->found;
     const MeshErrors &mesh  = computation->errors;
     const ToldModes   told_modes =
@@ -390,7 +395,7 @@ namespace auxfem
     result.exit_state = "completed";
     result.work       = run.work();
     result.findings   = told_modes.findings;
-    for (Finding &finding : findings_of_mesh(scene, mesh, values_name(found)))
+    for (Finding &finding : findings_of_mesh(plan, mesh, values_name(found)))
       result.findings.push_back(std::move(finding));
 
     on_first_rank(communicator, [&]() {
@@ -400,7 +405,7 @@ namespace auxfem
         },
         found);
       report.print(told_modes.table);
-      report.print(mesh_text(scene, mesh));
+      report.print(mesh_text(plan, mesh));
       report.print(told_modes.closing_words);
       if (relaxing)
         {
@@ -419,16 +424,15 @@ namespace auxfem
         }
     on_first_rank(communicator, [&]() {
       Json summary        = json_of(scene, told_modes, relaxing);
-      summary["elements"] = json_of(scene, mesh);
+      summary["elements"] = json_of(plan, mesh);
       report.finish(summary, result.findings);
     });
     return result;
   }
 
-  void check_modes(const Scene &given, const MPI_Comm communicator)
+  void check_modes(const Scene &scene, const MPI_Comm communicator)
   {
-    const Scene scene = with_elements_for_modes(scene_of_modes(given));
-    LatticeRun  run(scene, communicator);
+    LatticeRun run(plan_with_elements(scene), communicator);
     run.prepare();
     print_overview(scene, run.equations);
   }

@@ -152,7 +152,7 @@ namespace auxfem
             rule.motion_between_searches(model.mean_strut_length))
         , end_time(run.equations.layout().path
                      ? std::numeric_limits<double>::infinity()
-                     : run.scene.time.end_time)
+                     : run.plan.time.end_time)
         , touched(run.statistics.occurrences("struts that touch"))
         , crossed(run.statistics.occurrences("struts that cross"))
       {}
@@ -224,7 +224,7 @@ namespace auxfem
         if (equations.layout().path)
           return "load it in steps with Analysis = simulation and Scheme = "
                  "static.";
-        return model.simulated.large_rotation
+        return model.plan.simulated.large_rotation
           ? "leave Effects/Contact at auto."
           : "leave Effects/Large rotation and Effects/Contact at auto.";
       }

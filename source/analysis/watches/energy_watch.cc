@@ -9,12 +9,12 @@ namespace auxfem
 {
   namespace
   {
-    bool has_loads_at_start(const Scene &scene)
+    bool has_loads_at_start(const RunPlan &plan)
     {
-      std::vector<TimeFunction> functions = functions_of_time(scene);
+      std::vector<TimeFunction> functions = functions_of_time(plan);
       functions.insert(functions.end(),
-                       scene.gravity.acceleration.begin(),
-                       scene.gravity.acceleration.end());
+                       plan.scene.gravity.acceleration.begin(),
+                       plan.scene.gravity.acceleration.end());
       return std::any_of(functions.begin(),
                          functions.end(),
                          [](const TimeFunction &function) {
@@ -26,9 +26,9 @@ namespace auxfem
 
     Kind kind_of(const Equations &equations)
     {
-      return equations.model().simulated.inertia ? Kind::motion
-        : equations.layout().path                ? Kind::static_path
-                                                 : Kind::static_steps;
+      return equations.model().plan.simulated.inertia ? Kind::motion
+        : equations.layout().path                     ? Kind::static_path
+                                                      : Kind::static_steps;
     }
 
     class EnergyWatch : public Watch
@@ -38,7 +38,7 @@ namespace auxfem
         : equations(run.equations)
         , judgement(kind_of(run.equations))
         , starts_with_loads(kind_of(run.equations) == Kind::static_steps &&
-                            has_loads_at_start(run.scene))
+                            has_loads_at_start(run.plan))
       {}
 
       void start(const State &state) override

@@ -95,9 +95,9 @@ namespace auxfem
     {
     public:
       explicit ImpactWatch(const WatchedRun &run)
-        : time(run.scene.time)
+        : time(run.plan.time)
         , equations(run.equations)
-        , mass(total_mass(run.scene, run.equations))
+        , mass(total_mass(run.equations))
         , kinetic(run.statistics.number("impacts: largest kinetic energy (J)"))
         , unresolved(
             run.statistics.number("impacts: impulse not resolved (N s)"))

@@ -33,8 +33,8 @@ namespace auxfem
     public:
       explicit LoadSpeedWatch(const WatchedRun &run)
         : layout(run.equations.unknowns().layout)
-        , masses(all_masses(run.scene, run.equations))
-        , scene_step(run.scene.time.step)
+        , masses(all_masses(run.equations))
+        , scene_step(run.plan.time.step)
         , kinetic(run.statistics.largest("speed of loads: kinetic energy (J)"))
         , work(run.statistics.number("speed of loads: work (J)"))
         , dissipated(run.statistics.number("speed of loads: dissipated (J)"))

@@ -37,15 +37,15 @@ namespace auxfem
     {
     public:
       explicit LoadStepWatch(const WatchedRun &run)
-        : scene_step(run.scene.time.step)
-        , scheme(run.scene.time.implicit_scheme())
+        : scene_step(run.plan.time.step)
+        , scheme(run.plan.time.implicit_scheme())
         , time(run.statistics.number("loads within steps: time (s)"))
       {
-        for (const auto &loads : run.scene.joint_loads)
+        for (const auto &loads : run.plan.joint_loads())
           add(loads.components, run.statistics);
-        for (const auto &loads : run.scene.line_loads)
+        for (const auto &loads : run.plan.scene.line_loads)
           add(loads.components, run.statistics);
-        add(run.scene.gravity.acceleration, run.statistics);
+        add(run.plan.scene.gravity.acceleration, run.statistics);
       }
 
       void step(const Evaluation &step,

@@ -14,11 +14,11 @@ namespace auxfem
     {
     public:
       explicit PlateCrossingWatch(const WatchedRun &run)
-        : scene(run.scene)
+        : scene(run.plan.scene)
         , axes(make_contact_axes(run.equations.model(),
-                                 run.scene.contact.stiffness))
+                                 run.plan.scene.contact.stiffness))
         , curves(run.equations.model(), axes)
-        , proximity(run.scene, run.equations.model(), curves)
+        , proximity(run.equations.model(), curves)
         , in_plates(run.statistics.occurrences("struts in plates"))
       {}
 

@@ -116,11 +116,10 @@ namespace auxfem
       explicit SmallDisplacementWatch(const WatchedRun &run)
         : Watch(SamplingRate::single_steps)
         , layout(run.equations.unknowns().layout)
-        , scene(run.scene)
         , equations(run.equations)
-        , estimate(run.scene, run.equations)
-        , second_order(run.scene, run.equations)
-        , end_time(run.scene.time.end_time)
+        , estimate(run.equations)
+        , second_order(run.equations)
+        , end_time(run.plan.time.end_time)
         , work(run.work)
       {}
 
@@ -245,8 +244,7 @@ namespace auxfem
         const Equations *const exact = second_order.exact_equations();
         if (exact == nullptr)
           return;
-        LargeRotationErrorEstimator estimator(scene,
-                                              equations,
+        LargeRotationErrorEstimator estimator(equations,
                                               *exact,
                                               doubtful_displacement_error);
         const LargeRotationError    found = estimator.at(state.displacement);
@@ -274,7 +272,6 @@ namespace auxfem
       }
 
       const UnknownLayout            &layout;
-      const Scene                    &scene;
       const Equations                &equations;
       const SmallDisplacementEstimate estimate;
       SecondOrderEffect               second_order;

@@ -54,13 +54,11 @@ namespace auxfem
         }
     }
 
-    void add_joints(const Scene            &scene,
-                    const LatticeModel     &model,
-                    std::vector<PointMass> &masses)
+    void add_joints(const LatticeModel &model, std::vector<PointMass> &masses)
     {
-      for (const MassDefinition &mass : scene.masses)
+      for (const MassDefinition &mass : model.plan.scene.masses)
         for (const unsigned int joint :
-             joints_of(mass, model.lattice, scene.context))
+             joints_of(mass, model.lattice, model.plan.scene.context))
           {
             PointMass node{mass.mass, model.lattice.joints[joint], {}};
             for (unsigned int c = 0; c < 3; ++c)
@@ -88,13 +86,13 @@ namespace auxfem
     public:
       explicit SpinWatch(const WatchedRun &run)
         : layout(run.equations.unknowns().layout)
-        , tolerance(*run.scene.time.relative_tolerance)
+        , tolerance(*run.plan.time.relative_tolerance)
         , growth(run.statistics.number("spin: growth", 1))
         , time(run.statistics.number("spin: time (s)"))
         , turn(run.statistics.list("spin: turns"))
       {
         add_struts(run.equations.model(), masses);
-        add_joints(run.scene, run.equations.model(), masses);
+        add_joints(run.equations.model(), masses);
         turn = {1, 0, 0, 0, 1, 0, 0, 0, 1};
       }
 

@@ -19,9 +19,9 @@ namespace auxfem
     class ScratchTangent
     {
     public:
-      ScratchTangent(const Scene &scene, const Equations &equations, Work &work)
+      ScratchTangent(const Equations &equations, Work &work)
         : equations(equations)
-        , parameters(scene.solver)
+        , parameters(equations.model().plan.solver)
         , work(work)
       {}
 
@@ -102,8 +102,8 @@ namespace auxfem
     class FirstLoss
     {
     public:
-      FirstLoss(const Scene &scene, RunStatistics &statistics)
-        : scene(scene)
+      FirstLoss(const RunPlan &plan, RunStatistics &statistics)
+        : plan(plan)
         , is_lost(statistics.number("stability: is lost"))
         , time(statistics.number("stability: time of first loss (s)"))
         , location(statistics.text("stability: location"))
@@ -124,7 +124,7 @@ namespace auxfem
       /** Begins the sentence of a finding. */
       void write(std::ostream &text) const
       {
-        const std::string loads = load_values_text(scene, time);
+        const std::string loads = load_values_text(plan, time);
         text << "Stability is lost at about t = " << time << " s"
              << (loads.empty() ? "" : " (" + loads + ")")
              << (location.empty() ? "" : ", most at the " + location) << ": ";
@@ -136,9 +136,9 @@ namespace auxfem
       }
 
     private:
-      const Scene &scene;
-      double      &is_lost, &time; ///< 0 or 1; s
-      std::string &location;
+      const RunPlan &plan;
+      double        &is_lost, &time; ///< 0 or 1; s
+      std::string   &location;
     };
 
     /**
@@ -151,8 +151,8 @@ namespace auxfem
     {
     public:
       explicit EquilibriumWatch(const WatchedRun &run)
-        : scratch(run.scene, run.equations, run.work)
-        , first(run.scene, run.statistics)
+        : scratch(run.equations, run.work)
+        , first(run.plan, run.statistics)
         , most(run.statistics.number("stability: most negative modes"))
         , last(run.statistics.number("stability: last negative modes"))
         , is_least(run.statistics.number("stability: there may be more"))
@@ -249,9 +249,9 @@ namespace auxfem
     {
     public:
       explicit MotionWatch(const WatchedRun &run)
-        : scratch(run.scene, run.equations, run.work)
-        , end_time(run.scene.time.end_time)
-        , first(run.scene, run.statistics)
+        : scratch(run.equations, run.work)
+        , end_time(run.plan.time.end_time)
+        , first(run.plan, run.statistics)
         , exponent(run.statistics.number("stability: exponent"))
         , last_rate(run.statistics.number("stability: last rate (1/s)"))
         , last_time(run.statistics.number("stability: time of last rate (s)"))
@@ -341,7 +341,7 @@ namespace auxfem
 
   std::unique_ptr<Watch> make_stability_watch(const WatchedRun &run)
   {
-    if (run.equations.model().simulated.inertia)
+    if (run.equations.model().plan.simulated.inertia)
       return std::make_unique<MotionWatch>(run);
     return std::make_unique<EquilibriumWatch>(run);
   }

@@ -36,9 +36,9 @@ namespace auxfem
     public:
       explicit StepWatch(const WatchedRun &run)
         : Watch(SamplingRate::bursts)
-        , scene_step(run.scene.time.step)
-        , errors_are_estimated(run.scene.time.relative_tolerance.has_value())
-        , scheme(run.scene.time.implicit_scheme())
+        , scene_step(run.plan.time.step)
+        , errors_are_estimated(run.plan.time.relative_tolerance.has_value())
+        , scheme(run.plan.time.implicit_scheme())
         , equations(run.equations)
         , error(run.statistics.number("steps: error (m)"))
         , way(run.statistics.number("steps: way (m)"))

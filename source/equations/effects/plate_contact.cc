@@ -42,10 +42,10 @@ namespace auxfem
       : public ContactEffect<PlateContact, PlatePair, PlateTouch>
     {
     public:
-      PlateTouches(const Scene &scene, const LatticeModel &model)
-        : ContactEffect(scene, model)
+      explicit PlateTouches(const LatticeModel &model)
+        : ContactEffect(model)
         , points_of_axes(model, axes)
-        , proximity(scene, model, curves)
+        , proximity(model, curves)
       {
         proximity.refuse_bad_plates();
       }
@@ -466,9 +466,8 @@ namespace auxfem
   } // namespace
 
 
-  std::unique_ptr<PlateContact> make_plate_contact(const Scene        &scene,
-                                                   const LatticeModel &model)
+  std::unique_ptr<PlateContact> make_plate_contact(const LatticeModel &model)
   {
-    return std::make_unique<PlateTouches>(scene, model);
+    return std::make_unique<PlateTouches>(model);
   }
 } // namespace auxfem

@@ -25,7 +25,7 @@ namespace auxfem
     public:
       explicit SpinHolds(const LatticeModel &model)
         : numbering(model.numbering)
-        , is_large(model.simulated.large_rotation)
+        , is_large(model.plan.simulated.large_rotation)
       {
         for (const FreeSpin &spin : model.free_spins)
           for (unsigned int e = 0; e < numbering.elements().size(); ++e)

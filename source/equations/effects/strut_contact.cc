@@ -13,8 +13,8 @@ namespace auxfem
       : public ContactEffect<StrutContact, AxisPair, StrutTouch>
     {
     public:
-      StrutTouches(const Scene &scene, const LatticeModel &model)
-        : ContactEffect(scene, model)
+      explicit StrutTouches(const LatticeModel &model)
+        : ContactEffect(model)
         , points_of_axes(curves, dimension)
         , proximity(model, curves)
       {}
@@ -420,9 +420,8 @@ namespace auxfem
   } // namespace
 
 
-  std::unique_ptr<StrutContact> make_strut_contact(const Scene        &scene,
-                                                   const LatticeModel &model)
+  std::unique_ptr<StrutContact> make_strut_contact(const LatticeModel &model)
   {
-    return std::make_unique<StrutTouches>(scene, model);
+    return std::make_unique<StrutTouches>(model);
   }
 } // namespace auxfem

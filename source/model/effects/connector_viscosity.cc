@@ -10,13 +10,13 @@ namespace auxfem
   namespace
   {
     /** Stiffness (N/m) of the softest strut at its tip, 3 EI / L^3. */
-    double softest_strut(const Scene &scene, const Lattice &lattice)
+    double softest_strut(const RunPlan &plan, const Lattice &lattice)
     {
       double softest = std::numeric_limits<double>::infinity();
       for (const Strut &strut : lattice.struts)
         if (!strut.is_rigid())
           {
-            const Section &section = scene.sections[strut.section].section;
+            const Section &section = plan.scene.sections[strut.section].section;
             const double   bending = lattice.dimension == 2
                 ? section.bending_stiffness_3()
                 : std::min(section.bending_stiffness_2(),
@@ -41,21 +41,21 @@ namespace auxfem
     }
 
     std::optional<EffectMeasure>
-    measure_connector_viscosity(const Scene &scene, const Lattice &lattice)
+    measure_connector_viscosity(const RunPlan &plan, const Lattice &lattice)
     {
-      const double     of_struts = softest_strut(scene, lattice);
-      const LoadCourse course    = load_course(scene);
+      const double     of_struts = softest_strut(plan, lattice);
+      const LoadCourse course    = load_course(plan);
       if (!(course.rate > 0))
         return EffectMeasure{0, "the connectors' stiffness"};
       double largest = 0;
-      for (const ConnectorDefinition &connector : scene.connectors)
+      for (const ConnectorDefinition &connector : plan.scene.connectors)
         if (connector.law->is_viscous())
           {
             const double now = ramp_stiffness(*connector.law, 1 / course.rate);
             const double later = connector.law->long_time_stiffness();
             largest = std::max(largest, (now - later) / (now + of_struts));
           }
-      return EffectMeasure{course.lost(scene, largest),
+      return EffectMeasure{course.lost(plan, largest),
                            "the connectors' stiffness"};
     }
   } // namespace
@@ -65,11 +65,11 @@ namespace auxfem
     return {"connector viscosity",
             &EffectSwitches::connector_viscosity,
             &SimulatedEffects::connector_viscosity,
-            [](const Scene &scene) -> EffectCause {
-              if (scene.analysis == Analysis::static_path)
+            [](const RunPlan &plan) -> EffectCause {
+              if (plan.analysis == Analysis::static_path)
                 return {false, no_rates_on_paths};
-              return {std::any_of(scene.connectors.begin(),
-                                  scene.connectors.end(),
+              return {std::any_of(plan.scene.connectors.begin(),
+                                  plan.scene.connectors.end(),
                                   [](const ConnectorDefinition &c) {
                                     return c.law->is_viscous();
                                   }),

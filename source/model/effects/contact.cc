@@ -19,18 +19,20 @@ namespace auxfem
         analysis != Analysis::buckling;
     }
 
-    EffectCause cause_of_contact(const Scene &scene)
+    EffectCause cause_of_contact(const RunPlan &plan)
     {
-      if (!scene.plates.empty())
+      if (!plan.scene.plates.empty())
         return {true, "plates are given"};
-      if (scene.lattice.struts_may_cross)
+      if (plan.scene.lattice.struts_may_cross)
         return {false, "Lattice/Struts may cross = true"};
-      if (scene.effects.large_rotation == Switch::off)
+      if (plan.effects.large_rotation == Switch::off)
         return {false, struts_hardly_move};
-      if (std::none_of(scene.sections.begin(), scene.sections.end(), is_thick))
+      if (std::none_of(plan.scene.sections.begin(),
+                       plan.scene.sections.end(),
+                       is_thick))
         return {false, "no section has a thickness"};
-      if (scene.effects.contact == Switch::automatic &&
-          !follows_contact(scene.analysis))
+      if (plan.effects.contact == Switch::automatic &&
+          !follows_contact(plan.analysis))
         return {false, "struts that touch are told"};
       return {true, "struts may touch: forces where they are near"};
     }

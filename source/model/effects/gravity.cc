@@ -10,17 +10,18 @@ namespace auxfem
   namespace
   {
     /** Mass (kg) of struts, rigid parts and point masses. */
-    double total_mass(const Scene &scene, const Lattice &lattice)
+    double total_mass(const RunPlan &plan, const Lattice &lattice)
     {
       double mass = 0;
       for (const Strut &strut : lattice.struts)
         if (!strut.is_rigid())
-          mass += scene.sections[strut.section].section.mass_per_length() *
+          mass += plan.scene.sections[strut.section].section.mass_per_length() *
             lattice.length(strut);
       for (const RigidPart &part : lattice.rigid_parts)
         mass += part.mass;
-      for (const MassDefinition &point : scene.masses)
-        mass += point.mass * joints_of(point, lattice, scene.context).size();
+      for (const MassDefinition &point : plan.scene.masses)
+        mass +=
+          point.mass * joints_of(point, lattice, plan.scene.context).size();
       return mass;
     }
 
@@ -44,15 +45,16 @@ namespace auxfem
     }
 
     /** Sum of the largest values of all given forces (N). */
-    double given_forces(const Scene &scene, const Lattice &lattice)
+    double given_forces(const RunPlan &plan, const Lattice &lattice)
     {
       double sum = 0;
-      for (const JointLoadDefinition &load : scene.joint_loads)
-        sum += largest_length(load.components, scene.time.end_time) *
-          joints_of(load, lattice, scene.context).size();
-      for (const LineLoadDefinition &load : scene.line_loads)
-        for (const unsigned int s : struts_of(load, lattice, scene.context))
-          sum += largest_length(load.components, scene.time.end_time) *
+      for (const JointLoadDefinition &load : plan.joint_loads())
+        sum += largest_length(load.components, plan.time.end_time) *
+          joints_of(load, lattice, plan.scene.context).size();
+      for (const LineLoadDefinition &load : plan.scene.line_loads)
+        for (const unsigned int s :
+             struts_of(load, lattice, plan.scene.context))
+          sum += largest_length(load.components, plan.time.end_time) *
             lattice.length(lattice.struts[s]);
       return sum;
     }
@@ -61,13 +63,13 @@ namespace auxfem
      * Weight over the given forces. Motions and moments have no force to
      * compare with: nothing then.
      */
-    std::optional<EffectMeasure> measure_gravity(const Scene   &scene,
+    std::optional<EffectMeasure> measure_gravity(const RunPlan &plan,
                                                  const Lattice &lattice)
     {
       double forces = 0;
       try
         {
-          forces = given_forces(scene, lattice);
+          forces = given_forces(plan, lattice);
         }
       catch (const ComputationError &)
         {
@@ -75,8 +77,8 @@ namespace auxfem
         }
       if (!(forces > 0))
         return std::nullopt;
-      const double weight = total_mass(scene, lattice) *
-        largest_length(scene.gravity.acceleration, scene.time.end_time);
+      const double weight = total_mass(plan, lattice) *
+        largest_length(plan.scene.gravity.acceleration, plan.time.end_time);
       return EffectMeasure{std::min(1., weight / forces), "the loads"};
     }
   } // namespace
@@ -86,10 +88,11 @@ namespace auxfem
     return {"gravity",
             &EffectSwitches::gravity,
             &SimulatedEffects::gravity,
-            [](const Scene &scene) -> EffectCause {
-              return {!scene.gravity.is_zero(),
-                      scene.gravity.is_zero() ? "no acceleration given"
-                                              : "an acceleration is given"};
+            [](const RunPlan &plan) -> EffectCause {
+              return {!plan.scene.gravity.is_zero(),
+                      plan.scene.gravity.is_zero()
+                        ? "no acceleration given"
+                        : "an acceleration is given"};
             },
             measure_gravity};
   }

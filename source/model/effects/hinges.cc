@@ -9,10 +9,10 @@ namespace auxfem
   {
     /** Bending stiffness of a strut over its length (N m), the larger one. */
     double rotational_stiffness(const Strut   &strut,
-                                const Scene   &scene,
+                                const RunPlan &plan,
                                 const Lattice &lattice)
     {
-      const Section &section = scene.sections[strut.section].section;
+      const Section &section = plan.scene.sections[strut.section].section;
       const double   bending = lattice.dimension == 2
           ? section.bending_stiffness_3()
           : std::max(section.bending_stiffness_2(),
@@ -42,11 +42,11 @@ namespace auxfem
      */
     double added_compliance(const JointDefinition           &joint,
                             const std::vector<unsigned int> &joints,
-                            const Scene                     &scene,
+                            const RunPlan                   &plan,
                             const Lattice                   &lattice)
     {
       double largest = 0;
-      for (const unsigned int s : struts_of(joint, lattice, scene.context))
+      for (const unsigned int s : struts_of(joint, lattice, plan.scene.context))
         {
           const Strut &strut = lattice.struts[s];
           if (strut.is_rigid())
@@ -60,27 +60,27 @@ namespace auxfem
                                                       end);
                           });
           if (n_ends > 0)
-            largest = std::max(largest,
-                               3 * n_ends *
-                                 rotational_stiffness(strut, scene, lattice) /
-                                 joint.stiffness);
+            largest =
+              std::max(largest,
+                       3 * n_ends * rotational_stiffness(strut, plan, lattice) /
+                         joint.stiffness);
         }
       return largest;
     }
 
     /** Hinges have no measure: what is free to turn is another structure. */
-    std::optional<EffectMeasure> measure_hinges(const Scene   &scene,
+    std::optional<EffectMeasure> measure_hinges(const RunPlan &plan,
                                                 const Lattice &lattice)
     {
       double largest = 0;
-      for (const JointDefinition &joint : scene.joints)
+      for (const JointDefinition &joint : plan.scene.joints)
         {
-          const auto joints = joints_of(joint, lattice, scene.context);
+          const auto joints = joints_of(joint, lattice, plan.scene.context);
           if (joint.type != JointDefinition::Type::rotational_spring ||
               !(joint.stiffness > 0) || has_lone_end(joints, lattice))
             return std::nullopt;
           largest =
-            std::max(largest, added_compliance(joint, joints, scene, lattice));
+            std::max(largest, added_compliance(joint, joints, plan, lattice));
         }
       return EffectMeasure{std::min(1., largest), "the bending compliance"};
     }
@@ -91,10 +91,11 @@ namespace auxfem
     return {"hinges",
             &EffectSwitches::hinges,
             &SimulatedEffects::hinges,
-            [](const Scene &scene) -> EffectCause {
-              return {!scene.joints.empty(),
-                      scene.joints.empty() ? "no strut ends are released"
-                                           : "joints with released struts"};
+            [](const RunPlan &plan) -> EffectCause {
+              return {!plan.scene.joints.empty(),
+                      plan.scene.joints.empty()
+                        ? "no strut ends are released"
+                        : "joints with released struts"};
             },
             measure_hinges,
             [](const SimulatedEffects & /*before*/) -> std::string {

@@ -7,9 +7,9 @@ namespace auxfem
     return {"inertia",
             &EffectSwitches::inertia,
             &SimulatedEffects::inertia,
-            [](const Scene &scene) -> EffectCause {
-              return {scene.time.scheme->is_dynamic(),
-                      "time scheme " + scene.time.scheme->name()};
+            [](const RunPlan &plan) -> EffectCause {
+              return {plan.time.scheme->is_dynamic(),
+                      "time scheme " + plan.time.scheme->name()};
             }};
   }
 } // namespace auxfem

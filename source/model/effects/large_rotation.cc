@@ -7,7 +7,7 @@ namespace auxfem
     return {"large rotation",
             &EffectSwitches::large_rotation,
             &SimulatedEffects::large_rotation,
-            [](const Scene &) -> EffectCause {
+            [](const RunPlan &) -> EffectCause {
               return {true, "on by default"};
             }};
   }

@@ -23,12 +23,12 @@ namespace auxfem
         std::sqrt(mass / bending_stiffness) / 2;
     }
 
-    std::optional<EffectMeasure> measure_rotary_inertia(const Scene   &scene,
+    std::optional<EffectMeasure> measure_rotary_inertia(const RunPlan &plan,
                                                         const Lattice &lattice)
     {
-      const double frequency = resolved_frequency(scene);
+      const double frequency = resolved_frequency(plan);
       double       largest   = 0;
-      for (const SectionDefinition &definition : scene.sections)
+      for (const SectionDefinition &definition : plan.scene.sections)
         {
           const Section &section = definition.section;
           if (!(section.density > 0))
@@ -57,10 +57,10 @@ namespace auxfem
     return {"rotary inertia",
             &EffectSwitches::rotary_inertia,
             &SimulatedEffects::rotary_inertia,
-            [](const Scene &scene) -> EffectCause {
-              if (!scene.time.scheme->is_dynamic())
+            [](const RunPlan &plan) -> EffectCause {
+              if (!plan.time.scheme->is_dynamic())
                 return {false, "no inertia"};
-              return {!scene.sections.empty(), "no elastic struts"};
+              return {!plan.scene.sections.empty(), "no elastic struts"};
             },
             measure_rotary_inertia};
   }

@@ -35,15 +35,15 @@ namespace auxfem
 
     /** The largest part of shear in the compliance of the struts of a section.
      */
-    std::optional<EffectMeasure> measure_shear(const Scene   &scene,
+    std::optional<EffectMeasure> measure_shear(const RunPlan &plan,
                                                const Lattice &lattice)
     {
-      std::vector<Compliances> of_sections(scene.sections.size());
+      std::vector<Compliances> of_sections(plan.scene.sections.size());
       for (const Strut &strut : lattice.struts)
         if (!strut.is_rigid())
           {
             const Compliances added =
-              compliances(scene.sections[strut.section].section,
+              compliances(plan.scene.sections[strut.section].section,
                           lattice.length(strut),
                           lattice.dimension);
             of_sections[strut.section].shear += added.shear;
@@ -62,8 +62,8 @@ namespace auxfem
     return {"shear flexibility",
             &EffectSwitches::shear_flexibility,
             &SimulatedEffects::shear_flexibility,
-            [](const Scene &scene) -> EffectCause {
-              return {!scene.sections.empty(), "no elastic struts"};
+            [](const RunPlan &plan) -> EffectCause {
+              return {!plan.scene.sections.empty(), "no elastic struts"};
             },
             measure_shear};
   }

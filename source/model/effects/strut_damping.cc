@@ -13,13 +13,13 @@ namespace auxfem
         section.mass_proportional_damping > 0;
     }
 
-    std::optional<EffectMeasure> measure_strut_damping(const Scene &scene,
+    std::optional<EffectMeasure> measure_strut_damping(const RunPlan &plan,
                                                        const Lattice & /**/)
     {
-      const LoadCourse course       = load_course(scene);
-      const bool       moves        = scene.time.scheme->is_dynamic();
+      const LoadCourse course       = load_course(plan);
+      const bool       moves        = plan.time.scheme->is_dynamic();
       double           of_stiffness = 0, of_mass = 0;
-      for (const SectionDefinition &definition : scene.sections)
+      for (const SectionDefinition &definition : plan.scene.sections)
         {
           of_stiffness =
             std::max(of_stiffness,
@@ -33,7 +33,7 @@ namespace auxfem
         return std::nullopt;
       const double of_forces =
         of_stiffness * course.rate + (of_mass > 0 ? of_mass / course.rate : 0.);
-      return EffectMeasure{course.lost(scene, of_forces), "the struts' forces"};
+      return EffectMeasure{course.lost(plan, of_forces), "the struts' forces"};
     }
   } // namespace
 
@@ -42,12 +42,12 @@ namespace auxfem
     return {"strut damping",
             &EffectSwitches::strut_damping,
             &SimulatedEffects::strut_damping,
-            [](const Scene &scene) -> EffectCause {
-              if (scene.analysis == Analysis::static_path)
+            [](const RunPlan &plan) -> EffectCause {
+              if (plan.analysis == Analysis::static_path)
                 return {false, no_rates_on_paths};
               const bool given =
-                std::any_of(scene.sections.begin(),
-                            scene.sections.end(),
+                std::any_of(plan.scene.sections.begin(),
+                            plan.scene.sections.end(),
                             [](const SectionDefinition &definition) {
                               return is_damped(definition.section);
                             });

@@ -32,11 +32,11 @@ namespace
   {
     explicit PreparedRun(const SceneText &text,
                          const MPI_Comm   communicator = MPI_COMM_WORLD)
-      : scene(scene_of_modes(read_scene_from_text(text.str(), "test.prm")))
-      , run(scene, communicator)
+      : scene(read_scene_from_text(text.str(), "test.prm"))
+      , run(plan_of_modes(scene), communicator)
     {
       run.prepare();
-      if (scene.time.static_start)
+      if (run.model.plan.time.static_start)
         run.start();
     }
 

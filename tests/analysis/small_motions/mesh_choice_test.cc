@@ -43,11 +43,10 @@ namespace
                     const Find      &find,
                     const MPI_Comm   communicator)
   {
-    const Scene scene =
-      scene_of_modes(read_scene_from_text(text.str(), "test.prm", {}));
-    LatticeRun run(scene, communicator);
+    const Scene scene = read_scene_from_text(text.str(), "test.prm", {});
+    LatticeRun  run(plan_of_modes(scene), communicator);
     run.prepare();
-    if (scene.time.static_start)
+    if (run.model.plan.time.static_start)
       run.start();
     Modes found = find(run);
     errors      = estimate_errors(run, found);
@@ -76,7 +75,9 @@ namespace
     return with_errors<BucklingModes>(
       text.set("Analysis", "buckling"),
       errors,
-      [](LatticeRun &run) { return buckling_modes_of(run, "test"); },
+      [](LatticeRun &run) {
+        return buckling_modes_of(run, run.scene.modes.number, "test");
+      },
       communicator);
   }
 
@@ -215,18 +216,18 @@ TEST(MeshChoice, ElementsFollowTheDispersion)
   Scene scene;
   scene.context.dimension = 2;
   // (3! / 6!)^2 / 7 = 9.9e-6, (2! / 4!)^2 / 5 = 1.4e-3
-  choose_elements(/*phase=*/1, 1.1e-5, scene);
-  EXPECT_EQ(scene.discretization.order, 3u);
-  EXPECT_EQ(scene.discretization.refinements, 0u);
-  choose_elements(/*phase=*/1, 2e-3, scene);
-  EXPECT_EQ(scene.discretization.order, 2u);
-  const Scene first              = scene;
   scene.discretization.tolerance = 1e-4;
-  MeshErrors errors;
+  RunPlan plan(scene);
+  choose_elements(/*phase=*/1, 1.1e-5, plan);
+  EXPECT_EQ(plan.division, (StrutDivision{3, 1}));
+  choose_elements(/*phase=*/1, 2e-3, plan);
+  EXPECT_EQ(plan.division, (StrutDivision{2, 1}));
+  const RunPlan first = plan;
+  MeshErrors    errors;
   errors.relative = {1e-2, 1e-3};
   EXPECT_FALSE(are_accepted(scene, errors));
-  ASSERT_TRUE(refine_elements(first, errors, scene));
-  EXPECT_GT(scene.discretization.common_division().n_inner_nodes(), 1u);
+  ASSERT_TRUE(refine_elements(first, errors, plan));
+  EXPECT_GT(plan.division.n_inner_nodes(), 1u);
   errors.relative = {1e-5};
   EXPECT_TRUE(are_accepted(scene, errors));
   errors.n_missing = 1;

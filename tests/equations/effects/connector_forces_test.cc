@@ -462,10 +462,10 @@ TEST(ConnectorForces, ANonlinearLawMakesAllEquationsNonlinear)
                                      {"Effects/Large rotation=off"});
   const Lattice lattice = build_lattice(scene);
   const LatticeModel model(scene, lattice, MPI_COMM_SELF);
-  EXPECT_TRUE(Equations(scene, model).is_linear());
+  EXPECT_TRUE(Equations(model).is_linear());
 
   scene.connectors[0].law = std::make_shared<CubicSpring>(5.);
-  const Equations equations(scene, model);
+  const Equations equations(model);
   EXPECT_FALSE(equations.is_linear());
 
   // Of the tangent only the connector's part changes with the displacement:

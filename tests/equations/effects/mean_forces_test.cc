@@ -144,12 +144,7 @@ TEST(MeanForces, LoadsDoTheWorkTheyTakeDown)
                            "Joints = 1, 2 | Direction = " + direction +
                              " | Force x = 3 * t | "
                              "Force y = 2 - t | Moment z = 1.5 + t"));
-      auto     loads = make_loads(step.of_scene.scene,
-                              step.of_scene.lattice,
-                              step.of_scene.dofs(),
-                              step.of_scene.model.sections,
-                              step.of_scene.model.bodies,
-                              step.of_scene.model.simulated);
+      auto     loads = make_loads(step.of_scene.model);
       ASSERT_EQ(loads.size(), 1u) << direction;
       step.make_room_for(*loads[0]);
       const EvaluatedAlone evaluated(*loads[0], step.evaluation());
@@ -166,12 +161,7 @@ TEST(MeanForces, MeanOfADeadMomentDoesItsWorkOnTheAngle)
   MeanStep  step(frame_scene("0 0; 3 1; 1 2", "0 1; 1 2")
                   .add("Loads/push", "Joints = 1 | Moment z = 1.5"));
   const int i     = step.of_scene.dofs().joint_unknown(1, rotation_z);
-  auto      loads = make_loads(step.of_scene.scene,
-                          step.of_scene.lattice,
-                          step.of_scene.dofs(),
-                          step.of_scene.model.sections,
-                          step.of_scene.model.bodies,
-                          step.of_scene.model.simulated);
+  auto      loads = make_loads(step.of_scene.model);
   step.make_room_for(*loads[0]);
   EXPECT_NEAR(EvaluatedAlone(*loads[0], step.evaluation()).accept().external(),
               1.5 * (step.to.displacement[i] - step.from.displacement[i]),

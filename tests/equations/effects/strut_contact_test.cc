@@ -34,7 +34,7 @@ namespace
   {
     Pressed(const SceneText &text, const unsigned int seed)
       : of_scene(text.str(), {}, MPI_COMM_SELF)
-      , kept(make_strut_contact(of_scene.scene, of_scene.model))
+      , kept(make_strut_contact(of_scene.model))
       , effect(*kept)
       , from(of_scene.equations.initial_state())
       , to(from)

@@ -79,9 +79,9 @@ namespace auxfem
     TangentMatrix        imaginary;
   };
 
-  /** Turns on what of damping is `auto` in @p scene: how fast loads are tells
-   * nothing of vibrations. */
-  void include_damping(Scene &scene);
+  /** Turns on the damping that is `auto`: the speed of loads tells nothing of
+   * vibrations. */
+  void include_damping(EffectSwitches &effects);
 } // namespace auxfem
 
 #endif

@@ -35,37 +35,38 @@ namespace auxfem
   double phase_at(const Scene &scene, double omega);
 
   /**
-   * Gives all struts of @p scene the fewest unknowns with which waves have a
+   * Gives all struts of @p plan the fewest unknowns with which waves have a
    * relative error of @p wanted, by the dispersion of elements of order p
    * (Ainsworth 2004): (p! / (2 p)!)^2 / (2 p + 1) (phase of an element)^(2 p).
    * @param phase of the shortest wave along a strut (rad)
    */
-  void choose_elements(double phase, double wanted, Scene &scene);
+  void choose_elements(double phase, double wanted, RunPlan &plan);
 
   /**
-   * Gives all struts of @p scene more unknowns, with which @p errors meet its
+   * Gives all struts of @p plan more unknowns, with which @p errors meet its
    * tolerance if they follow that dispersion.
-   * @param first the scene with the elements that were chosen first
+   * @param first the plan with the elements that were chosen first
    * Returns false if there are no such elements.
    */
-  bool
-  refine_elements(const Scene &first, const MeshErrors &errors, Scene &scene);
+  bool refine_elements(const RunPlan    &first,
+                       const MeshErrors &errors,
+                       RunPlan          &plan);
 
   /** Whether @p errors meet the tolerance of @p scene, or elements are given.
    */
   bool are_accepted(const Scene &scene, const MeshErrors &errors);
 
-  /** Findings on the elements of @p scene.
+  /** Findings on the elements of @p plan.
    * @param values what errs, e.g. `natural frequencies` */
-  std::vector<Finding> findings_of_mesh(const Scene       &scene,
+  std::vector<Finding> findings_of_mesh(const RunPlan     &plan,
                                         const MeshErrors  &errors,
                                         const std::string &values);
 
   /** A line on elements and errors, without the last line break. */
-  std::string mesh_text(const Scene &scene, const MeshErrors &errors);
+  std::string mesh_text(const RunPlan &plan, const MeshErrors &errors);
 
   /** The same for summary.json. */
-  Json json_of(const Scene &scene, const MeshErrors &errors);
+  Json json_of(const RunPlan &plan, const MeshErrors &errors);
 
   /** The same scene on elements of half the length and one order more, beside
    * the run that it judges. */
@@ -102,7 +103,6 @@ namespace auxfem
 
   private:
     LatticeRun &coarse;
-    const Scene scene;
     LatticeRun  run;
   };
 } // namespace auxfem

@@ -24,18 +24,25 @@ namespace auxfem
   /** The dry run: builds everything, prints counts and effects. Collective. */
   void check_modes(const Scene &scene, MPI_Comm communicator);
 
-  /** @p scene as modes look at it: at t = 0 and at rest. */
-  Scene scene_of_modes(Scene scene);
+  /** Modes are those at t = 0, at rest or about an equilibrium.
+   * @param analysis modes or buckling */
+  RunPlan
+  plan_of_modes(const Scene &scene, Analysis analysis, bool about_equilibrium);
+
+  /** The modes that @p scene asks for. */
+  RunPlan plan_of_modes(const Scene &scene);
 
   /** Which loads the scene asks to multiply. */
   BucklingLoads buckling_loads(const Scene &scene);
 
   /**
-   * Those that the scene of @p run asks for, which has started. Throws as
-   * buckling_modes(), with messages that begin with @p purpose: the parameter
-   * that asks for the modes. Collective.
+   * The first @p n under the loads that the scene of @p run asks for, which has
+   * started. Throws as buckling_modes(), with messages that begin with
+   * @p purpose: the parameter that asks for the modes. Collective.
    */
-  BucklingModes buckling_modes_of(LatticeRun &run, const std::string &purpose);
+  BucklingModes buckling_modes_of(LatticeRun        &run,
+                                  unsigned int       n,
+                                  const std::string &purpose);
 
   /** Names of files that tell of modes, of any number of them. */
   std::vector<std::string> modes_files();

@@ -3,7 +3,6 @@
 
 #include <auxfem/equations/effect.h>
 #include <auxfem/equations/first_contact_detector.h>
-#include <auxfem/scene/scene.h>
 
 #include <optional>
 #include <string>
@@ -119,15 +118,13 @@ namespace auxfem
     virtual const std::vector<StrutOverlap> &overlaps() const = 0;
   };
 
-  /** @name Contact in a scene; @p scene, @p model must outlive it. Collective. */
+  /** @name Contact in a scene; @p model must outlive it. Collective. */
   ///@{
   /** Throws InputError for struts without thickness, and for such as lie in a
    * plate at rest. */
-  std::unique_ptr<PlateContact> make_plate_contact(const Scene        &scene,
-                                                   const LatticeModel &model);
+  std::unique_ptr<PlateContact> make_plate_contact(const LatticeModel &model);
 
-  std::unique_ptr<StrutContact> make_strut_contact(const Scene        &scene,
-                                                   const LatticeModel &model);
+  std::unique_ptr<StrutContact> make_strut_contact(const LatticeModel &model);
   ///@}
 } // namespace auxfem
 

@@ -142,12 +142,12 @@ namespace auxfem
       std::vector<int> unknowns;
     };
 
-    ContactEffect(const Scene &scene, const LatticeModel &model)
+    explicit ContactEffect(const LatticeModel &model)
       : model(model)
-      , parameters(scene.contact)
-      , friction{scene.contact.friction, scene.contact.slip_velocity}
+      , parameters(model.plan.scene.contact)
+      , friction{parameters.friction, parameters.slip_velocity}
       , dimension(model.lattice.dimension)
-      , axes(make_contact_axes(model, scene.contact.stiffness))
+      , axes(make_contact_axes(model, parameters.stiffness))
       , curves(model, axes)
     {}
 
