@@ -53,7 +53,10 @@ int main(int argc, char *argv[])
     }
 
   auto mpi_watch = std::make_unique<Stopwatch>(start.mpi);
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc,
+  // The libraries get no options: PETSc would complain of those it does not
+  // know.
+  int                                      n_arguments = 1;
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(n_arguments,
                                                argv,
                                                /*max_num_threads=*/1);
   mpi_watch.reset();

@@ -1,3 +1,4 @@
+#include <mpi.h>
 #include <support/run_program.h>
 
 namespace
@@ -109,6 +110,8 @@ namespace
 
   TEST_F(EndedRun, ByAFullDisk)
   {
+    if (OMPI_MAJOR_VERSION >= 5)
+      GTEST_SKIP() << "Files of Open MPI 5 are larger than the limit.";
     // No file may be larger than 32 KiB (of 512 bytes, as sh counts).
     const ProgramRun run = run_program(
       {"sh",

@@ -1,5 +1,6 @@
 #include <auxfem/start_up.h>
 
+#include <mpi.h>
 #include <support/run_program.h>
 
 #include <limits>
@@ -126,6 +127,8 @@ namespace
 
   TEST_F(StartOfProgram, OneProcessSharesNoTemporaryFolderWithOthers)
   {
+    if (OMPI_MAJOR_VERSION >= 5)
+      GTEST_SKIP() << "Open MPI 5 makes a folder for one process too.";
     // Where none can be made, nothing is to be missed.
     write("a-file", "");
     const Variable   temporary("TMPDIR", path("a-file").c_str());
