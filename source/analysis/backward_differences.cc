@@ -22,7 +22,8 @@ namespace auxfem
       }
     times.push_back(time);
     values.push_back(&now);
-    Vector result(now.size(), 0.);
+    // Later values may have further ghosts.
+    Vector result(values.front()->size(), 0.);
     for (unsigned int i = 0; i <= order; ++i)
       {
         double weight = 1;
@@ -50,9 +51,9 @@ namespace auxfem
     samples.resize(n);
     for (std::size_t i = 0; i < n; ++i)
       {
-        const std::string of_sample = name + " " + std::to_string(i);
-        archive.values(of_sample + ": time", samples[i].time);
-        unknowns.serialize(of_sample, samples[i].value, archive);
+        const std::string sample_name = name + " " + std::to_string(i);
+        archive.values(sample_name + ": time", samples[i].time);
+        unknowns.serialize(sample_name, samples[i].value, archive);
       }
   }
 } // namespace auxfem

@@ -159,13 +159,19 @@ namespace auxfem
     recorder.serialize(solution, archive);
   }
 
-  Records LatticeRun::checkpoint(Recorder &recorder)
+  Records LatticeRun::last_checkpoint(Recorder &recorder)
   {
     Records           taken;
     CheckpointArchive archive =
       CheckpointArchive::saving(taken, model.numbering.layout());
     serialize(archive, recorder);
     model.plan.save(taken);
+    return taken;
+  }
+
+  Records LatticeRun::checkpoint(Recorder &recorder)
+  {
+    Records taken = last_checkpoint(recorder);
     stepper.restart(solution);
     return taken;
   }
@@ -195,8 +201,11 @@ namespace auxfem
           }
         const StepReport report = advance(recorder);
         recorder.step(solution, report);
-        const bool has_ended = solution.state.time >= model.plan.time.end_time;
-        if (interval > 0 && (has_ended || solution.state.step % interval == 0))
+        if (interval == 0)
+          continue;
+        if (solution.state.time >= model.plan.time.end_time)
+          recorder.take(last_checkpoint(recorder));
+        else if (solution.state.step % interval == 0)
           recorder.take(checkpoint(recorder));
       }
     recorder.keep_checkpoint();
@@ -221,10 +230,10 @@ namespace auxfem
     recorder.start(solution);
   }
 
-  void LatticeRun::set_limit(SmallDisplacementLimit &of_run)
+  void LatticeRun::set_limit(SmallDisplacementLimit &new_limit)
   {
-    limit = &of_run;
-    stepper.set_limit(of_run);
+    limit = &new_limit;
+    stepper.set_limit(new_limit);
   }
 
   Work LatticeRun::work_of_all() const

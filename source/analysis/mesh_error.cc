@@ -211,16 +211,16 @@ namespace auxfem
 
   void MeshErrorObserver::add_to(RunResult &result) const
   {
-    OrderReport of_run     = report;
-    of_run.estimated_error = estimate.relative();
-    of_run.cpu_seconds_of_estimates =
+    OrderReport final_report     = report;
+    final_report.estimated_error = estimate.relative();
+    final_report.cpu_seconds_of_estimates =
       dealii::Utilities::MPI::sum(seconds, communicator);
     // Estimates are good to a factor.
-    if (*of_run.estimated_error > 2 * of_run.tolerance)
-      result.findings.push_back(missed_tolerance(of_run, result.time));
+    if (*final_report.estimated_error > 2 * final_report.tolerance)
+      result.findings.push_back(missed_tolerance(final_report, result.time));
     if (const unsigned int n = n_vibrating(result.time); n > 0)
       result.findings.push_back(own_vibrations(n));
-    result.orders = of_run;
+    result.orders = final_report;
   }
 
   unsigned int MeshErrorObserver::n_vibrating(const double time) const

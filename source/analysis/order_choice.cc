@@ -131,11 +131,14 @@ namespace auxfem
           errors_of_division(model, seen, tried, division);
         for (std::size_t k = 0; k < tried.size(); ++k)
           {
-            BestElements &of_strut = best[tried[k]];
-            const bool    is_good  = errors[k] <= allowed;
+            BestElements &best_of_strut = best[tried[k]];
+            const bool    is_good       = errors[k] <= allowed;
             // Half the error is no gain: it may be of round-off.
-            if (is_good || errors[k] <= of_strut.error / 4)
-              of_strut = {division, errors[k], is_good, of_strut.n_in_vain};
+            if (is_good || errors[k] <= best_of_strut.error / 4)
+              best_of_strut = {division,
+                               errors[k],
+                               is_good,
+                               best_of_strut.n_in_vain};
           }
       }
 

@@ -213,12 +213,6 @@ namespace auxfem
     samples.add(state.time, state.displacement);
   }
 
-  void StepError::forget()
-  {
-    displacements.clear();
-    samples.clear();
-  }
-
   double StepError::reference(const Motions &motions) const
   {
     return motions.absolute_tolerance
@@ -270,8 +264,7 @@ namespace auxfem
         archive.values(name, motions.largest, motions.slow_third_derivative);
         motions.error.serialize(name + ", accumulated", archive);
       }
-    const UnknownRecords unknowns(equations.model().numbering,
-                                  equations.unknowns().layout);
+    const UnknownRecords unknowns(equations.model().numbering);
     displacements.serialize("step error: displacements at steps",
                             unknowns,
                             archive);

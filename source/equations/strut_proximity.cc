@@ -51,9 +51,7 @@ namespace auxfem
       }
     turned_at.assign(n_values, 0.);
     find_nodes();
-    for (const AxisPair &pair : curves.connected())
-      for (const unsigned int axis : pair)
-        turning_due[axis] = 0;
+    forget_turning();
     find_near_at_rest();
   }
 
@@ -277,6 +275,15 @@ namespace auxfem
     return least;
   }
 
+  void StrutProximity::forget_turning()
+  {
+    // So little that every axis has turned by it.
+    allowed_turning.assign(allowed_turning.size(), 0.);
+    for (const AxisPair &pair : curves.connected())
+      for (const unsigned int axis : pair)
+        turning_due[axis] = 0;
+  }
+
   void StrutProximity::remember_turning(const unsigned int         axis,
                                         const std::vector<double> &u)
   {
@@ -425,6 +432,11 @@ namespace auxfem
     travelled += way;
     if (travelled >= list_due)
       set_pairs_in_reach(pairs_in_boxes(u, u, reach / 2));
+    return look(u);
+  }
+
+  bool StrutProximity::look(const std::vector<double> &u)
+  {
     look_at_pairs(u);
     look_at_connected(u);
     const bool has_changed = collect_near(u);
@@ -440,17 +452,9 @@ namespace auxfem
     travelled = 0;
     looked    = u;
     connected.assign(connected.size(), {});
-    // So little that every axis has turned by it.
-    allowed_turning.assign(allowed_turning.size(), 0.);
-    for (const AxisPair &pair : curves.connected())
-      for (const unsigned int axis : pair)
-        turning_due[axis] = 0;
+    forget_turning();
     set_pairs_in_reach(pairs_in_boxes(u, u, reach / 2));
-    look_at_pairs(u);
-    look_at_connected(u);
-    const bool has_changed = collect_near(u);
-    touches_soon           = some_may_touch(u);
-    return has_changed;
+    return look(u);
   }
 
   bool StrutProximity::comes_too_near(const AxisPair            &pair,

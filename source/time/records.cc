@@ -39,24 +39,6 @@ namespace auxfem
         records.back().items.size() * records.back().values_per_item;
   }
 
-  void copy_common(const RecordLayout        &from_layout,
-                   const std::vector<double> &from,
-                   const RecordLayout        &to_layout,
-                   std::vector<double>       &to)
-  {
-    for (const Record &source : from_layout.list())
-      for (const Record &target : to_layout.list())
-        if (source.name == target.name)
-          {
-            Assert(source.items == target.items &&
-                     source.values_per_item == target.values_per_item,
-                   dealii::ExcInternalError());
-            std::copy_n(from.begin() + source.first,
-                        source.items.size() * source.values_per_item,
-                        to.begin() + target.first);
-          }
-  }
-
   void Records::keep(const std::string        &name,
                      std::vector<unsigned int> items,
                      const unsigned int        values_per_item,
@@ -116,28 +98,6 @@ namespace auxfem
                        [&](const KeptRecord &kept) {
                          return kept.name == name;
                        });
-  }
-
-  void Records::keep_all(const std::string &owner, Records others)
-  {
-    for (KeptRecord &record : others.records)
-      {
-        record.name = owner + ": " + record.name;
-        records.push_back(std::move(record));
-      }
-  }
-
-  Records Records::all_of(const std::string &owner) const
-  {
-    const std::string begin = owner + ": ";
-    Records           result;
-    for (const KeptRecord &record : records)
-      if (record.name.compare(0, begin.size(), begin) == 0)
-        result.keep(record.name.substr(begin.size()),
-                    record.items,
-                    record.values_per_item,
-                    record.values);
-    return result;
   }
 
   std::vector<double> Records::values(const std::string               &name,

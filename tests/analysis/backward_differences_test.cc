@@ -54,6 +54,16 @@ TEST(BackwardDifferences, ThirdOneOfAnOscillationIsAtMostEightAmplitudes)
     }
 }
 
+TEST(BackwardDifferences, LeaveOutEntriesThatHaveComeSince)
+{
+  BackwardDifferences differences;
+  differences.add(0, {1.});
+  differences.add(1, {3., 100.});
+  const auto difference = differences.difference(2, 2, {7., 200., 300.}, 1.);
+  ASSERT_TRUE(difference.has_value());
+  EXPECT_EQ(*difference, Vector{2.});
+}
+
 TEST(BackwardDifferences, TakeTheLastValuesOnly)
 {
   BackwardDifferences differences;

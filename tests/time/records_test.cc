@@ -67,19 +67,6 @@ TEST(Records, AddWhatOtherRanksHave)
   EXPECT_FALSE(second.has("doubles"));
 }
 
-TEST(Records, OfSeveralOwnersAreToldApart)
-{
-  Records of_one, of_other, all;
-  of_one.keep("time", {1});
-  of_other.keep("time", {2});
-  all.keep("time", {3});
-  all.keep_all("one", of_one);
-  all.keep_all("other", of_other);
-  EXPECT_EQ(all.values("time", 1), (std::vector<double>{3}));
-  EXPECT_EQ(all.all_of("one").values("time", 1), (std::vector<double>{1}));
-  EXPECT_EQ(all.all_of("other").values("time", 1), (std::vector<double>{2}));
-}
-
 TEST(Records, KeepTexts)
 {
   Records records;

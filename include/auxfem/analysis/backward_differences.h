@@ -27,7 +27,8 @@ namespace auxfem
 
     /**
      * The difference at @p now, at @p time (s), for a step of length @p dt (s).
-     * Nothing if fewer than @p order values have been added.
+     * Nothing if fewer than @p order values have been added. Entries that have
+     * come since the oldest of the values are left out.
      * @param order at most largest_order
      */
     std::optional<Vector> difference(unsigned int  order,
@@ -54,7 +55,7 @@ namespace auxfem
       samples.clear();
     }
 
-    /** Of values at unknowns.
+    /** Saves or restores values at unknowns.
      * @param name prefix of the records' names */
     void serialize(const std::string    &name,
                    const UnknownRecords &unknowns,

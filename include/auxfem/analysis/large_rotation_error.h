@@ -8,7 +8,7 @@
 
 namespace auxfem
 {
-  /** What exact kinematics makes of a motion by small displacements. */
+  /** Error of a motion by small displacements against exact kinematics. */
   struct LargeRotationError
   {
     /** Distance to the exact equilibrium over the motion, root mean squares;
@@ -22,7 +22,7 @@ namespace auxfem
     bool        is_unstable = false;
     std::string location; ///< the unknown with the largest distance
 
-    /** What asks for exact kinematics, in words; empty: nothing.
+    /** The reason to use exact kinematics, in words; empty: nothing.
      * @param allowed error of the motion */
     std::string reason(double allowed) const;
   };
@@ -58,14 +58,14 @@ namespace auxfem
      * energies; nothing where there is none. */
     std::optional<State> static_answer();
 
-    /** Of these displacements and small rotations. */
+    /** The error of these displacements and small rotations. */
     LargeRotationError at(const Vector &motion);
 
     /** Root mean square of free displacements, and of rotations times the mean
      * length of struts (m). */
     double size(const Vector &motion) const;
 
-    /** Of all estimates so far. */
+    /** Work of all estimates so far. */
     const Work &effort() const
     {
       return work;

@@ -68,7 +68,8 @@ namespace auxfem
     /** The next step of the scene, as TimeStepper::advance(). */
     StepReport advance(Recorder &recorder);
 
-    /** Of chosen elements; nullptr: there are none, or the run has not begun.
+    /** The error of chosen elements; nullptr: there are none, or the run has
+     * not begun.
      */
     const MeshError *mesh_error() const
     {
@@ -150,6 +151,9 @@ namespace auxfem
     void refuse_undetermined();
 
     RunResult result(const std::string &exit_state) const;
+
+    /** A checkpoint() after which the run does not go on. */
+    Records last_checkpoint(Recorder &recorder);
 
     /** Saves or restores all that is remembered of the way. */
     void serialize(CheckpointArchive &archive, Recorder &recorder);

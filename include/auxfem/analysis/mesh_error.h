@@ -133,7 +133,7 @@ namespace auxfem
     const MPI_Comm    communicator;
     /** Since when an instant is due (s). */
     double next = 0, seconds = 0;
-    /** Of struts (rad/s); none without inertia. */
+    /** Natural angular frequencies of struts (rad/s); none without inertia. */
     std::vector<double> frequencies;
     double              n_parts = 0; ///< of steps so far
   };

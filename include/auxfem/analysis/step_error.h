@@ -57,9 +57,6 @@ namespace auxfem
      * relative() returned. */
     double accept(const Evaluation &step);
 
-    /** Discards the displacements that differences are taken from. */
-    void forget();
-
     /** Error of all steps over the largest motions. */
     double total() const;
 

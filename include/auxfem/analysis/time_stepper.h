@@ -85,9 +85,9 @@ namespace auxfem
     }
 
     /** Ends the run where @p limit, which must outlive it, throws. */
-    void set_limit(SmallDisplacementLimit &of_run)
+    void set_limit(SmallDisplacementLimit &new_limit)
     {
-      limit = &of_run;
+      limit = &new_limit;
     }
 
     /** What the watches have found so far. */

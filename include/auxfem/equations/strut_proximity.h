@@ -152,6 +152,9 @@ namespace auxfem
     void find_near_at_rest();
     /** Makes the list anew. @param pairs less than the reach apart */
     void set_pairs_in_reach(const std::vector<AxisPair> &pairs);
+    /** Looks at what may have come near, and remembers @p u as the last look;
+     * whether near() has changed. */
+    bool look(const std::vector<double> &u);
     void look_at_pairs(const std::vector<double> &u);
     void look_at_connected(const std::vector<double> &u);
     /** Several of them, by number. */
@@ -170,7 +173,9 @@ namespace auxfem
     std::vector<unsigned int> find_turned(const std::vector<double> &u);
     /** Of them the pairs with a common node. */
     std::vector<unsigned int>
-         connected_to(const std::vector<unsigned int> &turned) const;
+    connected_to(const std::vector<unsigned int> &turned) const;
+    /** All axes with a common node are looked at next. */
+    void forget_turning();
     void remember_turning(unsigned int axis, const std::vector<double> &u);
     /** Makes near() of what was found; whether it has changed. */
     bool collect_near(const std::vector<double> &u);

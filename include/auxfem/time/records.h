@@ -48,13 +48,6 @@ namespace auxfem
     std::vector<Record> records;
   };
 
-  /** Copies the values of the records that both layouts have, by their names,
-   * with the same items in both; the others of @p to stay as they are. */
-  void copy_common(const RecordLayout        &from_layout,
-                   const std::vector<double> &from,
-                   const RecordLayout        &to_layout,
-                   std::vector<double>       &to);
-
   /**
    * Records with their values: what a run that is resumed gets back beside the
    * State. Who remembers something from one step to the next keeps it here when
@@ -79,12 +72,6 @@ namespace auxfem
 
     /** Adds what @p others have beside it: records, and items of records. */
     void add(const Records &others);
-
-    /** Adds all of @p others, of somebody of whom there may be several. */
-    void keep_all(const std::string &owner, Records others);
-
-    /** What keep_all() has kept. */
-    Records all_of(const std::string &owner) const;
 
     /** Items of a record. Throws InputError if there is no such record. */
     const std::vector<unsigned int> &items(const std::string &name) const

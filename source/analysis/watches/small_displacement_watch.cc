@@ -149,13 +149,13 @@ namespace auxfem
       std::vector<Finding> findings() const override
       {
         std::vector<Finding> all;
-        const Finding        by_comparison = comparison.finding();
-        if (verdict_on(worst.total()) >= by_comparison.verdict)
-          all.push_back(error_finding());
-        else
-          all.push_back(by_comparison);
-        if (all.back().verdict == Verdict::sound)
-          all.clear();
+        const Finding        by_comparison = comparison.finding(),
+                      by_estimate          = error_finding(),
+                      &worse = by_estimate.verdict >= by_comparison.verdict
+          ? by_estimate
+          : by_comparison;
+        if (worse.verdict != Verdict::sound)
+          all.push_back(worse);
         if (loss.evidence != Evidence::none)
           all.push_back(loss.finding());
         return all;
@@ -232,14 +232,19 @@ namespace auxfem
        * than is sound, or is not known. */
       void compare(const State &state, const SmallDisplacementError &now)
       {
-        const double total = now.total();
-        const bool   is_known =
+        const double total     = now.total();
+        const bool   has_ended = state.time >= end_time;
+        // At the end it is found how large an error is that is too large.
+        const bool is_settled =
+          verdict_on(has_ended ? total : std::max(total, comparison.error)) ==
+          Verdict::not_to_be_used;
+        const bool is_known =
           total <= growth_between_comparisons * comparison.estimate &&
           comparison.expected(total) <= doubtful_displacement_error;
         const bool has_grown =
           total > growth_between_checks * comparison.estimate ||
-          (state.time >= end_time && total > comparison.estimate);
-        if (total < least_compared || is_known || !has_grown)
+          (has_ended && total > comparison.estimate);
+        if (total < least_compared || is_settled || is_known || !has_grown)
           return;
         const Equations *const exact = second_order.exact_equations();
         if (exact == nullptr)

@@ -50,24 +50,6 @@ namespace auxfem
         proximity.refuse_bad_plates();
       }
 
-      bool update_couplings(const State      &accepted,
-                            std::vector<int> &wanted) override
-      {
-        if (!proximity.follow(accepted))
-          return false;
-        want_unknowns(wanted);
-        return true;
-      }
-
-      bool restart_couplings(const State      &accepted,
-                             std::vector<int> &wanted) override
-      {
-        if (!proximity.restart(accepted))
-          return false;
-        want_unknowns(wanted);
-        return true;
-      }
-
       void add_residual(const Evaluation &evaluation,
                         double           *residual,
                         EffectResults    *results) const override
@@ -242,6 +224,16 @@ namespace auxfem
       }
 
     private:
+      bool follow(const State &accepted) override
+      {
+        return proximity.follow(accepted);
+      }
+
+      bool restart(const State &accepted) override
+      {
+        return proximity.restart(accepted);
+      }
+
       const std::vector<PlatePair> &near() const override
       {
         return proximity.near();

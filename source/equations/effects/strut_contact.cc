@@ -48,30 +48,6 @@ namespace auxfem
         facing = points_of_axes.facing_struts(pairs);
       }
 
-      bool update_couplings(const State      &accepted,
-                            std::vector<int> &wanted) override
-      {
-        std::vector<double> room;
-        if (!proximity.follow(by_global_number(accepted.displacement,
-                                               model.numbering.layout(),
-                                               room)))
-          return false;
-        want_unknowns(wanted);
-        return true;
-      }
-
-      bool restart_couplings(const State      &accepted,
-                             std::vector<int> &wanted) override
-      {
-        std::vector<double> room;
-        if (!proximity.restart(by_global_number(accepted.displacement,
-                                                model.numbering.layout(),
-                                                room)))
-          return false;
-        want_unknowns(wanted);
-        return true;
-      }
-
       void add_residual(const Evaluation &evaluation,
                         double           *residual,
                         EffectResults    *results) const override
@@ -226,6 +202,22 @@ namespace auxfem
 
     private:
       using SpaceVector = dealii::Tensor<1, 3>;
+
+      bool follow(const State &accepted) override
+      {
+        std::vector<double> room;
+        return proximity.follow(by_global_number(accepted.displacement,
+                                                 model.numbering.layout(),
+                                                 room));
+      }
+
+      bool restart(const State &accepted) override
+      {
+        std::vector<double> room;
+        return proximity.restart(by_global_number(accepted.displacement,
+                                                  model.numbering.layout(),
+                                                  room));
+      }
 
       const std::vector<AxisPair> &near() const override
       {

@@ -99,6 +99,18 @@ namespace auxfem
       return found;
     }
 
+    bool update_couplings(const State      &accepted,
+                          std::vector<int> &wanted) override
+    {
+      return couple(follow(accepted), wanted);
+    }
+
+    bool restart_couplings(const State      &accepted,
+                           std::vector<int> &wanted) override
+    {
+      return couple(restart(accepted), wanted);
+    }
+
     void account_step(const Evaluation    &step,
                       const EffectResults *results,
                       EnergyAccount       &account) const override
@@ -151,6 +163,13 @@ namespace auxfem
       , curves(model, axes)
     {}
 
+    /** Search for near() in an accepted state; returns whether that has
+     * changed. restart() knows nothing of states before. Collective. */
+    ///@{
+    virtual bool follow(const State &accepted)  = 0;
+    virtual bool restart(const State &accepted) = 0;
+    ///@}
+
     /** Pairs near each other, of all ranks, sorted. */
     virtual const std::vector<Pair> &near() const = 0;
 
@@ -179,16 +198,6 @@ namespace auxfem
       return axes[point.axis].is_owned;
     }
 
-    /** Adds to @p wanted the unknowns of the pairs that this rank has rows of.
-     */
-    void want_unknowns(std::vector<int> &wanted) const
-    {
-      for (const Pair &pair : near())
-        if (const std::vector<int> globals = unknowns_of(pair);
-            has_rows_of(globals))
-          wanted.insert(wanted.end(), globals.begin(), globals.end());
-    }
-
     const LatticeModel            &model;
     const ContactParameters        parameters;
     const CoulombFriction          friction;
@@ -199,6 +208,19 @@ namespace auxfem
     std::size_t                    first_block = 0;
 
   private:
+    /** If near() has changed, adds to @p wanted the unknowns of the pairs that
+     * this rank has rows of. Returns whether it has. */
+    bool couple(const bool has_changed, std::vector<int> &wanted) const
+    {
+      if (!has_changed)
+        return false;
+      for (const Pair &pair : near())
+        if (const std::vector<int> globals = unknowns_of(pair);
+            has_rows_of(globals))
+          wanted.insert(wanted.end(), globals.begin(), globals.end());
+      return true;
+    }
+
     bool has_rows_of(const std::vector<int> &globals) const
     {
       const UnknownLayout &layout = model.numbering.layout();
