@@ -95,6 +95,9 @@ namespace auxfem
     ///@}
 
   private:
+    /** How near a pair is to be for having forces, of half its thickness. */
+    static constexpr double near_part = 0.15;
+
     /** A pair within reach of each other. */
     struct Reach
     {
