@@ -132,8 +132,8 @@ namespace auxfem
             "--print-parameters",
             [this](const std::string &form) { print_parameters(form); },
             "print all parameters with defaults, units and ranges;\n"
-            "=markdown: as the page doc/parameters.md, =json: for other "
-            "programs")
+            "=markdown: as the page doc/user/parameters.md, =json: for "
+            "other programs")
           ->expected(0, 1)
           ->type_name("");
         add_action("--help,-h", Action::help, "print this");

@@ -66,8 +66,8 @@ namespace
     EXPECT_EQ(run.exit_code, 0);
     EXPECT_EQ(run.output,
               read_text(std::string(AUXFEM_PRM_DIRECTORY) +
-                        "/../doc/parameters.md"))
-      << "run: auxfem --print-parameters=markdown > doc/parameters.md";
+                        "/../doc/user/parameters.md"))
+      << "run: auxfem --print-parameters=markdown > doc/user/parameters.md";
   }
 
 

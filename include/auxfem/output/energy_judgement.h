@@ -11,7 +11,7 @@ namespace auxfem
   /**
    * Judges a run by its energies: their balance, in both directions, and what
    * the time integration gives or takes, over the energy that came in
-   * (doc/verdict.md).
+   * (doc/user/verdict.md).
    */
   class EnergyJudgement
   {

@@ -14,7 +14,7 @@ namespace auxfem
    */
   std::string describe_parameters(const std::vector<SubsectionSchema> &schemas);
 
-  /** The same as the Markdown page doc/parameters.md. */
+  /** The same as the Markdown page doc/user/parameters.md. */
   std::string
   describe_parameters_markdown(const std::vector<SubsectionSchema> &schemas);
 
