@@ -18,9 +18,9 @@ def machine():
     return f"{found[1]}, {platform.machine()}" if found else platform.machine()
 
 
-def provenance(command, date=None):
+def provenance(command, date=None, cores="one core"):
     """The line below a measured table: date (today), machine, command that makes it."""
-    return f"{date or datetime.date.today()}, one core of {machine()}: `{command}`\n"
+    return f"{date or datetime.date.today()}, {cores} of {machine()}: `{command}`\n"
 
 
 def write_blocks(page, makers):
