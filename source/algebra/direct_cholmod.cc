@@ -1,6 +1,7 @@
 #include <auxfem/algebra/direct_solvers.h>
 #include <auxfem/algebra/elimination_order.h>
 #include <auxfem/algebra/factor_checks.h>
+#include <auxfem/parameters/numerical_limits.h>
 
 #include <deal.II/base/exceptions.h>
 
@@ -20,7 +21,7 @@ namespace auxfem
      * the scale of the equilibrated matrix; beyond, fewer than half of the
      * digits are left. 1 for definite matrices.
      */
-    constexpr double largest_growth = 1e8;
+    constexpr double largest_growth = 1 / sqrt_round_off;
 
     /** On one rank. */
     class Cholmod : public DirectSolver

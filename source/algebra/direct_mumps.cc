@@ -1,5 +1,6 @@
 #include <auxfem/algebra/direct_solvers.h>
 #include <auxfem/algebra/factor_checks.h>
+#include <auxfem/parameters/numerical_limits.h>
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
@@ -33,7 +34,7 @@ namespace auxfem
      * A first estimate of the inverse's norm below this, by a vector of which
      * the modes in question are some part, is no sign of a singular matrix.
      */
-    constexpr double unsuspicious_norm = 1e8;
+    constexpr double unsuspicious_norm = 1 / sqrt_round_off;
 
     void divide(std::vector<double> &x, const std::vector<double> &by)
     {

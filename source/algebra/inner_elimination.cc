@@ -1,4 +1,5 @@
 #include <auxfem/algebra/inner_elimination.h>
+#include <auxfem/parameters/numerical_limits.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +9,6 @@ namespace auxfem
 {
   namespace
   {
-    /** A pivot below this part of the terms it is the sum of is round-off. */
-    constexpr double round_off = 16 * std::numeric_limits<double>::epsilon();
-
     template <int n_inner, int n_ends>
     class EliminationOfSize : public InnerElimination
     {
@@ -143,7 +141,7 @@ namespace auxfem
           {
             const double pivot = inner[j][j];
             // Written so that a pivot that is no number is not regular.
-            if (!(std::abs(pivot) > round_off * terms[j]))
+            if (!(std::abs(pivot) > few_round_offs * terms[j]))
               {
                 result.is_regular = false;
                 return result;
@@ -194,7 +192,7 @@ namespace auxfem
                   }
               }
             // Written so that a pivot that is no number is not regular.
-            if (!(largest > round_off * units[j]))
+            if (!(largest > few_round_offs * units[j]))
               {
                 result.is_regular = false;
                 return result;

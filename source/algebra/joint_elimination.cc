@@ -1,5 +1,6 @@
 #include <auxfem/algebra/dense_block.h>
 #include <auxfem/algebra/joint_elimination.h>
+#include <auxfem/parameters/numerical_limits.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +11,6 @@ namespace auxfem
 {
   namespace
   {
-    /** Pivots of this size, relative to the rows, are rounding. */
-    constexpr double negligible = 16 * std::numeric_limits<double>::epsilon();
-
     /**
      * Joints with more neighbours stay. In the plane, elimination of joints
      * with up to 10 leaves half of the rows that one with up to 4 does, and as
@@ -132,13 +130,13 @@ namespace auxfem
       largest = std::max(largest, largest_in_row[row]);
     room.assign(block, block + n * n);
     if (is_symmetric &&
-        factorize_definite_block(block, n, negligible * largest))
+        factorize_definite_block(block, n, few_round_offs * largest))
       return is_definite[number] = true;
     std::copy(room.begin(), room.end(), block);
     if (!factorize_general_block(block,
                                  n,
                                  &exchanges[first_exchange[number]],
-                                 negligible * largest))
+                                 few_round_offs * largest))
       return false;
     if (is_symmetric)
       negative += n_negative_eigenvalues(room.data(), n);

@@ -3,6 +3,7 @@
 #include <auxfem/equations/prescribed_motion.h>
 #include <auxfem/model/unknown_names.h>
 #include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/numerical_limits.h>
 #include <auxfem/time/massless.h>
 
 #include <algorithm>
@@ -174,9 +175,7 @@ namespace auxfem
                                       const double rate) const
   {
     // Given velocities have few digits.
-    constexpr double digits_of_velocities = 1e-6;
-    if (rate <=
-        digits_of_velocities * largest_motion(model, *state.velocity).first)
+    if (rate <= given_digits * largest_motion(model, *state.velocity).first)
       return;
     std::ostringstream message;
     message

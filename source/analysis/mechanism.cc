@@ -1,6 +1,7 @@
 #include <auxfem/analysis/inverse_iteration.h>
 #include <auxfem/model/unknown_names.h>
 #include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/numerical_limits.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,10 +14,10 @@ namespace auxfem
   {
     /**
      * A mode whose stiffness is below this part of the diagonal's is a
-     * mechanism: the round-off of its energy is 1e-16 of it, the softest sound
-     * lattice lies far above (a cantilever of 1000 slender struts at 4e-13).
+     * mechanism: the softest sound lattice lies far above (a cantilever of 1000
+     * slender struts at 4e-13).
      */
-    constexpr double softest = 2e-15;
+    constexpr double softest = few_round_offs;
 
     /** The softest mode is found far sooner when it is that of a mechanism. */
     constexpr unsigned int n_mechanism_iterations = 6;
@@ -31,13 +32,6 @@ namespace auxfem
     {
       return 2 * std::pow(1e6 * n_unknowns, 1. / (2 * n));
     }
-
-    /**
-     * A part that takes more than this of the energy that its own stiffness
-     * has for so large a motion resists; one that a mechanism moves takes what
-     * round-off leaves.
-     */
-    constexpr double least_resistance = 1e-8;
 
     /** A strut, or another part, and its stiffness (N/m). */
     struct PartStiffness
@@ -84,7 +78,7 @@ namespace auxfem
             if (rows[j] >= 0)
               energy += mode[rows[i]] * values[n * i + j] * mode[rows[j]];
         }
-      part.resists = most > 0 && energy > least_resistance * most;
+      part.resists = most > 0 && energy > sqrt_round_off * most;
       return part;
     }
 

@@ -1,6 +1,7 @@
 #include <auxfem/analysis/second_order_effect.h>
 #include <auxfem/equations/displaced_state.h>
 #include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/numerical_limits.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,11 +11,6 @@ namespace auxfem
 {
   namespace
   {
-    /** Largest rotation (rad), or displacement over the mean length of struts,
-     * of the states whose forces are compared: so small that only the linear
-     * part of the forces counts. */
-    constexpr double size_of_difference = 1e-3;
-
     SimulatedEffects with_large_rotation(SimulatedEffects simulated)
     {
       simulated.large_rotation = true;
@@ -43,7 +39,7 @@ namespace auxfem
         std::max(rotation, displacement / model.mean_strut_length);
       if (size > 0)
         {
-          const double part   = size_of_difference / size;
+          const double part   = finite_difference_step / size;
           State        before = displaced(rest, model.numbering, motion, -part),
                 after         = displaced(rest, model.numbering, motion, part);
           const EvaluationResults at_before = results_at(before),

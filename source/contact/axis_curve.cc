@@ -1,4 +1,5 @@
 #include <auxfem/contact/axis_curve.h>
+#include <auxfem/parameters/numerical_limits.h>
 
 #include <cmath>
 #include <limits>
@@ -24,8 +25,7 @@ namespace auxfem
       // Newton's method doubles the digits: after a step as short as this what
       // is left is round-off.
       constexpr unsigned int most_steps = 60;
-      constexpr double       digits = 1e-15, half_the_digits = 1e-8;
-      double                 at = (low + high) / 2;
+      double                 at         = (low + high) / 2;
       for (unsigned int i = 0; i < most_steps; ++i)
         {
           const AxisCurve::Vector away    = curve.at(at) - point,
@@ -37,7 +37,8 @@ namespace auxfem
           const bool   is_newtons = next > low && next < high;
           if (!is_newtons)
             next = (low + high) / 2;
-          if (std::abs(next - at) <= (is_newtons ? half_the_digits : digits))
+          if (std::abs(next - at) <=
+              (is_newtons ? sqrt_round_off : few_round_offs))
             return next;
           at = next;
         }

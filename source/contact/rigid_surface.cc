@@ -1,4 +1,5 @@
 #include <auxfem/contact/rigid_surface.h>
+#include <auxfem/parameters/numerical_limits.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -49,15 +50,14 @@ namespace auxfem
     /** Subtracts @p level; what is then round-off becomes zero. */
     void subtract(const double level, BernsteinPolynomial &polynomial)
     {
-      constexpr double digits = 32 * std::numeric_limits<double>::epsilon();
-      double           scale  = std::abs(level);
+      double scale = std::abs(level);
       for (unsigned int i = 0; i <= polynomial.degree; ++i)
         scale = std::max(scale, std::abs(polynomial.coefficients[i]));
       for (unsigned int i = 0; i <= polynomial.degree; ++i)
         {
           double &value = polynomial.coefficients[i];
           value -= level;
-          if (std::abs(value) <= digits * scale)
+          if (std::abs(value) <= 2 * few_round_offs * scale)
             value = 0;
         }
     }

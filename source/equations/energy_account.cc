@@ -1,5 +1,6 @@
 #include <auxfem/elements/cayley_rotation.h>
 #include <auxfem/equations/energy_account.h>
+#include <auxfem/parameters/numerical_limits.h>
 
 #include <cmath>
 #include <cstdint>
@@ -69,24 +70,23 @@ namespace auxfem
     // Cayley's measure.
     if (step.kind == Evaluation::Kind::between)
       return true;
-    constexpr double digits = 1e-12;
-    const double     per_dt = 1 / step.dt;
-    const double    *u0     = step.from.displacement.data(),
-                 *u1        = step.to.displacement.data(),
-                 *v0        = step.from.velocity->data(),
-                 *v1        = step.to.velocity->data(),
-                 *a0        = step.from.acceleration->data(),
-                 *a1        = step.to.acceleration->data();
-    std::uint64_t n         = 0;
+    const double  per_dt = 1 / step.dt;
+    const double *u0     = step.from.displacement.data(),
+                 *u1     = step.to.displacement.data(),
+                 *v0     = step.from.velocity->data(),
+                 *v1     = step.to.velocity->data(),
+                 *a0     = step.from.acceleration->data(),
+                 *a1     = step.to.acceleration->data();
+    std::uint64_t n      = 0;
     for (std::size_t i = 0; i < step.to.displacement.size(); ++i)
       {
         const double v = (v0[i] + v1[i]) / 2, a = (a0[i] + a1[i]) / 2;
         n += std::abs((u1[i] - u0[i]) * per_dt - v) >
-            digits * (std::abs(u1[i]) * per_dt + std::abs(v))
+            round_off * (std::abs(u1[i]) * per_dt + std::abs(v))
           ? 1
           : 0;
         n += std::abs((v1[i] - v0[i]) * per_dt - a) >
-            digits * (std::abs(v1[i]) * per_dt + std::abs(a))
+            round_off * (std::abs(v1[i]) * per_dt + std::abs(a))
           ? 1
           : 0;
       }

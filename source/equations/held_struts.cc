@@ -1,6 +1,7 @@
 #include <auxfem/equations/effects/beam_forces.h>
 #include <auxfem/equations/held_struts.h>
 #include <auxfem/equations/make_effects.h>
+#include <auxfem/parameters/numerical_limits.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,10 +11,6 @@ namespace auxfem
 {
   namespace
   {
-    /** Work of a correction, as a part of the strain energy, that needs no
-     * other: the next would square it. */
-    constexpr double negligible = 1e-12;
-
     /** Every strut with two joints of its own; only @p elastic ones are elements.
      */
     Lattice apart(const Lattice                   &lattice,
@@ -207,7 +204,7 @@ namespace auxfem
         const std::optional<double> work = correct();
         if (!work || !std::isfinite(*work))
           return false;
-        if (*work <= negligible * strain_energy())
+        if (*work <= round_off * strain_energy())
           break;
       }
     return std::isfinite(strain_energy());
@@ -245,8 +242,8 @@ namespace auxfem
 
   double HeldStruts::out_of_balance(const unsigned int strut) const
   {
-    return last_work[strut] > negligible * strain_energy() ? last_work[strut]
-                                                           : 0.;
+    return last_work[strut] > round_off * strain_energy() ? last_work[strut]
+                                                          : 0.;
   }
 
   template <class Act>

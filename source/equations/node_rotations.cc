@@ -1,5 +1,6 @@
 #include <auxfem/elements/cayley_rotation.h>
 #include <auxfem/equations/node_rotations.h>
+#include <auxfem/parameters/numerical_limits.h>
 
 namespace auxfem
 {
@@ -20,7 +21,6 @@ namespace auxfem
   {
     // Of a tiny spin the difference of two rotation vectors would keep no
     // digits, and divided by dt^2 these matter; the square of it is round-off.
-    constexpr double tiny = 1e-8;
     for (unsigned int i = 0; i < evaluation.to.rotations.size(); ++i)
       {
         const SpaceVector spin     = values(increment, i);
@@ -28,7 +28,7 @@ namespace auxfem
         const SpaceVector before   = material_increment(evaluation, i),
                           material = rotated(conjugate(rotation), spin);
         rotation                   = normalized(exponential(spin) * rotation);
-        set_values(spin.norm() < tiny
+        set_values(spin.norm() < sqrt_round_off
                      ? inverse_tangent_operator(before) * material
                      : rotation_vector_near(
                          conjugate(evaluation.from.rotations[i]) * rotation,

@@ -1,6 +1,7 @@
 #include <auxfem/algebra/shared_work.h>
 #include <auxfem/equations/plate_proximity.h>
 #include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/numerical_limits.h>
 
 #include <boost/math/tools/minima.hpp>
 
@@ -87,7 +88,6 @@ namespace auxfem
   void PlateProximity::refuse_plates_in_struts() const
   {
     // Those that touch at rest may do so by round-off.
-    constexpr double tolerance = 1e-6;
     for (const Plate &plate : all_plates)
       {
         const ContactAxis *deepest = nullptr;
@@ -96,7 +96,7 @@ namespace auxfem
           if (const double here =
                 depth_at_rest(&axis - axes.data(),
                               *plate.definition,
-                              tolerance * (axis.half_thickness + thickest));
+                              given_digits * (axis.half_thickness + thickest));
               here > depth)
             {
               deepest = &axis;

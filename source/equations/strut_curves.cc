@@ -1,5 +1,6 @@
 #include <auxfem/equations/strut_curves.h>
 #include <auxfem/mesh/index_lists.h>
+#include <auxfem/parameters/numerical_limits.h>
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -57,8 +58,7 @@ namespace auxfem
                     double                        occupied,
                     double                        free)
     {
-      constexpr double digits = 1e-3;
-      while (std::abs(free - occupied) > digits)
+      while (std::abs(free - occupied) > accuracy_of_places)
         {
           const double middle = (free + occupied) / 2;
           (is_apart(curve.at(middle), others, least) ? free : occupied) =

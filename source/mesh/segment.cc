@@ -1,4 +1,5 @@
 #include <auxfem/mesh/segment.h>
+#include <auxfem/parameters/numerical_limits.h>
 
 #include <algorithm>
 #include <cmath>
@@ -39,11 +40,10 @@ namespace auxfem
     // Points are known to the round-off of their coordinates. Segments so
     // nearly parallel that it moves their meeting point by more than this part
     // of their lengths count as parallel, as those of one straight line.
-    constexpr double accuracy  = 1e-3;
-    const double     round_off = std::numeric_limits<double>::epsilon() *
+    const double round_off = std::numeric_limits<double>::epsilon() *
       std::max(largest_coordinate(one), largest_coordinate(other)) *
       (a.norm() + b.norm() + gap.norm());
-    if (accuracy * std::abs(determinant) <= round_off)
+    if (accuracy_of_places * std::abs(determinant) <= round_off)
       return {};
     const double along_one = cross(gap, b), along_other = cross(gap, a);
     const auto   is_inside = [determinant](const double numerator) {

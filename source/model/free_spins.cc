@@ -1,6 +1,7 @@
 #include <auxfem/mesh/sets.h>
 #include <auxfem/model/free_spins.h>
 #include <auxfem/model/rigid_parts.h>
+#include <auxfem/parameters/numerical_limits.h>
 
 #include <algorithm>
 
@@ -8,10 +9,6 @@ namespace auxfem
 {
   namespace
   {
-    /** Sine of the angle (rad) between struts that count as in one line:
-     * positions in a scene are often rounded to seven digits. */
-    constexpr double in_line = 1e-6;
-
     /** A force that follows its joint turns with it. */
     bool turns(const JointLoadDefinition &load)
     {
@@ -138,7 +135,7 @@ namespace auxfem
       bool are_in_line(const unsigned int one, const unsigned int other) const
       {
         return cross_product_3d(direction(one), direction(other)).norm() <
-          in_line;
+          given_digits;
       }
 
       const Lattice                         &lattice;

@@ -5,6 +5,7 @@
 #include <auxfem/model/strut_velocities.h>
 #include <auxfem/model/unknown_names.h>
 #include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/numerical_limits.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,12 +18,6 @@ namespace auxfem
 {
   namespace
   {
-    /**
-     * Of the largest velocity of a set: velocities of supports are differences,
-     * given ones have few digits.
-     */
-    constexpr double digits_of_velocities = 1e-6;
-
     /** Of a point of a body that moves with @p velocity at @p centre. */
     JointVelocity velocity_at(const dealii::Point<3> &point,
                               const dealii::Point<3> &centre,
@@ -207,11 +202,10 @@ namespace auxfem
           {
             const double velocity = given.velocity[c];
             if (!support.fixed[c] || !numbering.joint_has(joint, c) ||
-                std::abs(velocity) <= digits_of_velocities * given.size(c))
+                std::abs(velocity) <= given_digits * given.size(c))
               continue;
             const double allowed = support.motion[c].jet(0)[1];
-            if (std::abs(velocity - allowed) <=
-                digits_of_velocities * given.size(c))
+            if (std::abs(velocity - allowed) <= given_digits * given.size(c))
               continue;
             const char        *unit = c < first_rotation ? " m/s" : " rad/s";
             std::ostringstream message;

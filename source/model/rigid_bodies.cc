@@ -1,6 +1,7 @@
 #include <auxfem/algebra/principal_axes.h>
 #include <auxfem/model/rigid_bodies.h>
 #include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/numerical_limits.h>
 
 namespace auxfem
 {
@@ -55,12 +56,11 @@ namespace auxfem
       dealii::Tensor<2, 3> spread;
       for (const SpaceVector &arm : arms)
         spread += dealii::outer_product(arm, arm);
-      constexpr double flat = 1e-12;
-      const auto       axes = principal_axes(spread);
-      SpaceVector      dual;
+      const auto  axes = principal_axes(spread);
+      SpaceVector dual;
       rest = target;
       for (const auto &[value, axis] : axes)
-        if (value > flat * axes[0].value)
+        if (value > round_off * axes[0].value)
           {
             const double along = target * axis;
             dual += along / value * axis;
@@ -92,8 +92,7 @@ namespace auxfem
     const std::vector<SpaceVector> arms = arms_of(part, lattice);
     SpaceVector                    rest;
     weights_of(arms, SpaceVector(point - part.centre_of_mass), rest);
-    constexpr double few_digits = 1e-6;
-    if (rest.norm() > few_digits * arms.front().norm())
+    if (rest.norm() > given_digits * arms.front().norm())
       throw InputError("Loads: a line load on a rigid arc acts beside the "
                        "joints and the centre of mass of its part. Give the "
                        "part a joint beside the line of its joints, or load "

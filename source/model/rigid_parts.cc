@@ -1,6 +1,7 @@
 #include <auxfem/mesh/sets.h>
 #include <auxfem/model/rigid_parts.h>
 #include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/numerical_limits.h>
 
 #include <algorithm>
 #include <numeric>
@@ -60,13 +61,11 @@ namespace auxfem
                           const RigidPart            &part,
                           const std::vector<Portion> &portions)
     {
-      // Positions are given with six digits or more.
-      constexpr double           negligible = 1e-6;
-      const dealii::Point<3>     origin     = lattice.joints[part.joints[0]];
+      const dealii::Point<3>     origin = lattice.joints[part.joints[0]];
       const dealii::Tensor<1, 3> base = lattice.joints[part.joints[1]] - origin;
       const auto is_on_line           = [&](const dealii::Point<3> &point) {
         return dealii::cross_product_3d(base, point - origin).norm() <=
-          negligible * base.norm_square();
+          given_digits * base.norm_square();
       };
       return std::all_of(part.joints.begin(),
                          part.joints.end(),

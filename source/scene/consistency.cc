@@ -1,5 +1,6 @@
 #include <auxfem/elements/strut_order.h>
 #include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/numerical_limits.h>
 #include <auxfem/scene/scene_subsections.h>
 
 #include <cmath>
@@ -114,9 +115,8 @@ namespace auxfem
                       const TimeFunction &motion,
                       Mistakes           &mistakes)
     {
-      constexpr double round_off = 1e-12; // m or rad
-      const double     start     = motion.value_after(0);
-      const double     before = scene.time.static_start ? motion.value(0) : 0.;
+      const double start  = motion.value_after(0);
+      const double before = scene.time.static_start ? motion.value(0) : 0.;
       if (std::abs(start - before) > round_off)
         mistakes.add(
           message(scene,

@@ -1,3 +1,4 @@
+#include <auxfem/parameters/numerical_limits.h>
 #include <auxfem/study/recorded_history.h>
 
 #include <boost/math/tools/minima.hpp>
@@ -10,9 +11,6 @@ namespace auxfem
 {
   namespace
   {
-    /** Times closer than this part of the whole record are the same. */
-    constexpr double resolution = 1e-12;
-
     /** The polynomial through some values one after the other, by Neville. */
     class Polynomial
     {
@@ -58,7 +56,7 @@ namespace auxfem
     const std::size_t nearest =
       next > 0 && time - times[next - 1] < times[next] - time ? next - 1 : next;
     if (std::abs(times[nearest] - time) <=
-        resolution * (times.back() - times.front()))
+        round_off * (times.back() - times.front()))
       return history.values[nearest];
     return Polynomial(history, nearest, 5)(time);
   }

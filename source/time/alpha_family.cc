@@ -1,3 +1,4 @@
+#include <auxfem/parameters/numerical_limits.h>
 #include <auxfem/time/alpha_family.h>
 #include <auxfem/time/massless.h>
 
@@ -13,8 +14,7 @@ namespace auxfem
 
   std::optional<double> AlphaFamily::error_constant() const
   {
-    constexpr double round_off = 1e-12;
-    const double     shift     = c.alpha_m - c.alpha_f;
+    const double shift = c.alpha_m - c.alpha_f;
     if (std::abs(c.gamma + shift - 0.5) > round_off)
       return {};
     return c.beta + shift / 2 - 1. / 6;

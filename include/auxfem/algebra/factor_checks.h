@@ -2,6 +2,7 @@
 #define auxfem_algebra_factor_checks_h
 
 #include <auxfem/algebra/direct_solver.h>
+#include <auxfem/parameters/numerical_limits.h>
 
 #include <functional>
 #include <new>
@@ -69,7 +70,7 @@ namespace auxfem
    * Pivots smaller than this times what they were computed from call for the
    * estimate of the inverse's norm; others are no sign of a singular matrix.
    */
-  constexpr double suspicious_pivot = 1e-8;
+  constexpr double suspicious_pivot = sqrt_round_off;
 } // namespace auxfem
 
 #endif

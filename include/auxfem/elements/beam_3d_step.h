@@ -3,6 +3,7 @@
 
 #include <auxfem/elements/beam_3d.h>
 #include <auxfem/elements/cayley_rotation.h>
+#include <auxfem/parameters/numerical_limits.h>
 
 /**
  * @file
@@ -203,7 +204,7 @@ namespace auxfem
         , increment{end.strains.gamma - start.strains.gamma,
                     end.strains.kappa - start.strains.kappa}
       {
-        const Number     least = 4e-15;
+        const Number     least = few_round_offs;
         VectorOf<Number> sum, sum_of_slopes;
         for (int a = 0; a <= order; ++a)
           {

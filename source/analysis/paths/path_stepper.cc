@@ -3,6 +3,7 @@
 #include <auxfem/equations/load_direction.h>
 #include <auxfem/equations/prescribed_motion.h>
 #include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/numerical_limits.h>
 
 #include <algorithm>
 #include <cmath>
@@ -174,8 +175,7 @@ namespace auxfem
 
   bool PathStepper::is_neutral()
   {
-    constexpr double          round_off_of_stiffness = 1e-12;
-    const Vector             &weights                = of_path.weights();
+    const Vector             &weights = of_path.weights();
     const std::vector<double> springs = solver.matrix().diagonal();
     double                    mine    = 0;
     for (unsigned int i = 0; i < springs.size(); ++i)
@@ -183,7 +183,7 @@ namespace auxfem
         mine = std::max(mine, std::abs(springs[i]) / weights[i]);
     const double largest = equations.unknowns().layout.largest(mine);
     const auto   found   = softest();
-    return !found || found->second <= round_off_of_stiffness * largest;
+    return !found || found->second <= round_off * largest;
   }
 
   std::optional<double> PathStepper::part_of_loads(const PathPoint &point)

@@ -1,4 +1,5 @@
 #include <auxfem/analysis/paths/singular_points.h>
+#include <auxfem/parameters/numerical_limits.h>
 
 #include <boost/math/tools/toms748_solve.hpp>
 
@@ -8,8 +9,6 @@ namespace auxfem
 {
   namespace
   {
-    /** Of the step: how narrowly a singular point is enclosed. */
-    constexpr double narrow = 1e-8;
     /** How near the points are that a bifurcation is interpolated from. */
     constexpr double beside = 2e-3;
     /** Closer ones are not told apart. */
@@ -95,8 +94,8 @@ namespace auxfem
       /** Whether a direction stays free all along the step. */
       bool is_neutral()
       {
-        return at(narrow * length) && stepper.is_neutral() && at(length) &&
-          stepper.is_neutral();
+        return at(sqrt_round_off * length) && stepper.is_neutral() &&
+          at(length) && stepper.is_neutral();
       }
 
       static Look look_at(const PathPoint &point, const double length)
@@ -125,7 +124,7 @@ namespace auxfem
             const auto rate = [](const PathPoint &point) {
               return point.tangent.load_rate;
             };
-            add(begin, end, root(begin, end, rate, narrow));
+            add(begin, end, root(begin, end, rate, sqrt_round_off));
             return;
           }
         const auto is_before = [&](const PathPoint &point) {
@@ -133,7 +132,7 @@ namespace auxfem
         };
         // Several at once have no eigenvalue of their own.
         if (n_changes(begin, end) > 1)
-          add(begin, end, root(begin, end, is_before, narrow));
+          add(begin, end, root(begin, end, is_before, sqrt_round_off));
         else
           add_bifurcation(begin, end, [&](const PathPoint &point) {
             const auto softest = stepper.softest();
@@ -154,7 +153,7 @@ namespace auxfem
           // Where the stiffness is singular to the last digit.
           return point ? value(*point) : 0.;
         };
-        const double first    = begin.length + narrow * length;
+        const double first    = begin.length + sqrt_round_off * length;
         const double at_begin = at_distance(first),
                      at_end   = at_distance(end.length);
         if (at_begin * at_end >= 0)
@@ -219,7 +218,7 @@ namespace auxfem
       {
         auto point = at(distance);
         // Nearest to it the stiffness may be too singular to solve with.
-        for (double part = narrow; !point && part <= beside; part *= 10)
+        for (double part = sqrt_round_off; !point && part <= beside; part *= 10)
           point = at(distance - part * length);
         if (!point)
           return;

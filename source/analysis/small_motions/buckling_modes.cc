@@ -3,6 +3,7 @@
 #include <auxfem/equations/displaced_state.h>
 #include <auxfem/equations/prescribed_motion.h>
 #include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/numerical_limits.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,12 +13,6 @@ namespace auxfem
 {
   namespace
   {
-    /** Largest rotation (rad), or displacement over the mean length of struts,
-     * of the states whose forces differ by those of the linear answer. What the
-     * difference of fourth order misses, and round-off, then are about 1e-12.
-     */
-    constexpr double size_of_difference = 1e-3;
-
     /** Elastic forces below this part of the loads are round-off of the answer:
      * rigid parts and supports bear the loads. */
     constexpr double no_elastic_force = 1e-10;
@@ -94,12 +89,11 @@ namespace auxfem
       /** Modes that there can be at most. Collective. */
       unsigned int n_with_change() const
       {
-        constexpr double          no_entry = 1e-8; // of the largest: round-off
-        const std::vector<double> sizes    = change.row_sizes();
-        const double              largest  = space.largest_free(sizes);
-        double                    n        = 0;
+        const std::vector<double> sizes   = change.row_sizes();
+        const double              largest = space.largest_free(sizes);
+        double                    n       = 0;
         for (unsigned int i = 0; i < sizes.size(); ++i)
-          if (space.is_free(i) && sizes[i] > no_entry * largest)
+          if (space.is_free(i) && sizes[i] > sqrt_round_off * largest)
             ++n;
         return std::min<unsigned int>(space.n_free(), layout.sum(n));
       }
@@ -270,7 +264,8 @@ namespace auxfem
         find_multiplier_change(answer, sign);
         if (motion > 0)
           add_strut_and_connector_change(answer,
-                                         sign * size_of_difference / motion);
+                                         sign * finite_difference_step /
+                                           motion);
         leave_out_constraints(change);
       }
 

@@ -1,6 +1,7 @@
 #include <auxfem/algebra/gmres.h>
 #include <auxfem/analysis/small_motions/complex_shape.h>
 #include <auxfem/analysis/small_motions/dynamic_stiffness.h>
+#include <auxfem/parameters/numerical_limits.h>
 
 #include <algorithm>
 
@@ -79,9 +80,8 @@ namespace auxfem
 
   std::string DynamicStiffness::solve(const Values &b, Values &x)
   {
-    constexpr double   tolerance = 1e-12;
-    const unsigned int n         = layout.n_owned();
-    const auto         by_real   = [&](double *values) {
+    const unsigned int n       = layout.n_owned();
+    const auto         by_real = [&](double *values) {
       Vector all(layout.n_local(), 0.);
       std::copy_n(values, n, all.begin());
       const bool is_solved = solver.solve(all);
@@ -94,7 +94,7 @@ namespace auxfem
        [this](const double *from, double *to) { multiply(from, to); },
        [&](double *values) { return by_real(values) && by_real(values + n); }},
       b,
-      tolerance,
+      round_off,
       x);
   }
 

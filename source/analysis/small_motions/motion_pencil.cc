@@ -2,6 +2,7 @@
 #include <auxfem/analysis/small_motions/complex_shape.h>
 #include <auxfem/analysis/small_motions/motion_pencil.h>
 #include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/numerical_limits.h>
 
 #include <algorithm>
 #include <cmath>
@@ -184,9 +185,8 @@ namespace auxfem
     /** Adds what @p w has beside the basis; its coefficients. */
     Values extend(Values w)
     {
-      constexpr double negligible = 1e-12;
-      Values           coefficients(basis.size(), 0.);
-      const double     before = length(w);
+      Values       coefficients(basis.size(), 0.);
+      const double before = length(w);
       // Twice is enough (Kahan).
       for (unsigned int pass = 0; pass < 2; ++pass)
         {
@@ -203,7 +203,7 @@ namespace auxfem
             }
         }
       const double rest = length(w);
-      if (rest > negligible * before)
+      if (rest > round_off * before)
         {
           for (double &value : w)
             value /= rest;
@@ -334,9 +334,9 @@ namespace auxfem
       if (!wanted.reach || std::abs(ritz.s) <= *wanted.reach)
         {
           // Without displacements, at -1 / tau, there is round-off alone.
-          constexpr double negligible = 1e-8, largest_residual = 1e-3;
-          Values           shape = space_of_motions.shape(ritz);
-          if (size(layout, shape) <= negligible)
+          constexpr double largest_residual = 1e-3;
+          Values           shape            = space_of_motions.shape(ritz);
+          if (size(layout, shape) <= sqrt_round_off)
             continue;
           const MotionRoot found_root = root(ritz.s, std::move(shape));
           if (found_root.residual <= largest_residual)

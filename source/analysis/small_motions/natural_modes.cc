@@ -19,7 +19,7 @@ namespace auxfem
       {1e-10, 1e-7, 1e-4, 1e-1}};
 
     /** Of eigenvalues, over the shift; what lies below has no stiffness. */
-    constexpr double round_off = 1e-4;
+    constexpr double least_over_shift = 1e-4;
 
     /** Matrices of a state at rest, and what is done with them. */
     class Vibration
@@ -89,7 +89,7 @@ namespace auxfem
         for (double &value : values)
           {
             value += coarse.shift;
-            if (std::abs(value) <= round_off * -coarse.shift)
+            if (std::abs(value) <= least_over_shift * -coarse.shift)
               value = 0;
           }
         return values;
@@ -142,7 +142,7 @@ namespace auxfem
         for (unsigned int i = 0; i < layout.n_owned(); ++i)
           energy += mode.shape[i] * forces[i];
         mode.eigenvalue = layout.sum(energy);
-        if (std::abs(mode.eigenvalue) <= round_off * -shift)
+        if (std::abs(mode.eigenvalue) <= least_over_shift * -shift)
           mode.eigenvalue = 0;
         double left = 0, all = 0;
         for (unsigned int i = 0; i < layout.n_owned(); ++i)

@@ -1,5 +1,6 @@
 #include <auxfem/analysis/watch.h>
 #include <auxfem/mesh/segment.h>
+#include <auxfem/parameters/numerical_limits.h>
 #include <auxfem/time/moment_text.h>
 
 #include <deal.II/base/mpi.h>
@@ -99,12 +100,11 @@ namespace auxfem
       static bool
       cross_in_plane(const Points &one, const Points &other, const bool is_same)
       {
-        constexpr double tolerance = 1e-3;
-        const auto       is_end    = [](const double      fraction,
+        const auto is_end = [](const double      fraction,
                                const std::size_t segment,
                                const std::size_t n_points) {
-          return (segment == 0 && fraction < tolerance) ||
-            (segment + 2 == n_points && fraction > 1 - tolerance);
+          return (segment == 0 && fraction < accuracy_of_places) ||
+            (segment + 2 == n_points && fraction > 1 - accuracy_of_places);
         };
         for (std::size_t i = 0; i + 1 < one.size(); ++i)
           // Of a strut with itself neighbours meet where they are joined.

@@ -1,5 +1,6 @@
 #include <auxfem/equations/effects/connector_lines.h>
 #include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/numerical_limits.h>
 #include <auxfem/time/static.h>
 
 #include <algorithm>
@@ -91,8 +92,7 @@ namespace auxfem
                             const double         length) const
   {
     // Of a shorter line the direction is round-off.
-    constexpr double digits = 1e-12;
-    return follow_ends && length <= digits * ends.rest_length;
+    return follow_ends && length <= round_off * ends.rest_length;
   }
 
   std::string

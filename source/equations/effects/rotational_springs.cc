@@ -1,6 +1,7 @@
 #include <auxfem/elements/cayley_rotation.h>
 #include <auxfem/equations/effects/rotational_springs.h>
 #include <auxfem/equations/node_rotations.h>
+#include <auxfem/parameters/numerical_limits.h>
 
 #include <cmath>
 
@@ -335,9 +336,8 @@ namespace auxfem
         // Along the turn, so that the work is the change of energy.
         const double missing =
           (turned + before) * (turned - before) / 2 - mean * turn;
-        constexpr double round_off = 4e-15;
         return spring.stiffness *
-          (std::abs(missing) <= round_off * mean.norm()
+          (std::abs(missing) <= few_round_offs * mean.norm()
              ? mean
              : mean + missing / turn.norm_square() * turn);
       }

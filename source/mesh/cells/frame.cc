@@ -3,6 +3,7 @@
 #include <auxfem/mesh/index_text.h>
 #include <auxfem/mesh/merge_joints.h>
 #include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/numerical_limits.h>
 #include <auxfem/parameters/quantity.h>
 
 #include <deal.II/base/utilities.h>
@@ -142,9 +143,6 @@ namespace auxfem
       return *index;
     }
 
-    /** Far above round-off, far below what anybody means. */
-    constexpr double relative_chord_tolerance = 1e-8;
-
     dealii::Tensor<1, 3> chord_of(const UnitStrut &strut, const UnitCell &cell)
     {
       return cell.joints[strut.second] - cell.joints[strut.first];
@@ -156,7 +154,7 @@ namespace auxfem
     {
       const bool is_parallel =
         dealii::cross_product_3d(strut.normal, chord).norm() <=
-        relative_chord_tolerance * chord.norm();
+        sqrt_round_off * chord.norm();
       if (strut.sagitta != 0. && is_parallel)
         throw InputError(
           item.where +
@@ -186,7 +184,7 @@ namespace auxfem
       const dealii::Tensor<1, 3> difference =
         rise_of_arc(chord, strut.sagitta, strut.normal) -
         rise_of_arc(chord_of(other, cell), other.sagitta, other.normal);
-      return difference.norm() <= relative_chord_tolerance * chord.norm();
+      return difference.norm() <= sqrt_round_off * chord.norm();
     }
 
     /** @param merged length of struts that merge_joints() leaves out. */

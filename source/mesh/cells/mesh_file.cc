@@ -7,6 +7,7 @@
 #include <auxfem/mesh/position_text.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/input_file.h>
+#include <auxfem/parameters/numerical_limits.h>
 
 #include <algorithm>
 #include <cctype>
@@ -50,12 +51,6 @@ namespace auxfem
                                "Length that the number 1 stands for in the "
                                "file."};
 
-    /**
-     * Lengths below this part of the mesh's size are round-off, as they are for
-     * gmsh's own geometry.
-     */
-    constexpr double relative_length_tolerance = 1e-8;
-
     /** Makes a unit cell of a mesh. */
     class MeshToCell
     {
@@ -69,7 +64,7 @@ namespace auxfem
         , is_planar(values.context.dimension == 2)
         , where(values.context.path + "/" + file_entry.name + ": in " + file +
                 ", ")
-        , tolerance(relative_length_tolerance * size())
+        , tolerance(sqrt_round_off * size())
       {}
 
       UnitCell build()

@@ -1,5 +1,6 @@
 #include <auxfem/mesh/cells/opening_angle.h>
 #include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/numerical_limits.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -27,7 +28,6 @@ namespace auxfem
                            const SceneContext &context)
   {
     // Angles come from degrees: equality holds up to round-off only.
-    const double round_off = 1e-12;
     if (angle.value > dealii::numbers::PI_2 + round_off)
       refuse(angle,
              context,
