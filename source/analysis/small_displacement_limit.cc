@@ -1,5 +1,7 @@
+#include <auxfem/analysis/sampling_schedule.h>
 #include <auxfem/analysis/small_displacement_limit.h>
 #include <auxfem/equations/effects/contact.h>
+#include <auxfem/parameters/numerical_limits.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -11,19 +13,25 @@ namespace auxfem
 {
   namespace
   {
-    /** Compression (SmallDisplacementError) of a strut, and of all, by which
-     * hardly anything buckles: the latter is that of a thousand struts in a
-     * row. */
-    constexpr double little_compression = 1e-2, no_compression = 1e-6;
+    /** Compression (SmallDisplacementError) of all struts by which nothing
+     * buckles: that of a thousand struts in a row. */
+    constexpr double no_compression = 1e-6;
 
-    /** Multiples of a motion outside the envelope that are computed: the first
-     * one saves further ones. */
-    constexpr double far_ahead = 4, ahead = 1.25;
+    /**
+     * Multiple of a motion outside the envelope that is computed first.
+     * @tuned judgement
+     */
+    constexpr double far_ahead = 4;
 
-    /** Inside the envelope motions are computed so many times in a run, unless
-     * their error is known to be no more than such a part of what is allowed:
-     * of another shape it may be larger. */
-    constexpr double n_regular_checks = 4, little_error = 0.3;
+    /** Motions inside the envelope that are computed in a run. */
+    constexpr double n_regular_checks = 4;
+
+    /**
+     * Known error of a motion inside the envelope, over the allowed one, up
+     * to which it is not computed.
+     * @tuned judgement: a motion of another shape may have a larger error
+     */
+    constexpr double little_error = 0.3;
 
     /** Multiples of the static answer that the decision is made for: in
      * dynamics the overshoot of a sudden load, in statics room for round-off.
@@ -75,7 +83,7 @@ namespace auxfem
     bool mine = true;
     for (std::size_t i = 0; i < envelope.compressions.size() && mine; ++i)
       mine = motion.compressions[i] <=
-        std::max(envelope.compressions[i], little_compression);
+        std::max(envelope.compressions[i], noticeable_part);
     return layout.largest(mine ? 0. : 1.) == 0;
   }
 
@@ -101,8 +109,8 @@ namespace auxfem
           detector ? detector->find(step.from, state) : std::nullopt)
       why = "struts " + std::to_string((*struts)[0]) + " and " +
         std::to_string((*struts)[1]) + " touch";
-    else if (++n_steps >= SmallDisplacementEstimate::distance_in_motion ||
-             !has_inertia || state.time >= plan.time.end_time)
+    else if (++n_steps >= SamplingSchedule::longest_period || !has_inertia ||
+             state.time >= plan.time.end_time)
       {
         n_steps = 0;
         why     = reason(state);
@@ -129,13 +137,13 @@ namespace auxfem
       {
         why = compute(far_ahead, state, size, motion);
         if (!why.empty())
-          why = compute(ahead, state, size, motion);
+          why = compute(growth_between_checks, state, size, motion);
       }
     else if (state.time - computed < plan.time.end_time / n_regular_checks ||
              known <= little_error * plan.effects.tolerance * largest_size)
       largest_error = std::max(largest_error, known);
     else
-      why = compute(ahead, state, size, motion);
+      why = compute(growth_between_checks, state, size, motion);
     if (why.empty() && error() > plan.effects.tolerance)
       why = small_displacement_error_text(error()) +
         ", as vibrations get out of phase";

@@ -1,4 +1,5 @@
 #include <auxfem/output/energy_judgement.h>
+#include <auxfem/output/verdict_limits.h>
 #include <auxfem/parameters/rounded_text.h>
 #include <auxfem/time/moment_text.h>
 
@@ -9,13 +10,7 @@
 namespace auxfem
 {
   namespace
-  {
-    /** Of the energy that moves: what makes a run doubtful, what ruins it. */
-    constexpr double doubtful_error = 0.05, ruinous_error = 0.2;
-    /** What a scheme may give, and what a damped one may take, unasked. */
-    constexpr double doubtful_gift = 0.05, doubtful_loss = 0.2;
-
-  } // namespace
+  {} // namespace
 
   EnergyJudgement::EnergyJudgement(const Kind kind) : kind(kind)
   {}
@@ -55,7 +50,7 @@ namespace auxfem
     // Without inertia it is what the rates at the ends of steps leave open.
     if (kind == Kind::static_steps || kind == Kind::static_path)
       return found;
-    if (given.value > doubtful_gift * moved)
+    if (given.value > doubtful_error * moved)
       found.push_back({Verdict::doubtful,
                        "The time integration has given the structure " +
                          percentage_text(given.value / moved) +
@@ -64,7 +59,7 @@ namespace auxfem
                          "; shorten the step, or use a scheme that damps.",
                        given.time,
                        ""});
-    if (taken.value > doubtful_loss * moved)
+    if (taken.value > unusable_error * moved)
       found.push_back({Verdict::doubtful,
                        "The time integration has taken " +
                          percentage_text(taken.value / moved) +
@@ -97,7 +92,7 @@ namespace auxfem
 
   Finding EnergyJudgement::error_finding(const double moved) const
   {
-    const bool  is_ruinous = !(error.value <= ruinous_error * moved);
+    const bool  is_ruinous = !(error.value <= unusable_error * moved);
     std::string text       = "Energy error ";
     text += moved > 0
       ? percentage_text(error.value / moved) + " of the energy that came in"

@@ -65,14 +65,14 @@ TEST(EnergyJudgement, LooksInBothDirectionsAtWhatCameIn)
       energies.step(100 + sign * 4, 0, 0);
       EXPECT_TRUE(energies.findings().empty())
         << verdict_text(energies.findings());
-      energies.step(100 + sign * 19, 0, 0);
+      energies.step(100 + sign * 24, 0, 0);
       EXPECT_EQ(verdict_of(energies.findings()), Verdict::doubtful);
-      energies.step(100 + sign * 21, 0, 0);
+      energies.step(100 + sign * 26, 0, 0);
       energies.step(100, 0, 0);
       ASSERT_EQ(energies.findings().size(), 1u);
       EXPECT_EQ(energies.findings()[0].verdict, Verdict::not_to_be_used);
       EXPECT_EQ(energies.findings()[0].time, 3.);
-      EXPECT_NE(energies.findings()[0].text.find("21 %"), std::string::npos);
+      EXPECT_NE(energies.findings()[0].text.find("26 %"), std::string::npos);
     }
 }
 

@@ -24,11 +24,25 @@ namespace auxfem
   class SamplingSchedule
   {
   public:
+    /**
+     * Steps from one sample to the next, at most.
+     * @tuned [steps] measured: samples cost a few per cent of linear steps; a
+     * prime number lets no vibration hide between samples
+     */
+    static constexpr unsigned long longest_period = 13;
+
+    /**
+     * Smallest number of samples in a run that has more steps.
+     * @tuned judgement
+     */
+    static constexpr unsigned long least_number = 20;
+
     explicit SamplingSchedule(const Equations &equations)
       : has_inertia(equations.model().plan.simulated.inertia)
       , is_linear(equations.is_linear())
       , n_steps(equations.model().plan.time.n_steps())
-      , period(std::min(longest_period, (n_steps + n_bursts - 1) / n_bursts))
+      , period(
+          std::min(longest_period, (n_steps + least_number - 1) / least_number))
     {}
 
     /** @param number of the step, from 0 */
@@ -44,14 +58,6 @@ namespace auxfem
   private:
     /** Steps that a third difference takes. */
     static constexpr unsigned long burst = 3;
-
-    /** Steps from one burst to the next, at most. Three in thirteen cost a few
-     * per cent of linear steps; a prime number lets no vibration of a whole
-     * number of steps hide between samples. */
-    static constexpr unsigned long longest_period = 13;
-
-    /** In a run, at least: as many as it has checkpoints. */
-    static constexpr unsigned long n_bursts = 20;
 
     const bool          has_inertia, is_linear;
     const unsigned long n_steps, period;

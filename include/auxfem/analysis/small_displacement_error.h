@@ -10,6 +10,13 @@
 namespace auxfem
 {
   /**
+   * Growth of a motion or of its estimated error after which the error is
+   * computed again.
+   * @tuned judgement: a check costs a factorization
+   */
+  inline constexpr double growth_between_checks = 1.25;
+
+  /**
    * What small displacements leave out, where it is most. Relative to what is
    * computed, to first order (doc/theory.md).
    */
@@ -56,10 +63,6 @@ namespace auxfem
   class SmallDisplacementEstimate
   {
   public:
-    /** Steps from one estimate to the next with inertia, where one costs about
-     * as much as a tenth of a step, and motions take many steps. */
-    static constexpr unsigned int distance_in_motion = 20;
-
     /** @param equations must outlive the object. */
     explicit SmallDisplacementEstimate(const Equations &equations);
 

@@ -1,4 +1,5 @@
 #include <auxfem/analysis/watch.h>
+#include <auxfem/output/verdict_limits.h>
 #include <auxfem/parameters/rounded_text.h>
 
 #include <sstream>
@@ -7,9 +8,6 @@ namespace auxfem
 {
   namespace
   {
-    /** Part of the compliance that is missed. */
-    constexpr double doubtful_lack = 0.05, ruinous_lack = 0.25;
-
     /**
      * Bending that varies along elements of order 1, which have one curvature
      * each. In equilibrium the moment rises by the shear force Q times the
@@ -56,7 +54,7 @@ namespace auxfem
       std::vector<Finding> findings() const override
       {
         const double missed = missing > 0 ? missing / (missing + there) : 0.;
-        if (missed <= doubtful_lack)
+        if (missed <= doubtful_error)
           return {};
         std::ostringstream text;
         text.precision(2);
@@ -66,11 +64,11 @@ namespace auxfem
              << " of the compliance. Set Discretization/Order = 2 or more, "
                 "or raise Discretization/Global refinements: each halving of "
                 "the elements leaves a quarter of it.";
-        return {
-          {missed > ruinous_lack ? Verdict::not_to_be_used : Verdict::doubtful,
-           text.str(),
-           time,
-           ""}};
+        return {{missed > unusable_error ? Verdict::not_to_be_used
+                                         : Verdict::doubtful,
+                 text.str(),
+                 time,
+                 ""}};
       }
 
     private:

@@ -1,5 +1,6 @@
 #include <auxfem/analysis/node_masses.h>
 #include <auxfem/analysis/watch.h>
+#include <auxfem/parameters/numerical_limits.h>
 #include <auxfem/parameters/rounded_text.h>
 
 #include <algorithm>
@@ -10,15 +11,6 @@ namespace auxfem
 {
   namespace
   {
-    /**
-     * Kinetic energy over work: of an oscillator whose load is raised in a time
-     * t, the square of its period over 2 pi t; a hundredth with 1.6 periods.
-     */
-    constexpr double doubtful_kinetic_energy = 0.01;
-
-    /** Dissipated part of the work from which on results depend on time. */
-    constexpr double noticeable_dissipation = 0.01;
-
     /** A shorter part of a time step is one in which loads are there at once.
      */
     constexpr double sudden_part = 1e-4;
@@ -59,8 +51,8 @@ namespace auxfem
 
       std::vector<Finding> findings() const override
       {
-        if (kinetic.value <= doubtful_kinetic_energy * work ||
-            dissipated <= noticeable_dissipation * work)
+        if (kinetic.value <= noticeable_part * work ||
+            dissipated <= noticeable_part * work)
           return {};
         std::ostringstream text;
         text.precision(2);

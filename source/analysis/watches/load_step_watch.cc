@@ -1,4 +1,5 @@
 #include <auxfem/analysis/watch.h>
+#include <auxfem/output/verdict_limits.h>
 #include <auxfem/parameters/rounded_text.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -11,12 +12,11 @@ namespace auxfem
 {
   namespace
   {
-    /** Part of the impulse: by the trapezoidal rule of a sine with 8 steps a
-     * period. */
-    constexpr double doubtful_impulse = 0.05;
-
-    /** Part of the amount of a load that shows less than two steps a period, in
-     * which stages within steps alias, too. */
+    /**
+     * Part of a load that steps miss from which on stages within steps miss
+     * it, too.
+     * @tuned theory: loads with less than two steps a period show so much
+     */
     constexpr double unresolved = 0.75;
 
     /** The time integral of one load, as steps take it and as it is. */
@@ -81,7 +81,7 @@ namespace auxfem
               const double part = impulse.missed / impulse.whole,
                            missed =
                              part > unresolved ? part : scheme.missed_way(part);
-              if (!(missed <= doubtful_impulse))
+              if (!(missed <= doubtful_error))
                 found.push_back(finding(impulse.load->origin(), missed));
             }
         return found;

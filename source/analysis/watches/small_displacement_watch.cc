@@ -2,6 +2,7 @@
 #include <auxfem/analysis/second_order_effect.h>
 #include <auxfem/analysis/small_displacement_error.h>
 #include <auxfem/analysis/watch.h>
+#include <auxfem/output/verdict_limits.h>
 #include <auxfem/parameters/rounded_text.h>
 
 #include <algorithm>
@@ -13,26 +14,25 @@ namespace auxfem
 {
   namespace
   {
-    constexpr double doubtful_displacement_error = 0.05,
-                     ruinous_displacement_error  = 0.25;
-
-    /** Growth of the estimate after which the effect of axial forces is found
-     * anew, for the price of a factorization. */
-    constexpr double growth_between_checks = 1.1;
-
-    /** Estimate from which on the exact equilibrium is compared: struts held at
-     * both ends are stretched when they bend, 500 times longer than thick ones
-     * by some per cent of their stiffness here. */
+    /**
+     * Estimate from which on the exact equilibrium is compared.
+     * @tuned theory: struts held at both ends, 500 times longer than thick,
+     * are stiffer by some per cent
+     */
     constexpr double least_compared = 5e-4;
 
-    /** Growth of the estimate after which it is compared anyhow. */
+    /**
+     * Growth of the estimate after which the exact equilibrium is compared
+     * in any case.
+     * @tuned judgement
+     */
     constexpr double growth_between_comparisons = 8;
 
     Verdict verdict_on(const double error)
     {
-      return error > ruinous_displacement_error ? Verdict::not_to_be_used
-        : error > doubtful_displacement_error   ? Verdict::doubtful
-                                                : Verdict::sound;
+      return error > unusable_error ? Verdict::not_to_be_used
+        : error > doubtful_error    ? Verdict::doubtful
+                                    : Verdict::sound;
     }
 
     /** When a linear scene was furthest beyond its critical load. */
@@ -240,7 +240,7 @@ namespace auxfem
           Verdict::not_to_be_used;
         const bool is_known =
           total <= growth_between_comparisons * comparison.estimate &&
-          comparison.expected(total) <= doubtful_displacement_error;
+          comparison.expected(total) <= doubtful_error;
         const bool has_grown =
           total > growth_between_checks * comparison.estimate ||
           (has_ended && total > comparison.estimate);
@@ -251,13 +251,13 @@ namespace auxfem
           return;
         LargeRotationErrorEstimator estimator(equations,
                                               *exact,
-                                              doubtful_displacement_error);
+                                              doubtful_error);
         const LargeRotationError    found = estimator.at(state.displacement);
         work.add_effort(estimator.effort());
         comparison.estimate = total;
         // The estimate tells of motions that are too large to be compared.
-        const bool is_compared = std::isfinite(found.translation) ||
-          total <= doubtful_displacement_error;
+        const bool is_compared =
+          std::isfinite(found.translation) || total <= doubtful_error;
         if (is_compared && found.translation >= comparison.error)
           {
             comparison.error    = found.translation;

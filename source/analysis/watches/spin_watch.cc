@@ -2,6 +2,7 @@
 #include <auxfem/analysis/watch.h>
 #include <auxfem/elements/rotation.h>
 #include <auxfem/mesh/sets.h>
+#include <auxfem/parameters/numerical_limits.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -12,9 +13,9 @@ namespace auxfem
 {
   namespace
   {
-    /** Growth of disturbances from which on a run does not keep its tolerance.
-     */
-    constexpr double doubtful_growth = 100;
+    /** Growth of disturbances that makes noticeable ones as large as the
+     * motion. */
+    constexpr double doubtful_growth = 1 / noticeable_part;
 
     struct PointMass
     {

@@ -1,4 +1,5 @@
 #include <auxfem/analysis/inverse_iteration.h>
+#include <auxfem/analysis/sampling_schedule.h>
 #include <auxfem/analysis/small_motions/mode_space.h>
 #include <auxfem/analysis/watch.h>
 #include <auxfem/model/unknown_names.h>
@@ -261,8 +262,9 @@ namespace auxfem
                 const EvaluationResults & /*results*/,
                 TangentSolver & /*solver*/) override
       {
-        const double interval =
-          end_time / (last_rate > 0 ? n_while_unstable : n_while_stable);
+        const double interval = end_time /
+          (last_rate > 0 ? n_while_unstable
+                         : double(SamplingSchedule::least_number));
         if (step.to.time < last_time + interval && step.to.time < end_time)
           return;
         const double rate = growth_rate(step);
@@ -293,11 +295,20 @@ namespace auxfem
       }
 
     private:
-      /** A disturbance of a 1e-5th part becomes as large as the motion. */
+      /**
+       * Growth of disturbances, as its natural logarithm, from which on a
+       * motion is doubtful.
+       * @tuned judgement: a disturbance of a 1e-5th part becomes as large as
+       * the motion
+       */
       static constexpr double doubtful_exponent = 11.5;
-      /** Checks in a run. Each costs as much as about nine iterations of
-       * Newton's method; growth between two of them is not seen in full. */
-      static constexpr double n_while_stable = 20, n_while_unstable = 240;
+
+      /**
+       * Checks in a run while the motion is unstable, as growth between two
+       * of them is not seen in full.
+       * @tuned judgement: a check costs nine iterations of Newton's method
+       */
+      static constexpr double n_while_unstable = 240;
 
       /** Largest of the rates tried (1/s) at which a disturbance grows at
        * step.to; 0: none. */

@@ -1,4 +1,6 @@
 #include <auxfem/analysis/watch.h>
+#include <auxfem/output/verdict_limits.h>
+#include <auxfem/parameters/numerical_limits.h>
 #include <auxfem/parameters/rounded_text.h>
 
 #include <algorithm>
@@ -9,19 +11,14 @@ namespace auxfem
 {
   namespace
   {
+    /** Part of the largest energy of a motion that is hardly noticed beside the
+     * deformation, as where friction holds it: steps with less do not count. */
+    constexpr double least_kinetic_part = 2 * noticeable_part * noticeable_part;
+
     /**
-     * Error of the displacements in a step over their increments: by the
-     * trapezoidal rule of a vibration with n steps a period (2 pi / n)^2 / 12,
-     * 5 % with 8 steps, 25 % with 3.6.
+     * Turn of a joint in one step that is doubtful.
+     * @tuned [rad] judgement
      */
-    constexpr double doubtful_error = 0.05, ruinous_error = 0.25;
-
-    /** Steps with less of the largest energy in motion do not count: it moves
-     * by 1.4 % of what the structure is deformed, as where friction holds it.
-     */
-    constexpr double least_kinetic_part = 2e-4;
-
-    /** Turn of a joint in one step (rad). */
     constexpr double doubtful_increment = 0.5;
 
     /**
@@ -144,7 +141,7 @@ namespace auxfem
 
       Finding error_finding(const double relative) const
       {
-        const bool         is_ruinous = !(relative <= ruinous_error);
+        const bool         is_ruinous = !(relative <= unusable_error);
         std::ostringstream text;
         text.precision(2);
         text << "The steps are long for the motion: each misses about "

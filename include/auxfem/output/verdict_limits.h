@@ -1,0 +1,19 @@
+#ifndef auxfem_output_verdict_limits_h
+#define auxfem_output_verdict_limits_h
+
+namespace auxfem
+{
+  /**
+   * Relative error of a result from which on it is doubtful.
+   * @tuned judgement: 8 steps a period with the trapezoidal rule
+   */
+  inline constexpr double doubtful_error = 0.05;
+
+  /**
+   * Relative error of a result from which on it is not to be used.
+   * @tuned judgement: 3.6 steps a period with the trapezoidal rule
+   */
+  inline constexpr double unusable_error = 0.25;
+} // namespace auxfem
+
+#endif
