@@ -3,6 +3,7 @@
 #include <auxfem/mesh/merge_joints.h>
 #include <auxfem/mesh/position_text.h>
 #include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/short_lines.h>
 
 #include <deal.II/numerics/rtree.h>
 
@@ -19,13 +20,12 @@ namespace auxfem
     /** The first of some items, and how many more there are. */
     std::string first_of(const std::vector<std::string> &items)
     {
-      constexpr std::size_t most = 3;
-      std::string           text;
-      for (std::size_t i = 0; i < std::min(most, items.size()); ++i)
+      std::string text;
+      for (std::size_t i = 0; i < std::min(n_listed, items.size()); ++i)
         text += (i > 0 ? "; " : "") + items[i];
-      return items.size() <= most
+      return items.size() <= n_listed
         ? text
-        : text + "; and " + std::to_string(items.size() - most) + " more";
+        : text + "; and " + std::to_string(items.size() - n_listed) + " more";
     }
 
     /** For each joint the first one within @p distance, itself if none. */

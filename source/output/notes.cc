@@ -3,6 +3,7 @@
 #include <auxfem/model/supports.h>
 #include <auxfem/model/unknown_names.h>
 #include <auxfem/output/notes.h>
+#include <auxfem/parameters/short_lines.h>
 #include <auxfem/scene/time_function_notes.h>
 
 #include <algorithm>
@@ -16,7 +17,10 @@ namespace auxfem
 {
   namespace
   {
-    /** Of its length, as thick as a strut may be without a question. */
+    /**
+     * Thickness of a strut over its length that asks for a note.
+     * @tuned judgement
+     */
     constexpr double thickest = 0.25;
 
     /** Height of the rectangle with the same area and second moment (m): that
@@ -158,14 +162,14 @@ namespace auxfem
         model.plan.analysis != Analysis::simulation;
       if (model.free_spins.empty() || !is_static)
         return;
-      constexpr std::size_t most = 3;
-      std::ostringstream    text;
+      std::ostringstream text;
       text << "Between ball hinges ";
-      for (std::size_t i = 0; i < std::min(most, model.free_spins.size()); ++i)
+      for (std::size_t i = 0; i < std::min(n_listed, model.free_spins.size());
+           ++i)
         text << (i > 0 ? ", " : "") << "strut "
              << model.free_spins[i].struts.front();
-      if (model.free_spins.size() > most)
-        text << " and " << model.free_spins.size() - most << " more";
+      if (model.free_spins.size() > n_listed)
+        text << " and " << model.free_spins.size() - n_listed << " more";
       text
         << " could turn about "
         << (model.free_spins.size() > 1 ? "their own axes" : "its own axis")
@@ -197,12 +201,11 @@ namespace auxfem
     std::string
     pairs_text(const std::vector<std::array<unsigned int, 2>> &pairs)
     {
-      constexpr std::size_t most = 3;
-      std::ostringstream    text;
-      for (std::size_t i = 0; i < std::min(most, pairs.size()); ++i)
+      std::ostringstream text;
+      for (std::size_t i = 0; i < std::min(n_listed, pairs.size()); ++i)
         text << (i > 0 ? ", " : "") << pairs[i][0] << " and " << pairs[i][1];
-      if (pairs.size() > most)
-        text << " and " << pairs.size() - most << " more pairs";
+      if (pairs.size() > n_listed)
+        text << " and " << pairs.size() - n_listed << " more pairs";
       return text.str();
     }
 

@@ -1,6 +1,7 @@
 #include <auxfem/output/output_file.h>
 #include <auxfem/output/output_folder.h>
 #include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/short_lines.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -240,16 +241,15 @@ namespace auxfem
   void OutputFolder::refuse_files_of_others(
     const std::vector<std::string> &names) const
   {
-    constexpr unsigned int n_shown = 8;
-    unsigned int           n       = 0;
-    std::string            text;
+    unsigned int n = 0;
+    std::string  text;
     for (const std::string &name : names)
-      if (!is_own(name) && n++ < n_shown)
+      if (!is_own(name) && n++ < n_listed)
         text += (text.empty() ? "" : ", ") + name;
     if (n == 0)
       return;
-    if (n > n_shown)
-      text += " and " + std::to_string(n - n_shown) + " more";
+    if (n > n_listed)
+      text += " and " + std::to_string(n - n_listed) + " more";
     throw InputError(
       "The output folder `" + path +
       "` has files that auxfem has not written there and would replace:\n  " +

@@ -1,3 +1,4 @@
+#include <auxfem/parameters/short_lines.h>
 #include <auxfem/parameters/suggest.h>
 
 #include <algorithm>
@@ -8,8 +9,6 @@ namespace auxfem
 {
   namespace
   {
-    constexpr std::size_t longest_list = 3;
-
     std::string lower_case(std::string text)
     {
       for (char &letter : text)
@@ -77,7 +76,7 @@ namespace auxfem
     near.erase(std::unique(near.begin(), near.end()), near.end());
 
     std::vector<std::string> names;
-    for (std::size_t i = 0; i < std::min(longest_list, near.size()); ++i)
+    for (std::size_t i = 0; i < std::min(n_listed, near.size()); ++i)
       names.push_back(near[i].second);
     return names;
   }

@@ -1,4 +1,5 @@
 #include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/short_lines.h>
 #include <auxfem/scene/step_ends.h>
 #include <auxfem/scene/time_function_notes.h>
 
@@ -11,7 +12,10 @@ namespace auxfem
 {
   namespace
   {
-    /** Of the largest value, what a step may miss without a note. */
+    /**
+     * Part of a load's largest value that a step may miss without a note.
+     * @tuned judgement
+     */
     constexpr double allowed_departure = 0.25;
 
     constexpr unsigned long most_samples = 1 << 18, most_samples_a_step = 64;
@@ -212,14 +216,13 @@ namespace auxfem
 
   std::string load_values_text(const RunPlan &plan, const double time)
   {
-    constexpr unsigned int most = 3;
-    std::ostringstream     words;
+    std::ostringstream words;
     words.precision(4);
     unsigned int n = 0;
     for (const TimeFunction &function : functions_of_time(plan))
       if (const double value = function.value(time); value != 0)
         {
-          if (++n > most)
+          if (++n > n_listed)
             return words.str() + ", ...";
           words << (n > 1 ? ", " : "") << function.origin() << " = " << value;
         }
