@@ -9,67 +9,58 @@ namespace auxfem
 {
   namespace
   {
-    // Sizes of the equations at the joints at which `auto` changes.
+    // Sizes of the equations at the joints at which `auto` changes: CHOLMOD's
+    // LDL' and KLU go entry by entry and use one rank; MUMPS goes by dense
+    // blocks. All are unknowns at joints, measured by scripts/measure-sizes.
 
     /**
-     * @name Unknowns up to which CHOLMOD's LDL' and KLU, which go entry by entry,
-     * are quicker than MUMPS, which goes by dense blocks; measured by
-     * scripts/measure-sizes (doc/theory.md, What growing lattices cost). MUMPS
-     * gains in space, where factors are dense, and loses in solutions, of which
-     * a factorization serves some ten.
+     * Symmetric matrices in space up to which CHOLMOD is quicker than MUMPS.
+     * @tuned [unknowns] measured by scripts/measure-sizes
      */
-    ///@{
     constexpr unsigned long cholmod_limit_in_space = 30000;
-    constexpr unsigned long klu_limit_in_space     = 10000;
-    constexpr unsigned long klu_limit_in_plane     = 100000;
-    /**
-     * Where there are multipliers: at 468 (prm/rigid-array.prm) 1007
-     * factorizations take 0.16 s and 1.9 s, 3059 solutions 0.06 s and 2.3 s.
-     * Where that ends is a guess.
-     */
-    constexpr unsigned long klu_limit_with_multipliers = 10000;
-    /** On several ranks, in the plane: CHOLMOD has the first one only. */
-    constexpr unsigned long cholmod_limit_on_ranks = 300000;
-    ///@}
 
     /**
-     * @name Unknowns up to which MUMPS is as quick on one rank as on two. A
-     * factorization and a solution on one against two: 6.1 and 0.68 ms against
-     * 7.0 and 1.1 ms at 3060 unknowns in the plane, 75 and 7.4 against 84 and
-     * 10 at 27,180, 353 and 33 against 270 and 27 at 108,360; in space 9.7 and
-     * 0.64 against 7.6 and 0.78 at 2916, 28 and 2.4 against 16 and 1.8 at 6816.
+     * Unsymmetric matrices in space, and such with multipliers, up to which
+     * KLU is quicker than MUMPS.
+     * @tuned [unknowns] measured by scripts/measure-sizes; with multipliers
+     * a guess
      */
-    ///@{
-    constexpr unsigned long one_rank_limit_in_space = 5000;
-    constexpr unsigned long one_rank_limit_in_plane = 50000;
-    ///@}
+    constexpr unsigned long klu_limit_in_space = 10000;
 
     /**
-     * Below it the iterations are the same with the symmetric part: those of
-     * prm/star-10x10.prm, dashpots on turning lines, with 2e-8. At 1e-2, large
-     * rotations in space of prm/lattice-3d.prm, they are 1.2 times as many.
+     * Matrices in the plane up to which one rank is quicker: KLU for
+     * unsymmetric ones, on several ranks CHOLMOD, and MUMPS on the first.
+     * @tuned [unknowns] measured by scripts/measure-sizes: two ranks are 0.9
+     * times as quick with 27,000, 1.3 times with 108,000
      */
-    constexpr double slight_asymmetry = 1e-4;
+    constexpr unsigned long one_rank_limit_in_plane = 100000;
 
     /**
-     * Unknowns, those inside struts included, up to which Newton's method gains
-     * nothing by the symmetric part of an unsymmetric matrix.
-     */
-    constexpr unsigned long exact_limit = 50000;
-
-    /**
-     * Unknowns of lattices in space from which nested dissection pays. Products
-     * in a factorization by LDL', minimum degree against nested dissection:
-     * 0.74 times as many at 2916 unknowns, 1.2 at 6816, 1.8 at 22,680, 2.6 at
-     * 103,800, 3.5 at 178,848. In the plane minimum degree takes 0.9 to 1.02
-     * times as many from 3060 to 361,200 unknowns, and is found far sooner.
+     * Matrices in space up to which factors are so small that minimum degree
+     * suffices and MUMPS is as quick on one rank as on two.
+     * @tuned [unknowns] measured: minimum degree takes 0.74 times the
+     * products of dissection with 2916, 1.2 times with 6816
      */
     constexpr unsigned long dissection_limit = 5000;
 
     /**
-     * Unknowns of lattices in space, on each rank, above which the factors are
-     * taken to be too large. Planar lattices have so few more entries in their
-     * factors than in the matrix that they have no such limit.
+     * Asymmetry below which Newton's method takes the symmetric part.
+     * @tuned measured: prm/star-10x10.prm has 2e-8; with 1e-2, as in
+     * prm/lattice-3d.prm, iterations are 1.2 times as many
+     */
+    constexpr double slight_asymmetry = 1e-4;
+
+    /**
+     * Unknowns, those inside struts included, up to which Newton's method
+     * gains nothing by the symmetric part of an unsymmetric matrix.
+     * @tuned [unknowns] measured (doc/theory.md)
+     */
+    constexpr unsigned long exact_limit = 50000;
+
+    /**
+     * Unknowns on each rank in space up to which factors are not too large.
+     * @tuned [unknowns] judgement: planar factors are hardly larger than the
+     * matrix
      */
     constexpr unsigned long iteration_limit = 1000000;
 
@@ -117,12 +108,13 @@ namespace auxfem
     unsigned long limit_of_sparse_solver(const EquationsAtJoints &equations)
     {
       if (equations.symmetry != Symmetry::none && equations.n_multipliers > 0)
-        return klu_limit_with_multipliers;
+        return klu_limit_in_space;
       if (sparse_solver(equations) == LinearSolverType::klu)
-        return is_in_space(equations) ? klu_limit_in_space : klu_limit_in_plane;
+        return is_in_space(equations) ? klu_limit_in_space
+                                      : one_rank_limit_in_plane;
       if (is_in_space(equations))
         return cholmod_limit_in_space;
-      return equations.n_ranks > 1 ? cholmod_limit_on_ranks
+      return equations.n_ranks > 1 ? one_rank_limit_in_plane
                                    : std::numeric_limits<unsigned long>::max();
     }
 
@@ -145,9 +137,8 @@ namespace auxfem
 
   MumpsRanks choose_mumps_ranks(const EquationsAtJoints &equations)
   {
-    return equations.n_unknowns <= (is_in_space(equations)
-                                      ? one_rank_limit_in_space
-                                      : one_rank_limit_in_plane)
+    return equations.n_unknowns <=
+        (is_in_space(equations) ? dissection_limit : one_rank_limit_in_plane)
       ? MumpsRanks::first
       : MumpsRanks::all;
   }

@@ -345,7 +345,7 @@ TEST(LinearSolverChoice, MumpsHasAllRanksWhereThatIsQuicker)
     return choose_mumps_ranks(some);
   };
   EXPECT_EQ(ranks(30000, 3), MumpsRanks::first);
-  EXPECT_EQ(ranks(100000, 3), MumpsRanks::all);
+  EXPECT_EQ(ranks(200000, 3), MumpsRanks::all);
   EXPECT_EQ(ranks(3000, 6), MumpsRanks::first);
   EXPECT_EQ(ranks(7000, 6), MumpsRanks::all);
 }
