@@ -14,8 +14,9 @@ namespace auxfem
   namespace
   {
     /**
-     * Pivots are kept for new entries until they let the factors grow this much
-     * more than freshly chosen ones did.
+     * Growth of the factors, over that with freshly chosen pivots, up to
+     * which pivots are kept for new entries.
+     * @tuned judgement
      */
     constexpr double growth_of_kept_pivots = 100;
 

@@ -26,8 +26,12 @@ namespace auxfem
   Eigenpairs nearest_eigenpairs(const ShiftedEigenproblem &problem,
                                 const unsigned int         n)
   {
-    // Mechanisms have more equal eigenvalues than a Krylov space tells apart.
-    constexpr unsigned int most_dense = 1500; // unknowns, some seconds
+    /**
+     * Size up to which eigenproblems with many equal eigenvalues, those
+     * of mechanisms, are solved by dense matrices.
+     * @tuned [unknowns] measured: these take some seconds
+     */
+    constexpr unsigned int most_dense = 1500;
     const bool are_few = problem.n_finite < 4 * n_krylov_directions(n);
     Eigenpairs found =
       are_few ? dense_eigenpairs(problem, n) : krylov_eigenpairs(problem, n);

@@ -53,7 +53,7 @@ namespace auxfem
     /**
      * Unknowns, those inside struts included, up to which Newton's method
      * gains nothing by the symmetric part of an unsymmetric matrix.
-     * @tuned [unknowns] measured (doc/theory.md)
+     * @tuned [unknowns] judgement
      */
     constexpr unsigned long exact_limit = 50000;
 

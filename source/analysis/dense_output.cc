@@ -1,5 +1,6 @@
 #include <auxfem/analysis/dense_output.h>
 #include <auxfem/equations/prescribed_motion.h>
+#include <auxfem/parameters/numerical_limits.h>
 
 #include <algorithm>
 #include <array>
@@ -77,10 +78,6 @@ namespace auxfem
         return {};
       return TimeLimit{*event, TimeSide::after};
     }
-
-    /** Part of the forces at the ends of a step by which those at an
-     * interpolated motion may be out of equilibrium. */
-    constexpr double largest_force_error = 0.01;
 
     double part_of(const Evaluation &between, const State &end)
     {
@@ -204,7 +201,7 @@ namespace auxfem
     const EvaluationResults &results = between.results;
     const double moment = results.moment / equations.model().mean_strut_length;
     return between.state.acceleration &&
-      std::max(results.force, moment) <= largest_force_error *
+      std::max(results.force, moment) <= noticeable_part *
         std::max(from.results.force_scale, to.results.force_scale);
   }
 

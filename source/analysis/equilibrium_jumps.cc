@@ -10,9 +10,12 @@ namespace auxfem
 {
   namespace
   {
-    /** Distance from the tangent's prediction over that prediction or, near a
-     * limit point where the tangent predicts any motion, over that of the step
-     * before. The last long steps to a limit point reach it and are halved. */
+    /**
+     * Distance of an equilibrium from the tangent's prediction, over the
+     * prediction or the last step, from which on it may be a jump.
+     * @tuned judgement: the last long steps to a limit point reach it and
+     * are halved
+     */
     constexpr double largest_deviation = 2;
 
     /** The same for the first step, which has no step before it to compare
@@ -23,8 +26,12 @@ namespace auxfem
     /** Part of all motion so far below which a deviation is no jump. */
     constexpr double negligible_motion = 1e-3;
 
-    /** Part of the scene's step: a connected motion has shrunk by the same
-     * factor there, a jump has not. */
+    /**
+     * Part of the scene's step at which a motion that has not shrunk is a
+     * jump.
+     * @tuned judgement: a connected motion has shrunk to a quarter or less
+     * there
+     */
     constexpr double shortest_part = 1. / 64;
 
     /** Part of the motion of a longer step that a jump keeps at least in one

@@ -23,6 +23,11 @@ namespace auxfem
      * whose sine and cosine differ from the angle and from one. */
     bool is_large(const double rotation, const double allowed)
     {
+      /**
+       * Rotation from which on the error of small displacements is too
+       * large to be computed.
+       * @tuned [rad] theory: the cosine then differs from one by 1.1 %
+       */
       constexpr double small_angle = 0.15;
       return !(rotation < small_angle && rotation * rotation / 2 <= allowed);
     }
@@ -31,11 +36,6 @@ namespace auxfem
      * hundredth of what is allowed. */
     constexpr unsigned int most_iterations = 8;
     constexpr double       accuracy = 0.1, accuracy_of_tolerance = 0.01;
-
-    /** Largest change over that of the iteration before for a stiffness to be
-     * kept; with that at rest over the change before that one: a bent strut
-     * seems to be stretched, which is made good one iteration later. */
-    constexpr double kept_reduction = 0.3;
 
     State at_rest(const Equations &equations)
     {
@@ -258,8 +258,8 @@ namespace auxfem
             std::max(accuracy * size(error),
                      accuracy_of_tolerance * allowed * size(motion)))
           return true;
-        is_reducing =
-          size_of_change <= kept_reduction * (by_rest ? before_last : last);
+        is_reducing = plan.newton.kept_reduction * size_of_change <=
+          (by_rest ? before_last : last);
         if (by_rest && !is_reducing)
           return false;
         before_last = std::exchange(last, size_of_change);

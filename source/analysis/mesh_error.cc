@@ -120,10 +120,6 @@ namespace auxfem
 
   namespace
   {
-    /** In a run. */
-    constexpr unsigned int n_instants = 64;
-
-
     /** A run whose elements are not good enough. */
     Finding missed_tolerance(const OrderReport &report, const double time)
     {
@@ -183,7 +179,7 @@ namespace auxfem
 
   MeshErrorObserver::MeshErrorObserver(const LatticeModel &model,
                                        const OrderReport  &report)
-    : distance(model.plan.time.end_time / n_instants)
+    : distance(model.plan.time.end_time / n_instants_of_mesh_error)
     , parts_of_step(n_stages(model.plan.time))
     , report(report)
     , estimate(model)

@@ -1,5 +1,6 @@
 #include <auxfem/analysis/newton.h>
 #include <auxfem/equations/prescribed_motion.h>
+#include <auxfem/parameters/numerical_limits.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -23,7 +24,7 @@ namespace auxfem
      * cable predicts far more. From larger motions than that of the equilibrium
      * Newton's method converges.
      */
-    constexpr double largest_turn_of_slack = 0.1;
+    constexpr double largest_turn_of_slack = small_rotation;
 
     /**
      * Mean forces have a singularity where a step turns a section by half a
@@ -37,8 +38,11 @@ namespace auxfem
      */
     constexpr double far_from_solution = 1e-6;
 
-    /** A residual that is not computed is taken for so many times what it
-     * should be. */
+    /**
+     * Safety factor on a residual that is predicted by the last reduction
+     * and not computed.
+     * @tuned judgement
+     */
     constexpr double doubt = 10;
 
     /** How often an increment is halved. */

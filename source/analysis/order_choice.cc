@@ -3,7 +3,9 @@
 #include <auxfem/elements/strut_order.h>
 #include <auxfem/output/history.h>
 #include <auxfem/output/summary.h>
+#include <auxfem/output/verdict_limits.h>
 #include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/numerical_limits.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -18,19 +20,14 @@ namespace auxfem
     namespace mpi = dealii::Utilities::MPI;
 
     /**
-     * Which instants ask for the highest orders is seen well enough with errors
-     * of elements, steps and iterations that a result must not have.
+     * Steps of a search run over those of the run: it finds which instants
+     * ask for the highest orders.
+     * @tuned judgement
      */
-    constexpr double       longer_steps = 4, fewest_steps = 64;
-    constexpr double       loose_tolerance      = 1e-2; ///< of steps
-    constexpr double       loose_residual       = 1e-4; ///< of Newton's method
-    constexpr unsigned int search_order         = 2;
-    constexpr double       largest_search_error = 0.2; ///< of elements
-    constexpr unsigned int most_searches        = 6;
+    constexpr double longer_steps = 4;
 
-    /** What is aimed at of the tolerance, as the run will differ from the
-     * search. */
-    constexpr double aim = 0.5;
+    /** Search runs with elements of their own. */
+    constexpr unsigned int most_searches = 6;
 
     /** Tells a recorder how far a search run has come. */
     class SearchProgress : public Recorder
@@ -55,16 +52,16 @@ namespace auxfem
     RunPlan search_plan(const RunPlan &plan)
     {
       RunPlan search        = plan;
-      search.division.order = search_order;
-      search.newton.tolerance =
-        std::max(search.newton.tolerance, loose_residual);
-      TimeParameters &time = search.time;
+      search.division.order = lowest_chosen_order;
+      TimeParameters &time  = search.time;
       if (time.relative_tolerance)
         time.relative_tolerance =
-          std::max(*time.relative_tolerance, loose_tolerance);
+          std::max(*time.relative_tolerance, noticeable_part);
       else
-        time.step = std::min(longer_steps * time.step,
-                             std::max(time.step, time.end_time / fewest_steps));
+        time.step =
+          std::min(longer_steps * time.step,
+                   std::max(time.step,
+                            time.end_time / n_instants_of_mesh_error));
       return search;
     }
 
@@ -157,7 +154,9 @@ namespace auxfem
       const MPI_Comm communicator = run.model.numbering.layout().communicator();
       const double   n_struts =
                      mpi::sum(double(error.struts().size()), communicator),
-                   wanted = std::pow(aim * chosen.report.tolerance, 2) *
+                   wanted = std::pow(part_of_tolerance_for_elements *
+                                       chosen.report.tolerance,
+                                     2) *
         error.largest_energy();
       ElementSearch find(run.model, error, wanted / n_struts);
       const std::vector<BestElements> &found = find.find();
@@ -213,7 +212,7 @@ namespace auxfem
       report.steps += run.work().steps;
       report.iterations += run.work().iterations;
       report.reached = run.solution.state.time;
-      return error == nullptr || error->relative() <= largest_search_error;
+      return error == nullptr || error->relative() <= unusable_error;
     }
   } // namespace
 

@@ -17,11 +17,6 @@ namespace auxfem
 {
   namespace
   {
-    /** Of the largest load factor: points that lie on a straight path, where
-     * no bifurcation of two close ones shall be missed, are no further apart.
-     */
-    constexpr double part_between_pairs = 0.02;
-
     /** Viscous processes have come to rest on paths of equilibria. */
     RunPlan plan_of_path(const Scene &scene)
     {
@@ -173,7 +168,7 @@ namespace auxfem
       {
         const PathPosition &at = point.position();
         if (at.determinant_sign && !at.n_negative)
-          lengths.limit(part_between_pairs * path.largest_load_factor /
+          lengths.limit(path.resolution * path.largest_load_factor /
                         std::abs(point.tangent.load_rate));
       }
 

@@ -1,6 +1,8 @@
 #include <auxfem/algebra/row_sums.h>
 #include <auxfem/analysis/step_error.h>
+#include <auxfem/parameters/numerical_limits.h>
 #include <auxfem/parameters/rounded_text.h>
+#include <auxfem/time/step_control.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -12,19 +14,20 @@ namespace auxfem
 {
   namespace
   {
-    /** Default absolute tolerance over the relative one and the length of a
-     * strut: smaller displacements of lattices are of no interest. */
+    /**
+     * Default absolute tolerance over the relative one and the mean length
+     * of struts.
+     */
     constexpr double part_of_strut = 0.02;
 
     /** Ratio of an oscillation's error to the estimate, which takes only the
      * displacement and not the velocity into account. */
     constexpr double oscillation_factor = dealii::numbers::PI / 2;
 
-    /** Part of the tolerance that steps aim at. */
-    constexpr double safety = 0.8;
-
-    /** Least part of a uniform share of the tolerance that steps may use:
-     * errors that were made cannot be undone. */
+    /**
+     * Smallest part of a uniform share of the tolerance that a step may use.
+     * @tuned judgement: errors that were made cannot be undone
+     */
     constexpr double least_share = 0.1;
 
     double absolute_tolerance_of(const LatticeModel &model)
@@ -83,9 +86,9 @@ namespace auxfem
     latest.error = motions.error;
     latest.error.add(local);
     const Motions &translations = all.front();
-    const double   wanted       = safety *
+    const double   wanted       = safety_of_steps *
       allowed(motions, latest.largest, translations.latest.largest),
-                 wanted_before = safety *
+                 wanted_before = safety_of_steps *
       allowed(motions, motions.largest, translations.largest);
     const double used = local.amplification * motions.error.total(),
                  rate = std::max((wanted - used) / (end_time - step.from.time),
@@ -93,7 +96,7 @@ namespace auxfem
     // The tolerance that a step may use: its share of the remaining time, what
     // the motion adds, or what the scheme damps of earlier errors.
     const double usable = std::max({rate * step.dt,
-                                    safety * (wanted - wanted_before),
+                                    safety_of_steps * (wanted - wanted_before),
                                     (1 - local.amplification) * wanted});
     latest.relative     = std::max(0., latest.error.total() - used) / usable;
   }
@@ -201,9 +204,8 @@ namespace auxfem
 
   void StepError::sample(const State &state)
   {
-    constexpr double round_off = 1e-6;
-    const double     interval  = state.time - samples.latest_time();
-    if (interval < (1 - round_off) * sampling_interval)
+    const double interval = state.time - samples.latest_time();
+    if (interval < (1 - given_digits) * sampling_interval)
       return;
     if (const std::optional<Vector> third =
           samples.difference(3, state.time, state.displacement, interval))

@@ -42,15 +42,17 @@ namespace auxfem
 
   unsigned int StrutContactPoints::n_points(const unsigned int axis) const
   {
-    // Crossing struts in space touch along less than their thickness.
-    constexpr double       spacing_in_plane = 1, spacing_in_space = 0.25;
-    constexpr unsigned int most = 10000;
-    const double           h    = curves.list()[axis].half_thickness > 0
-                   ? curves.list()[axis].half_thickness
-                   : thickest;
-    const double           n =
-      std::ceil(curves.list()[axis].length /
-                (h * (dimension == 2 ? spacing_in_plane : spacing_in_space)));
+    /**
+     * Distance of contact points in space over half a thickness.
+     * @tuned judgement: crossing struts touch along less than a thickness
+     */
+    constexpr double       spacing_in_space = 0.25;
+    constexpr unsigned int most             = 10000;
+    const double           h = curves.list()[axis].half_thickness > 0
+                ? curves.list()[axis].half_thickness
+                : thickest;
+    const double           n = std::ceil(curves.list()[axis].length /
+                               (h * (dimension == 2 ? 1 : spacing_in_space)));
     return 1 + std::clamp<double>(n, 4, most);
   }
 

@@ -9,7 +9,11 @@ namespace auxfem
 {
   namespace
   {
-    /** In how many looks a pair may touch that goes on coming nearer. */
+    /**
+     * Searches within which a pair that comes nearer touches if it counts as
+     * near.
+     * @tuned judgement
+     */
     constexpr double looks_ahead = 4;
 
     /** By how much more than its nodes a point of an axis may move. */

@@ -1,5 +1,6 @@
 #include <auxfem/algebra/shared_work.h>
 #include <auxfem/equations/strut_proximity.h>
+#include <auxfem/parameters/numerical_limits.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -95,16 +96,14 @@ namespace auxfem
   StrutProximity::look_at_connected(const AxisPair            &pair,
                                     const std::vector<double> &u) const
   {
-    // More than what axes turn by in a step.
-    constexpr double much = 0.1;
-    const AxisCurve  one = curve(pair[0], u), other = curve(pair[1], u);
-    const double     left = gap_of.turning_left(pair, one, other, near_part);
-    const bool       are_apart = curves.are_neighbours(pair[0], pair[1]) &&
+    const AxisCurve one = curve(pair[0], u), other = curve(pair[1], u);
+    const double    left = gap_of.turning_left(pair, one, other, near_part);
+    const bool      are_apart = curves.are_neighbours(pair[0], pair[1]) &&
       gap_of.are_lines_at_rest(pair, one, other);
     Connected now;
     for (unsigned int k = 0; k < 2; ++k)
       now.turning_left[k] = left - turning(pair[k], u);
-    now.is_near = left < much && !are_apart &&
+    now.is_near = left < small_rotation && !are_apart &&
       comes_near(pair, gap_of(pair, one, other), u, near_gap(pair));
     return now;
   }

@@ -4,6 +4,7 @@
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/expression.h>
 #include <auxfem/parameters/input_file.h>
+#include <auxfem/parameters/numerical_limits.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -18,10 +19,6 @@ namespace auxfem
   namespace
   {
     using dealii::Utilities::trim;
-
-    /** Part of a table's range of values by which a spline may pass its rows
-     * without a note: a sine with 20 rows a period passes its peaks by less. */
-    constexpr double negligible_overshoot = 0.01;
 
     /** Reads a cell; false if it is not a finite number as a whole. */
     bool read_number(const std::string &cell, double &number)
@@ -170,7 +167,7 @@ namespace auxfem
           }
         const auto [least, greatest] =
           std::minmax_element(values.begin(), values.end());
-        return most.amount > negligible_overshoot * (*greatest - *least)
+        return most.amount > noticeable_part * (*greatest - *least)
           ? std::optional(most)
           : std::nullopt;
       }

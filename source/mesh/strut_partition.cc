@@ -1,6 +1,7 @@
 #include <auxfem/mesh/index_lists.h>
 #include <auxfem/mesh/strut_partition.h>
 #include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/numerical_limits.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/sparsity_pattern.h>
@@ -21,8 +22,7 @@ namespace auxfem
     {
       Pieces(const Lattice &lattice, const unsigned int n_ranks)
       {
-        constexpr unsigned int enough_cells = 100;
-        const bool in_cells = lattice.n_cells / n_ranks >= enough_cells;
+        const bool in_cells = lattice.n_cells * noticeable_part >= n_ranks;
         weights.resize(in_cells ? lattice.n_cells : lattice.struts.size());
         for (unsigned int s = 0; s < lattice.struts.size(); ++s)
           {

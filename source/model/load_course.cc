@@ -103,6 +103,7 @@ namespace auxfem
 
   double resolved_frequency(const RunPlan &plan)
   {
+    // The trapezoidal rule then errs by 0.8 %, which is not noticed.
     constexpr double steps_of_a_period = 20;
     return 2 * std::acos(-1.) / (steps_of_a_period * plan.time.step);
   }

@@ -33,7 +33,10 @@ namespace auxfem
                       input_file_section = "input files",
                       rank_section       = "rank ";
 
-    /** Time between two checkpoints over what one takes. */
+    /**
+     * Time between two checkpoints over the time that one takes.
+     * @tuned judgement: a third of a per cent of a run
+     */
     constexpr unsigned int time_over_cost = 300;
 
     /** Counts what is written to it. */

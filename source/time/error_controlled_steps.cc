@@ -1,3 +1,4 @@
+#include <auxfem/parameters/numerical_limits.h>
 #include <auxfem/time/divided_interval.h>
 #include <auxfem/time/step_control.h>
 
@@ -8,12 +9,18 @@ namespace auxfem
 {
   namespace
   {
-    /** Relative error above which a step is repeated. In an oscillation errors
-     * of single steps are larger than their mean. */
+    /**
+     * Relative error above which a step is repeated.
+     * @tuned judgement: errors of single steps exceed their mean in an
+     * oscillation
+     */
     constexpr double largest_error = 3;
 
-    /** Length wanted over that now, or its inverse, up to which steps stay as
-     * they are: a new length costs a factorization. */
+    /**
+     * Ratio of the wanted length to the present one, or its inverse, up to
+     * which steps keep their length.
+     * @tuned judgement: a new length costs a factorization
+     */
     constexpr double least_change = 1.25;
 
     unsigned int more_pieces(const unsigned int pieces)
@@ -30,10 +37,10 @@ namespace auxfem
       return pieces % 3 == 0 ? pieces / 3 * 2 : pieces / 4 * 3;
     }
 
-    /** Mean error that a new length is chosen for. */
-    constexpr double aim = 0.8;
-
-    /** Weight of the newest error in the mean. */
+    /**
+     * Weight of the newest error in the mean.
+     * @tuned judgement
+     */
     constexpr double share_of_newest = 0.25;
 
     /** Takes the length from a moving mean of errors: their sum counts, and
@@ -70,7 +77,7 @@ namespace auxfem
       {
         mean += share_of_newest * (relative_error - mean);
         const double factor =
-          std::pow(std::max(mean, least_error) / aim, -1. / order);
+          std::pow(std::max(mean, least_error) / safety_of_steps, -1. / order);
         const bool is_kept = factor > 1 / least_change && factor < least_change;
         wanted             = piece() * (is_kept ? 1 : factor);
         interval.pass();
@@ -123,9 +130,8 @@ namespace auxfem
       /** A number of the form 2^k or 3 2^k. */
       unsigned int pieces_of(const double length) const
       {
-        constexpr double round_off = 1e-6;
-        unsigned int     pieces    = 1;
-        while (length / pieces > (1 + round_off) * wanted)
+        unsigned int pieces = 1;
+        while (length / pieces > (1 + given_digits) * wanted)
           pieces = more_pieces(pieces);
         while (pieces > 1 && length / pieces < smallest)
           pieces = fewer_pieces(pieces);

@@ -81,6 +81,18 @@ namespace auxfem
                                          const std::vector<unsigned int> &which,
                                          StrutDivision division);
 
+  /**
+   * Part of the tolerance that chosen elements aim at: their error is known
+   * by an estimate, from another motion than that of the run.
+   * @tuned judgement: estimates are good to a factor of two
+   */
+  inline constexpr double part_of_tolerance_for_elements = 0.5;
+
+  /**
+   * Instants of a run at which the error of its elements is estimated.
+   */
+  inline constexpr unsigned int n_instants_of_mesh_error = 64;
+
   /** Wave number times length of the first bending mode between clamped ends.
    */
   inline constexpr double clamped_phase = 4.73004074;

@@ -20,9 +20,9 @@ namespace auxfem
     static constexpr int n_gauss_points = order;
 
     /**
-     * 12 EI / (kGA L^2) of an element of length L that is to bend as if it did
-     * not shear, at most. Linear elements are too stiff in bending by just as
-     * much.
+     * 12 EI / (kGA L^2) up to which an element of length L bends as if it
+     * did not shear; linear elements are too stiff by as much.
+     * @tuned judgement
      */
     static constexpr double most_shear = order == 1 ? 1. : 5e-3;
 

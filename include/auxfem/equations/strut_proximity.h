@@ -95,7 +95,10 @@ namespace auxfem
     ///@}
 
   private:
-    /** How near a pair is to be for having forces, of half its thickness. */
+    /**
+     * Gap of a pair that has forces of its own, over half its thickness.
+     * @tuned judgement
+     */
     static constexpr double near_part = 0.15;
 
     /** A pair within reach of each other. */

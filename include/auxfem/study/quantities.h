@@ -74,7 +74,10 @@ namespace auxfem
   double relative_difference(const QuantityValues &values,
                              const QuantityValues &reference);
 
-  /** Error of a reference from which on nothing is measured by it. */
+  /**
+   * Relative error from which on nothing is measured by a reference.
+   * @tuned judgement
+   */
   constexpr double unresolved_error = 0.1;
 } // namespace auxfem
 

@@ -9,6 +9,13 @@ namespace auxfem
 {
   struct TimeParameters;
 
+  /**
+   * Part of an allowed error that the controller aims at.
+   * @tuned usual in controllers (Hairer, Norsett, Wanner, Solving Ordinary
+   * Differential Equations I, II.4)
+   */
+  inline constexpr double safety_of_steps = 0.8;
+
   /** A step to be tried. */
   struct PlannedStep
   {

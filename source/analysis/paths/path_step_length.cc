@@ -9,12 +9,27 @@ namespace auxfem
   {
     /** Of the first length. */
     constexpr double smallest_part = 1e-6;
-    /** Deviation from the tangent that is still accepted, in resolutions. */
+
+    /**
+     * Deviation from the tangent, over the resolution, with which a point is
+     * accepted.
+     * @tuned judgement: the next step is then half as long
+     */
     constexpr double largest_deviation = 4;
-    /** Beyond, the point may lie on another branch. */
+
+    /**
+     * Cosine of the turn between two points beyond which the second may lie
+     * on another branch.
+     * @tuned judgement: 37 degrees
+     */
     constexpr double smallest_turn = 0.8;
-    /** Steps that take more are long for Newton's method. */
+
+    /**
+     * Iterations of Newton's method with which steps keep their length.
+     * @tuned judgement
+     */
     constexpr double wanted_iterations = 8;
+
     /** By how much a length at which a step has failed grows with every point.
      */
     constexpr double forgetting = 1.1;

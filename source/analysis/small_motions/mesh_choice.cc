@@ -4,6 +4,7 @@
 #include <auxfem/equations/held_struts.h>
 #include <auxfem/model/build_lattice.h>
 #include <auxfem/model/unknown_records.h>
+#include <auxfem/parameters/numerical_limits.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -22,16 +23,11 @@ namespace auxfem
     /** More than 64 elements a strut are not tried. */
     constexpr unsigned int most_elements = 64;
 
-    /** Part of the tolerance that new elements aim at, as their error is known
-     * by a rule only. */
-    constexpr double aim = 0.5;
-
-    /** Errors of elements that the user has given: what engineers accept of a
-     * frequency, and what is no result. The others follow the tolerance. */
-    constexpr double doubtful_error = 1e-2, unusable_error = 0.1;
-
-    /** Estimates are good to this factor. */
-    constexpr double safety = 2;
+    /**
+     * Relative error of frequencies from which on they are not to be used.
+     * @tuned judgement: what is no result of a frequency
+     */
+    constexpr double unusable_mode_error = 0.1;
 
     /** ((2 p)! / p!)^(1/p), to the power p. */
     double factorials(const unsigned int order)
@@ -231,7 +227,8 @@ namespace auxfem
     const double phase =
       division.n_elements * phase_with_dispersion(division.order, error);
     return choose(phase,
-                  aim * *plan.scene.discretization.tolerance,
+                  part_of_tolerance_for_elements *
+                    *plan.scene.discretization.tolerance,
                   division.n_inner_nodes(),
                   first.division.n_elements,
                   plan);
@@ -266,11 +263,11 @@ namespace auxfem
     if (!errors.why_unknown.empty())
       return findings;
     const double limit = plan.scene.discretization.tolerance
-      ? safety * *plan.scene.discretization.tolerance
-      : doubtful_error;
+      ? *plan.scene.discretization.tolerance / part_of_tolerance_for_elements
+      : noticeable_part;
     if (error > limit)
-      add(error > std::max(limit, unusable_error) ? Verdict::not_to_be_used
-                                                  : Verdict::doubtful,
+      add(error > std::max(limit, unusable_mode_error) ? Verdict::not_to_be_used
+                                                       : Verdict::doubtful,
           std::isfinite(error) ? "With " + elements + " the " + values +
               " err by up to " + percent(error) +
               ", by comparison with finer elements. " + advice(plan.scene)

@@ -10,6 +10,7 @@
 #include <auxfem/output/run_output.h>
 #include <auxfem/output/run_report.h>
 #include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/numerical_limits.h>
 #include <auxfem/parameters/rounded_text.h>
 #include <auxfem/time/interruption.h>
 #include <auxfem/time/static.h>
@@ -106,10 +107,9 @@ namespace auxfem
     /** Linear theory leaves out how far the lattice moves until it buckles. */
     std::vector<Finding> findings(const BucklingModes &found)
     {
-      constexpr double small = 0.1;
-      const double     motion =
+      const double motion =
         found.modes.empty() ? 0. : found.modes.front().factor * found.motion;
-      if (motion <= small)
+      if (motion <= small_rotation)
         return {};
       std::ostringstream text;
       text.precision(2);
@@ -257,14 +257,12 @@ namespace auxfem
      * for a choice. */
     RunPlan plan_with_elements(const Scene &scene)
     {
-      // Good enough to know the frequencies that the next ones are made for.
-      constexpr double wanted = 0.01;
-      RunPlan          plan   = plan_of_modes(scene);
+      RunPlan plan = plan_of_modes(scene);
       if (scene.discretization.tolerance)
         choose_elements(scene.analysis == Analysis::buckling
                           ? phase_of_buckling(scene, scene.modes.number)
                           : phase_of_modes(scene, scene.modes.number),
-                        wanted,
+                        noticeable_part,
                         plan);
       return plan;
     }

@@ -8,7 +8,10 @@ namespace auxfem
 {
   namespace
   {
-    /** Of the length at rest: no spring or damper has so much stroke. */
+    /**
+     * Length of a connector, over that at rest, below which it is doubtful.
+     * @tuned judgement: no spring or damper has so much stroke
+     */
     constexpr double doubtful_length = 0.05;
 
     /** Of connectors along their line, near the point where it has none. */

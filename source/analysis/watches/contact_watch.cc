@@ -9,7 +9,11 @@ namespace auxfem
 {
   namespace
   {
-    /** Of the thickness of a strut. Its face is then strained by a fifth. */
+    /**
+     * Penetration of a face over the strut's thickness that makes contact
+     * doubtful.
+     * @tuned theory: the face is then strained by a fifth
+     */
     constexpr double doubtful_penetration = 0.1;
 
     /** Of struts that go so deep into plates or into each other that the law of

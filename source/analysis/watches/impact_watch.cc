@@ -15,13 +15,23 @@ namespace auxfem
   namespace
   {
     /**
-     * What contact of few steps may pass on of the largest momentum, and of the
-     * impulse of all contact: both, as little is passed on by struts that brush
-     * each other, and contact that lasts says what comes after it.
+     * Part of the largest momentum that contact of few steps may pass on.
+     * @tuned judgement: struts that brush each other pass on less
      */
-    constexpr double doubtful_momentum = 2e-4, doubtful_share = 0.1;
+    constexpr double doubtful_momentum = 2e-4;
 
-    /** Of momentum and all impulses, whatever else lasts. */
+    /**
+     * Part of the impulse of all contact that contact of few steps may pass
+     * on.
+     * @tuned judgement: long contact decides what comes after it
+     */
+    constexpr double doubtful_share = 0.1;
+
+    /**
+     * Part of the momentum and of all impulses that contact of few steps may
+     * pass on, whatever else lasts.
+     * @tuned judgement
+     */
     constexpr double doubtful_anyway = 0.02;
 
     /** The mean of three steps over the largest force of one, below which steps

@@ -10,10 +10,12 @@ namespace auxfem
   namespace
   {
     /**
-     * Of outer fibres. At 50 % what is called strain makes as large a
-     * difference to the force; at 100 % a fibre in compression is gone.
+     * Strain of outer fibres from which on forces are doubtful; at 1 a fibre
+     * in compression has no length.
+     * @tuned theory: definitions of strain then change the force by as much
      */
-    constexpr double doubtful_strain = 0.5, ruinous_strain = 1;
+    constexpr double doubtful_strain = 0.5;
+    constexpr double ruinous_strain  = 1;
 
     /** Strains beyond what is allowed. */
     struct Excess

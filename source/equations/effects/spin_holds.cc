@@ -1,4 +1,5 @@
 #include <auxfem/equations/make_effects.h>
+#include <auxfem/parameters/numerical_limits.h>
 
 #include <cmath>
 
@@ -6,12 +7,10 @@ namespace auxfem
 {
   namespace
   {
-    /**
-     * Stiffness of a hold over the torsional stiffness GJ / L of its strut: the
-     * torsional modes are 1 % below those of an end that is rigidly held, and
-     * the matrices keep their condition.
-     */
-    constexpr double relative_stiffness = 100;
+    /** Stiffness of a hold over the torsional stiffness GJ / L of its strut:
+     * its torsional modes are lower than those of a rigid hold by no more than
+     * is noticed. */
+    constexpr double relative_stiffness = 1 / noticeable_part;
 
     /**
      * Holds bars between ball hinges against turning about their own axis,

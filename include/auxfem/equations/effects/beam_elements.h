@@ -5,6 +5,7 @@
 #include <auxfem/elements/section.h>
 #include <auxfem/equations/element_batches.h>
 #include <auxfem/model/numbering.h>
+#include <auxfem/parameters/numerical_limits.h>
 
 namespace auxfem
 {
@@ -144,9 +145,7 @@ namespace auxfem
      */
     double shear_to_make_up_for() const
     {
-      // Few materials are elastic beyond: an axial strain of 10 %.
-      constexpr double largest_strain = 0.1;
-      double           most           = BeamShape<order>::most_shear;
+      double most = BeamShape<order>::most_shear;
       if (order == 1)
         return most;
       for (unsigned int s = 0; s < lattice.struts.size(); ++s)
@@ -159,7 +158,7 @@ namespace auxfem
           const Section &section = sections[strut.section];
           most                   = std::min(most,
                           12 * Beam::least_bending(Beam::stiffness(section)) /
-                            (largest_strain * section.axial_stiffness() *
+                            (small_rotation * section.axial_stiffness() *
                              length * length));
         }
       return most;
