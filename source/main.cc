@@ -1,8 +1,8 @@
 #include <auxfem/output/summary.h>
-#include <auxfem/parameters/out_of_memory.h>
+#include <auxfem/parameters/errors.h>
 #include <auxfem/program.h>
 #include <auxfem/start_up.h>
-#include <auxfem/time/stopwatch.h>
+#include <auxfem/state/step_report.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -1,7 +1,7 @@
 #ifndef auxfem_program_h
 #define auxfem_program_h
 
-#include <auxfem/output/start_times.h>
+#include <auxfem/output/output_folder.h>
 
 #include <optional>
 #include <string>
@@ -9,6 +9,42 @@
 
 namespace auxfem
 {
+  /** What the user asked for on the command line. */
+  struct CommandLine
+  {
+    enum class Action
+    {
+      run,
+      resume,
+      check,
+      compare,
+      print_parameters,
+      print_parameters_markdown,
+      print_parameters_json,
+      help,
+      version
+    };
+    Action action = Action::help;
+    /** Parameter files: one, with Action::compare one or more. */
+    std::vector<std::string> files;
+    /** For the table of Action::compare; of the run that Action::resume goes on
+     * with. */
+    std::string folder;
+    /** --force: files of others in that folder or a run's are replaced. */
+    bool replaces_files_of_others = false;
+    /** `Subsection/Parameter=value`, in the order given. */
+    std::vector<std::string> overrides;
+  };
+
+  /**
+   * Reads the arguments after the program's name. Throws InputError for what
+   * it does not understand.
+   */
+  CommandLine read_command_line(const std::vector<std::string> &arguments);
+
+  /** The text of --help. */
+  std::string usage();
+
   /**
    * Answers on standard output what needs no computation, and complains on
    * standard error of @p arguments (those after the program's name) that are not

@@ -3,12 +3,25 @@
 
 #include <auxfem/output/output_folder.h>
 #include <auxfem/output/recorder.h>
+#include <auxfem/output/run_checkpoints.h>
 #include <auxfem/scene/scene.h>
 
 #include <mpi.h>
 
+#include <string>
+#include <vector>
+
 namespace auxfem
 {
+  /**
+   * The scene of @p run, with @p overrides (`Subsection/Parameter=value`). Throws
+   * InputError, with names, if these change what the results until now depend
+   * on, if a file has changed that the scene is read from, and if the run has
+   * got to its end time.
+   */
+  Scene scene_to_resume(const RunToResume              &run,
+                        const std::vector<std::string> &overrides);
+
   /**
    * Runs the analysis that a scene asks for, into the folder of results that it
    * names. Throws InputError or ComputationError; what was computed until then

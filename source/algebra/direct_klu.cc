@@ -1,6 +1,4 @@
-#include <auxfem/algebra/direct_solvers.h>
-#include <auxfem/algebra/elimination_order.h>
-#include <auxfem/algebra/factor_checks.h>
+#include <auxfem/algebra/direct_solver.h>
 
 #include <deal.II/base/exceptions.h>
 

@@ -1,5 +1,4 @@
-#include <auxfem/algebra/direct_solvers.h>
-#include <auxfem/algebra/factor_checks.h>
+#include <auxfem/algebra/direct_solver.h>
 #include <auxfem/parameters/numerical_limits.h>
 
 #include <deal.II/base/exceptions.h>

@@ -1,6 +1,5 @@
 #include <auxfem/algebra/direct_solver.h>
-#include <auxfem/algebra/factor_checks.h>
-#include <auxfem/algebra/long_messages.h>
+#include <auxfem/algebra/rank_exchange.h>
 
 #include <deal.II/base/mpi.h>
 

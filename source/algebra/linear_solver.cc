@@ -1,6 +1,6 @@
-#include <auxfem/algebra/backward_error.h>
+#include <auxfem/algebra/direct_solver.h>
 #include <auxfem/algebra/linear_solver.h>
-#include <auxfem/parameters/out_of_memory.h>
+#include <auxfem/parameters/errors.h>
 
 #include <deal.II/base/exceptions.h>
 

@@ -1,4 +1,4 @@
-#include <auxfem/connectors/laws.h>
+#include <auxfem/connectors/connector_law.h>
 
 
 namespace auxfem

@@ -1,5 +1,5 @@
-#include <auxfem/connectors/laws.h>
-#include <auxfem/connectors/maxwell_element.h>
+#include <auxfem/connectors/connector_law.h>
+#include <auxfem/connectors/maxwell.h>
 #include <auxfem/parameters/errors.h>
 
 #include <boost/math/quadrature/gauss.hpp>

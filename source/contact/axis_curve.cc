@@ -1,6 +1,9 @@
 #include <auxfem/contact/axis_curve.h>
 #include <auxfem/parameters/numerical_limits.h>
 
+#include <boost/math/tools/toms748_solve.hpp>
+
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -113,5 +116,172 @@ namespace auxfem
           nearest = found;
       }
     return nearest;
+  }
+
+  namespace
+  {
+    /** Binomial coefficients, by row. */
+    class PascalTriangle
+    {
+    public:
+      PascalTriangle()
+      {
+        for (unsigned int n = 0; n <= BernsteinPolynomial::max_degree; ++n)
+          {
+            rows[n][0] = rows[n][n] = 1;
+            for (unsigned int k = 1; k < n; ++k)
+              rows[n][k] = rows[n - 1][k - 1] + rows[n - 1][k];
+          }
+      }
+
+      double operator()(const unsigned int n, const unsigned int k) const
+      {
+        return rows[n][k];
+      }
+
+    private:
+      std::array<std::array<double, BernsteinPolynomial::max_degree + 1>,
+                 BernsteinPolynomial::max_degree + 1>
+        rows;
+    };
+
+    const PascalTriangle &binomial()
+    {
+      static const PascalTriangle triangle;
+      return triangle;
+    }
+
+    unsigned int n_sign_changes(const BernsteinPolynomial &polynomial)
+    {
+      unsigned int n    = 0;
+      double       last = 0;
+      for (unsigned int i = 0; i <= polynomial.degree; ++i)
+        if (const double here = polynomial.coefficients[i]; here != 0)
+          {
+            if (last * here < 0)
+              ++n;
+            last = here;
+          }
+      return n;
+    }
+
+    /** The only root of a polynomial whose ends have different signs. */
+    double single_root(const BernsteinPolynomial &polynomial)
+    {
+      const boost::math::tools::eps_tolerance<double> digits(40);
+      boost::uintmax_t                                most_steps = 100;
+      const auto [low, high] = boost::math::tools::toms748_solve(
+        [&](const double parameter) { return polynomial.at(parameter); },
+        0.,
+        1.,
+        polynomial.coefficients[0],
+        polynomial.coefficients[polynomial.degree],
+        digits,
+        most_steps);
+      return (low + high) / 2;
+    }
+
+    /** As BernsteinPolynomial::add_sign_changes(), of a part of [0, 1]. */
+    void add_changes(const BernsteinPolynomial &part,
+                     const double               begin,
+                     const double               end,
+                     std::vector<double>       &parameters)
+    {
+      constexpr double smallest = 1e-9;
+      // By Descartes' rule there are at most as many roots as changes of sign.
+      const unsigned int n = n_sign_changes(part);
+      if (n == 0)
+        return;
+      if (n == 1 && part.coefficients[0] * part.coefficients[part.degree] < 0)
+        parameters.push_back(begin + (end - begin) * single_root(part));
+      else if (end - begin < smallest)
+        parameters.push_back((begin + end) / 2);
+      else
+        {
+          const double middle      = (begin + end) / 2;
+          const auto [first, last] = part.halves();
+          if (last.coefficients[0] == 0)
+            parameters.push_back(middle);
+          add_changes(first, begin, middle, parameters);
+          add_changes(last, middle, end, parameters);
+        }
+    }
+  } // namespace
+
+  double BernsteinPolynomial::at(const double parameter) const
+  {
+    // Horner's scheme in parameter / (1 - parameter), or its inverse.
+    const bool   is_first_half = parameter < 0.5;
+    const double small         = is_first_half ? parameter : 1 - parameter,
+                 ratio         = small / (1 - small);
+    double result = 0, power = 1;
+    for (unsigned int k = degree + 1; k-- > 0;)
+      {
+        const unsigned int i = is_first_half ? k : degree - k;
+        result = result * ratio + binomial()(degree, i) * coefficients[i];
+      }
+    for (unsigned int i = 0; i < degree; ++i)
+      power *= 1 - small;
+    return result * power;
+  }
+
+  std::array<BernsteinPolynomial, 2> BernsteinPolynomial::halves() const
+  {
+    std::array<BernsteinPolynomial, 2> result;
+    BernsteinPolynomial               &first = result[0], &last = result[1];
+    last         = *this;
+    first.degree = degree;
+    for (unsigned int k = 0; k <= degree; ++k)
+      {
+        first.coefficients[k] = last.coefficients[0];
+        for (unsigned int i = 0; i + k < degree; ++i)
+          last.coefficients[i] =
+            (last.coefficients[i] + last.coefficients[i + 1]) / 2;
+      }
+    return result;
+  }
+
+  bool BernsteinPolynomial::is_nowhere_negative() const
+  {
+    return std::all_of(coefficients.begin(),
+                       coefficients.begin() + degree + 1,
+                       [](const double value) { return value >= 0; });
+  }
+
+  bool BernsteinPolynomial::is_nowhere_positive() const
+  {
+    return std::all_of(coefficients.begin(),
+                       coefficients.begin() + degree + 1,
+                       [](const double value) { return value <= 0; });
+  }
+
+  void
+  BernsteinPolynomial::add_sign_changes(std::vector<double> &parameters) const
+  {
+    add_changes(*this, 0, 1, parameters);
+  }
+
+  ControlPolygon::ControlPolygon(const AxisCurve   &curve,
+                                 const unsigned int degree)
+    : degree(degree)
+  {
+    for (unsigned int i = 0; i <= degree; ++i)
+      for (unsigned int k = 0; k <= std::min(i, curve.degree); ++k)
+        points[i] +=
+          binomial()(i, k) / binomial()(degree, k) * curve.coefficients[k];
+  }
+
+  BernsteinPolynomial product(const ControlPolygon &one,
+                              const ControlPolygon &other)
+  {
+    const unsigned int  p = one.degree;
+    BernsteinPolynomial result;
+    result.degree = 2 * p;
+    std::fill_n(result.coefficients.begin(), 2 * p + 1, 0.);
+    for (unsigned int i = 0; i <= p; ++i)
+      for (unsigned int j = 0; j <= p; ++j)
+        result.coefficients[i + j] += binomial()(p, i) * binomial()(p, j) /
+          binomial()(2 * p, i + j) * (one.points[i] * other.points[j]);
+    return result;
   }
 } // namespace auxfem

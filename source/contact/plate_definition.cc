@@ -1,10 +1,162 @@
 #include <auxfem/contact/plate_definition.h>
-#include <auxfem/loads/motion_parameters.h>
+#include <auxfem/loads/load_definitions.h>
+
+#include <deal.II/base/symmetric_tensor.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace auxfem
 {
+  double ContactLaw::force(const double depth) const
+  {
+    if (depth <= 0)
+      return 0;
+    return depth < smoothing ? stiffness * depth * depth / (2 * smoothing)
+                             : stiffness * (depth - smoothing / 2);
+  }
+
+  double ContactLaw::slope(const double depth) const
+  {
+    if (depth <= 0)
+      return 0;
+    return depth < smoothing ? stiffness * depth / smoothing : stiffness;
+  }
+
+  double ContactLaw::energy(const double depth) const
+  {
+    if (depth <= 0)
+      return 0;
+    return depth < smoothing
+      ? stiffness * depth * depth * depth / (6 * smoothing)
+      : stiffness *
+        (depth * (depth - smoothing) / 2 + smoothing * smoothing / 6);
+  }
+
+  double ContactLaw::mean_force(const double from, const double to) const
+  {
+    const double low = std::min(from, to), high = std::max(from, to);
+    if (!(high > low))
+      return force(to);
+    // Simpson's rule is exact on each piece of the law.
+    const auto integral = [this](const double begin, const double end) {
+      return begin < end ? (end - begin) / 6 *
+          (force(begin) + 4 * force((begin + end) / 2) + force(end))
+                         : 0.;
+    };
+    const double first  = std::max(low, 0.);
+    const double middle = std::clamp(smoothing, first, std::max(first, high));
+    return (integral(first, middle) + integral(middle, high)) / (high - low);
+  }
+
+  double ContactLaw::mean_slope(const double from, const double to) const
+  {
+    // Below this the difference of forces is mostly round-off.
+    constexpr double digits = 1e-6;
+    if (std::abs(to - from) <=
+        digits * std::max({std::abs(to), std::abs(from), smoothing}))
+      return slope((from + to) / 2) / 2;
+    return (force(to) - mean_force(from, to)) / (to - from);
+  }
+
+  FrictionForce CoulombFriction::force(const dealii::Tensor<1, 3> &velocity,
+                                       const dealii::Tensor<1, 3> &normal,
+                                       const double pressure) const
+  {
+    FrictionForce result;
+    result.recess = velocity * normal;
+    result.slip   = velocity - result.recess * normal;
+    result.scale =
+      std::sqrt(result.slip.norm_square() + slip_velocity * slip_velocity);
+    result.limit = coefficient * pressure;
+    result.force = -result.limit / result.scale * result.slip;
+    return result;
+  }
+
+  FrictionChange
+  CoulombFriction::change(const FrictionForce        &force,
+                          const dealii::Tensor<1, 3> &normal) const
+  {
+    const dealii::Tensor<2, 3> identity = dealii::unit_symmetric_tensor<3>();
+    const dealii::Tensor<1, 3> part     = force.slip / force.scale;
+    const dealii::Tensor<2, 3> of_slip  = force.limit / force.scale *
+      (identity - dealii::outer_product(part, part));
+    return {of_slip * (identity - dealii::outer_product(normal, normal)),
+            -1 * of_slip *
+              (dealii::outer_product(normal, force.slip) +
+               force.recess * identity),
+            coefficient * part};
+  }
+
+  namespace
+  {
+    const Quantity contact_stiffness = {
+      "Stiffness",
+      "1",
+      "1",
+      Range::positive(),
+      "Stiffness of the face of a strut against its axis, times that of its "
+      "material, EA / (2 h^2) per length, h being half its thickness."};
+
+    const Quantity contact_smoothing = {
+      "Smoothing",
+      "0.01",
+      "1",
+      Range{0, 1, true, false},
+      "Penetration over half the thickness of the strut up to which the "
+      "stiffness grows from zero to its value."};
+
+    const Quantity contact_penetration = {
+      "Largest penetration",
+      "0.5",
+      "1",
+      Range{0, 1, true, true},
+      "Penetration over half the thickness of the strut beyond which a step is "
+      "rejected and divided."};
+
+    const Quantity contact_friction = {
+      "Friction coefficient",
+      "0",
+      "1",
+      Range::non_negative(),
+      "Coulomb's friction: largest force along the surface over that across."};
+
+    const Quantity contact_slip_velocity = {
+      "Slip velocity",
+      "1 mm/s",
+      "m/s",
+      Range::positive(),
+      "Velocity v0 at which things count as slipping: friction goes with "
+      "v / sqrt(v^2 + v0^2), so what sticks creeps slower than this."};
+  } // namespace
+
+
+
+  SubsectionSchema contact_schema()
+  {
+    return {"Contact",
+            SubsectionSchema::Form::fixed,
+            "How struts resist what touches them.",
+            {contact_stiffness,
+             contact_smoothing,
+             contact_penetration,
+             contact_friction,
+             contact_slip_velocity}};
+  }
+
+
+
+  ContactParameters read_contact(ParameterValues &values)
+  {
+    ContactParameters contact;
+    contact.stiffness           = values[contact_stiffness];
+    contact.smoothing           = values[contact_smoothing];
+    contact.largest_penetration = values[contact_penetration];
+    contact.friction            = values[contact_friction];
+    contact.slip_velocity       = values[contact_slip_velocity];
+    return contact;
+  }
+
   namespace
   {
     const Choice plate_shape = {"Shape",

@@ -1,5 +1,5 @@
-#include <auxfem/elements/cayley_rotation.h>
 #include <auxfem/equations/energy_account.h>
+#include <auxfem/mathematics/cayley_rotation.h>
 #include <auxfem/parameters/numerical_limits.h>
 
 #include <cmath>

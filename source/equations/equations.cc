@@ -1,7 +1,7 @@
-#include <auxfem/algebra/row_sums.h>
-#include <auxfem/algebra/shared_work.h>
+#include <auxfem/algebra/rank_exchange.h>
+#include <auxfem/algebra/sparse_matrix.h>
 #include <auxfem/equations/equations.h>
-#include <auxfem/model/unknown_names.h>
+#include <auxfem/model/unknown_records.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -69,13 +69,6 @@ namespace auxfem
             (**rate)[multiplier] = 0;
     }
   } // namespace
-
-  ConnectorReport ConnectorGroup::report(const unsigned int       i,
-                                         const State             &state,
-                                         const EvaluationResults &results) const
-  {
-    return forces->report(i, state, results.of_effects[effect].get());
-  }
 
   bool Equations::is_linear() const
   {

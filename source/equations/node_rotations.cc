@@ -1,5 +1,5 @@
-#include <auxfem/elements/cayley_rotation.h>
 #include <auxfem/equations/node_rotations.h>
+#include <auxfem/mathematics/cayley_rotation.h>
 #include <auxfem/parameters/numerical_limits.h>
 
 namespace auxfem
@@ -107,5 +107,22 @@ namespace auxfem
     const std::array<int, 3> &spins = numbering.rotations()[i];
     for (unsigned int c = 0; c < 3; ++c)
       vector[spins[c]] = values[c];
+  }
+
+  State displaced(const State        &state,
+                  const DofNumbering &numbering,
+                  const Vector       &shape,
+                  const double        factor)
+  {
+    const NodeRotations rotations(numbering);
+    State               moved = state;
+    Vector              added = shape;
+    scale(factor, added);
+    for (unsigned int i = 0; i < moved.rotations.size(); ++i)
+      moved.rotations[i] = normalized(exponential(rotations.values(added, i)) *
+                                      moved.rotations[i]);
+    rotations.make_material(moved, added);
+    add_multiple(1., added, moved.displacement);
+    return moved;
   }
 } // namespace auxfem

@@ -1,5 +1,5 @@
 #include <auxfem/loads/event_search.h>
-#include <auxfem/loads/time_history.h>
+#include <auxfem/loads/time_function.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/expression.h>
 

@@ -1,5 +1,4 @@
 #include <auxfem/loads/time_function.h>
-#include <auxfem/loads/time_history.h>
 #include <auxfem/parameters/errors.h>
 
 #include <deal.II/base/exceptions.h>

@@ -1,5 +1,5 @@
-#include <auxfem/mesh/arc.h>
-#include <auxfem/mesh/earlier_joints.h>
+#include <auxfem/mesh/merge_joints.h>
+#include <auxfem/mesh/strut_geometry.h>
 #include <auxfem/parameters/errors.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-#include <auxfem/mesh/arc.h>
 #include <auxfem/mesh/imperfection.h>
+#include <auxfem/mesh/strut_geometry.h>
 
 #include <algorithm>
 
@@ -74,5 +74,118 @@ namespace auxfem
                strut);
       }
     lattice.as_designed = designed;
+  }
+
+  namespace
+  {
+    const Choice imperfection_type = {
+      "Type",
+      "random",
+      {"random", "expression", "buckling mode", "result"},
+      "What the stress-free lattice is off the designed one by."};
+    const Quantity deviation = {
+      "Standard deviation",
+      "",
+      "m",
+      Range::non_negative(),
+      "Standard deviation of each coordinate of a joint."};
+    const Text                disturbed_joints = {"Joints",
+                                                  "all",
+                                                  "Set of joints that are off their place."};
+    const Integer             seed             = {"Seed",
+                                                  1,
+                                                  0,
+                                                  2147483647,
+                                                  "Another number makes another lattice."};
+    const std::array<Text, 3> disturbances     = {
+          {{"Displacement x",
+            "0",
+            "Expression in x, y, z and xmin, xmax, ... (m)."},
+           {"Displacement y",
+            "0",
+            "Expression in x, y, z and xmin, xmax, ... (m)."},
+           {"Displacement z",
+            "0",
+            "Expression in x, y, z and xmin, xmax, ... (m)."}}};
+    const Quantity largest_offset = {
+      "Amplitude",
+      "",
+      "m",
+      Range::any(),
+      "Largest displacement; negative: to the other side."};
+    const Integer mode_number = {
+      "Mode",
+      1,
+      1,
+      1000,
+      "Number of the buckling mode, by linear theory, under the loads of "
+      "Modes/Time of the loads; 1 for the lowest factor."};
+    const Text result_folder = {
+      "Folder",
+      "",
+      "Output folder of a run of the same lattice with the same mesh, whose last "
+      "checkpoint has the displacements.",
+      true};
+  } // namespace
+
+  SubsectionSchema imperfections_schema()
+  {
+    return {
+      "Imperfections",
+      SubsectionSchema::Form::named_groups,
+      "Deviations of the stress-free lattice from the designed one, which "
+      "add up. Sets and positions in this file mean the designed lattice.",
+      {imperfection_type},
+      "Type",
+      {{"random",
+        "Joints are off their place by normally distributed distances, "
+        "with struts that keep their shape.",
+        {deviation, disturbed_joints, seed}},
+       {"expression",
+        "Joints are displaced by expressions, as are the middles of "
+        "struts, which become arcs.",
+        {disturbances[0], disturbances[1], disturbances[2]}},
+       {"buckling mode",
+        "Joints and the middles of struts are displaced by a buckling "
+        "mode of the designed lattice.",
+        {largest_offset, mode_number}},
+       {"result",
+        "Joints and the middles of struts are displaced as at the end of "
+        "another run.",
+        {largest_offset, result_folder}}}};
+  }
+
+  ImperfectionDefinition read_imperfection(const ParameterValues &values)
+  {
+    ImperfectionDefinition imperfection;
+    imperfection.name      = values.name();
+    imperfection.path      = values.context.path;
+    const std::string type = values[imperfection_type];
+    if (type == "random")
+      {
+        imperfection.amplitude = values[deviation];
+        imperfection.joints    = values[disturbed_joints];
+        imperfection.seed      = values[seed];
+      }
+    else if (type == "expression")
+      {
+        imperfection.type = ImperfectionDefinition::Type::expression;
+        for (unsigned int c = 0; c < 3; ++c)
+          imperfection.displacement[c] = values[disturbances[c]];
+        require_space(values, disturbances[2]);
+      }
+    else if (type == "result")
+      {
+        imperfection.type      = ImperfectionDefinition::Type::result;
+        imperfection.amplitude = values[largest_offset];
+        imperfection.folder    = values[result_folder];
+      }
+    else
+      {
+        imperfection.type      = ImperfectionDefinition::Type::buckling_mode;
+        imperfection.amplitude = values[largest_offset];
+        imperfection.mode      = values[mode_number];
+      }
+    return imperfection;
   }
 } // namespace auxfem

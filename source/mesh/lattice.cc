@@ -1,13 +1,26 @@
-#include <auxfem/mesh/arc.h>
 #include <auxfem/mesh/lattice.h>
+#include <auxfem/mesh/strut_geometry.h>
 
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 namespace auxfem
 {
+  std::optional<unsigned int> read_index(const std::string &text)
+  {
+    const std::string digits = dealii::Utilities::trim(text);
+    const char *const end    = digits.data() + digits.size();
+    unsigned int      index  = 0;
+    const auto        answer = std::from_chars(digits.data(), end, index);
+    if (answer.ec != std::errc() || answer.ptr != end || index == invalid_index)
+      return {};
+    return index;
+  }
+
   namespace
   {
     /**

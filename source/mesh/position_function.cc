@@ -4,9 +4,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace auxfem
 {
+  std::string position_text(const dealii::Point<3> &position,
+                            const unsigned int      dimension)
+  {
+    std::ostringstream text;
+    for (unsigned int d = 0; d < dimension; ++d)
+      text << (d == 0 ? "(" : ", ") << position[d];
+    text << ") m";
+    return text.str();
+  }
+
   std::array<dealii::Point<3>, 2> bounding_box(const Lattice &lattice)
   {
     dealii::Point<3> low = lattice.joints.front(), high = low;
@@ -102,4 +113,21 @@ namespace auxfem
   {
     return implementation->value_at(position);
   }
+
+  bool is_condition(const std::string &text)
+  {
+    return text.find_first_of("<>=!&|()?") != std::string::npos;
+  }
+
+  Condition::Condition(const std::string  &text,
+                       const Lattice      &lattice,
+                       const SceneContext &context,
+                       const std::string  &path)
+    : function(text,
+               "condition",
+               "Positions are best compared by \"abs(y - ymax) < 1e-6\".",
+               lattice,
+               context,
+               path)
+  {}
 } // namespace auxfem

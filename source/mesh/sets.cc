@@ -1,10 +1,9 @@
-#include <auxfem/mesh/condition.h>
-#include <auxfem/mesh/index_text.h>
-#include <auxfem/mesh/position_text.h>
+#include <auxfem/mesh/lattice.h>
+#include <auxfem/mesh/position_function.h>
 #include <auxfem/mesh/sets.h>
+#include <auxfem/parameters/describe.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/quantity.h>
-#include <auxfem/parameters/suggest.h>
 
 #include <deal.II/base/utilities.h>
 

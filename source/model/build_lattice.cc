@@ -1,18 +1,132 @@
-#include <auxfem/mesh/position_text.h>
+#include <auxfem/mesh/position_function.h>
 #include <auxfem/mesh/sets.h>
 #include <auxfem/model/build_lattice.h>
-#include <auxfem/model/imperfections.h>
-#include <auxfem/model/rigid_parts.h>
+#include <auxfem/model/rigid_bodies.h>
 #include <auxfem/parameters/errors.h>
 
 #include <deal.II/base/utilities.h>
 
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/normal_distribution.hpp>
+
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <limits>
 #include <sstream>
+
+#include <unistd.h>
 
 namespace auxfem
 {
+  namespace
+  {
+    /** Unknowns from which the size is told: set-up takes a second then. */
+    constexpr double many_unknowns = 2e5;
+
+    /** Memory at its peak (bytes): of the program itself, and over unknowns of
+     * runs of 50 x 50 and of 8 x 8 x 8 star cells with elements of order 3. */
+    constexpr double bytes_of_program           = 1.5e8,
+                     bytes_per_unknown_in_plane = 1700,
+                     bytes_per_unknown_in_space = 2400;
+
+    struct LatticeCounts
+    {
+      double joints, struts;
+    };
+
+    LatticeCounts counts_of(const UnitCell                    &cell,
+                            const std::array<unsigned int, 3> &n_cells)
+    {
+      if (n_cells == std::array<unsigned int, 3>{{1, 1, 1}})
+        return {double(cell.joints.size()), double(cell.struts.size())};
+      const Lattice lattice = make_array(cell, n_cells);
+      return {double(lattice.joints.size()), double(lattice.struts.size())};
+    }
+
+    /** Counts of arrays of @p n_cells cells. As cells share joints and struts
+     * with their neighbours alone, they are linear in the number of cells along
+     * each of the directions, from @p direction on. */
+    LatticeCounts continued_counts(const UnitCell             &cell,
+                                   std::array<unsigned int, 3> n_cells,
+                                   const unsigned int          direction = 0)
+    {
+      if (direction == 3)
+        return counts_of(cell, n_cells);
+      const unsigned int n    = n_cells[direction];
+      n_cells[direction]      = 1;
+      const LatticeCounts one = continued_counts(cell, n_cells, direction + 1);
+      // make_array() refuses to repeat a cell without period.
+      if (n == 1 || cell.period[direction] <= 0)
+        return one;
+      n_cells[direction]      = 2;
+      const LatticeCounts two = continued_counts(cell, n_cells, direction + 1);
+      return {one.joints + (n - 1.) * (two.joints - one.joints),
+              one.struts + (n - 1.) * (two.struts - one.struts)};
+    }
+
+    /** Memory of this machine (bytes). */
+    double memory_of_machine()
+    {
+      return double(sysconf(_SC_PHYS_PAGES)) * sysconf(_SC_PAGESIZE);
+    }
+
+    /** A number with three digits, or a whole one. */
+    std::string number(const double value)
+    {
+      std::ostringstream text;
+      text.precision(value < 1000 ? 3 : 15);
+      text << value;
+      return text.str();
+    }
+  } // namespace
+
+  SceneSize size_of(const Scene &scene)
+  {
+    const LatticeCounts counts =
+      continued_counts(scene.lattice.cell->build(), scene.lattice.n_cells);
+    const StrutDivision division = scene.discretization.common_division();
+    const double        n_nodes =
+      counts.joints + counts.struts * division.n_inner_nodes();
+    const bool is_planar = scene.context.dimension == 2;
+    SceneSize  size;
+    size.joints   = counts.joints;
+    size.struts   = counts.struts;
+    size.unknowns = n_nodes * (is_planar ? 3 : 6);
+    size.memory   = bytes_of_program +
+      size.unknowns *
+        (is_planar ? bytes_per_unknown_in_plane : bytes_per_unknown_in_space);
+    return size;
+  }
+
+  std::string size_text(const Scene &scene)
+  {
+    if (scene.context.model == Model::reduced_cell)
+      return "";
+    const SceneSize   size   = size_of(scene);
+    const std::string counts = number(size.joints) + " joints, " +
+      number(size.struts) + " struts and " + number(size.unknowns) +
+      " unknowns";
+    if (size.unknowns > std::numeric_limits<unsigned int>::max())
+      throw InputError("Lattice: it would have " + counts +
+                       ", more than can be numbered.\nAllowed are " +
+                       number(std::numeric_limits<unsigned int>::max()) +
+                       " unknowns. Take fewer cells.");
+    if (size.unknowns < many_unknowns)
+      return "";
+    constexpr double gigabyte = 1e9;
+    return "A large lattice is set up: " + counts + ". This takes about " +
+      number(std::round(10 * size.memory / gigabyte) / 10) + " GB of the " +
+      number(std::round(memory_of_machine() / gigabyte)) +
+      " GB that this machine has" +
+      (scene.discretization.tolerance ? ", more where the run refines elements"
+                                      : "") +
+      (size.memory > memory_of_machine()
+         ? ", so it will probably fail. Take fewer cells, or several machines "
+           "by mpirun."
+         : ".");
+  }
+
   namespace
   {
     /** @param path of what gives a set this name. */
@@ -162,5 +276,65 @@ namespace auxfem
   Lattice designed_lattice(const Scene &scene)
   {
     return build(scene, [](const Lattice &) {});
+  }
+
+  namespace
+  {
+    void add_random(const ImperfectionDefinition &definition,
+                    const Lattice                &lattice,
+                    const SceneContext           &context,
+                    GeometryOffsets              &offsets)
+    {
+      GeometryOffsets added(lattice);
+      // The same numbers whatever the standard library.
+      boost::random::mt19937                     generator(definition.seed);
+      boost::random::normal_distribution<double> distances(
+        0.,
+        definition.amplitude);
+      for (const unsigned int joint : joints_of(definition, lattice, context))
+        for (unsigned int c = 0; c < lattice.dimension; ++c)
+          added.joints[joint][c] = distances(generator);
+      for (unsigned int i = 0; i < lattice.struts.size(); ++i)
+        added.middles[i] = added.mean_of_ends(lattice.struts[i]);
+      offsets.add(1., added);
+    }
+
+    void add_expressions(const ImperfectionDefinition &definition,
+                         const Lattice                &lattice,
+                         const SceneContext           &context,
+                         GeometryOffsets              &offsets)
+    {
+      for (unsigned int c = 0; c < lattice.dimension; ++c)
+        {
+          PositionFunction displacement(definition.displacement[c],
+                                        "expression",
+                                        "",
+                                        lattice,
+                                        context,
+                                        definition.path + "/Displacement " +
+                                          "xyz"[c]);
+          for (unsigned int i = 0; i < lattice.joints.size(); ++i)
+            offsets.joints[i][c] += displacement.value_at(lattice.joints[i]);
+          for (unsigned int i = 0; i < lattice.struts.size(); ++i)
+            {
+              dealii::Point<3>     middle;
+              dealii::Tensor<1, 3> tangent;
+              lattice.axis(lattice.struts[i], 0.5, middle, tangent);
+              offsets.middles[i][c] += displacement.value_at(middle);
+            }
+        }
+    }
+  } // namespace
+
+  GeometryOffsets given_offsets(const Scene &scene, const Lattice &lattice)
+  {
+    using Type = ImperfectionDefinition::Type;
+    GeometryOffsets offsets(lattice);
+    for (const ImperfectionDefinition &definition : scene.imperfections)
+      if (definition.type == Type::random)
+        add_random(definition, lattice, scene.context, offsets);
+      else if (definition.type == Type::expression)
+        add_expressions(definition, lattice, scene.context, offsets);
+    return offsets;
   }
 } // namespace auxfem

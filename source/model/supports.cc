@@ -1,8 +1,8 @@
 #include <auxfem/mesh/sets.h>
-#include <auxfem/model/proportional_loads.h>
-#include <auxfem/model/rigid_parts.h>
+#include <auxfem/model/load_history.h>
+#include <auxfem/model/rigid_bodies.h>
 #include <auxfem/model/supports.h>
-#include <auxfem/model/unknown_names.h>
+#include <auxfem/model/unknown_records.h>
 #include <auxfem/parameters/errors.h>
 
 #include <algorithm>

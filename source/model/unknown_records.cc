@@ -1,10 +1,326 @@
+#include <auxfem/algebra/rank_exchange.h>
+#include <auxfem/model/rigid_bodies.h>
 #include <auxfem/model/unknown_records.h>
+
+#include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <limits>
+#include <sstream>
 
 namespace auxfem
 {
+  const char *motion_name(const unsigned int component,
+                          const unsigned int dimension)
+  {
+    constexpr std::array<const char *, n_motion_components> in_plane = {
+      {"horizontal displacement",
+       "vertical displacement",
+       "",
+       "",
+       "",
+       "rotation"}};
+    constexpr std::array<const char *, n_motion_components> in_space = {
+      {"displacement along x",
+       "displacement along y",
+       "displacement along z",
+       "rotation about x",
+       "rotation about y",
+       "rotation about z"}};
+    return (dimension == 2 ? in_plane : in_space)[component];
+  }
+
+  namespace
+  {
+    /** Words for an unknown of a rigid part or a hinge; empty for others. */
+    std::string describe_constraint(const Lattice       &lattice,
+                                    const GlobalNumbers &numbers,
+                                    const int            global)
+    {
+      const auto has = [global](const auto &of_kind) {
+        return std::find(of_kind.begin(), of_kind.end(), global) !=
+          of_kind.end();
+      };
+      for (unsigned int p = 0; p < numbers.rigid_parts.size(); ++p)
+        {
+          const GlobalNumbers::OfMotion &motion = numbers.rigid_parts[p].motion;
+          std::ostringstream             words;
+          if (has(numbers.rigid_parts[p].multipliers))
+            words << "constraint";
+          else if (has(motion))
+            words << motion_name(
+              std::find(motion.begin(), motion.end(), global) - motion.begin(),
+              lattice.dimension);
+          else
+            continue;
+          words << " of the rigid part of joints";
+          const auto &joints = lattice.rigid_parts[p].joints;
+          for (unsigned int i = 0; i < joints.size() && i < 4; ++i)
+            words << ' ' << joints[i];
+          words << (joints.size() > 4 ? " ..." : "");
+          return words.str();
+        }
+      for (const GlobalNumbers::OfHinge &hinge : numbers.hinges)
+        if (has(hinge.multipliers))
+          return "constraint of the revolute hinge at joint " +
+            std::to_string(hinge.joint);
+      return "";
+    }
+
+    /** `joint 3`, `plate "table"`. */
+    std::string name_of_joint(const Lattice &lattice, const unsigned int joint)
+    {
+      if (joint >= lattice.n_structural_joints())
+        for (const auto &[name, joints] : lattice.joint_sets)
+          if (joints.size() == 1 && joints.front() == joint)
+            return "plate \"" + name + '"';
+      return "joint " + std::to_string(joint);
+    }
+
+    /** Words for an unknown of a joint; empty for others. */
+    std::string describe_of_joint(const Lattice      &lattice,
+                                  const DofNumbering &numbering,
+                                  const int           global)
+    {
+      for (unsigned int j = 0; j < lattice.joints.size(); ++j)
+        for (const unsigned int c : numbering.components())
+          if (numbering.global().joints[j][c] == global)
+            {
+              std::ostringstream words;
+              words << motion_name(c, lattice.dimension) << " of "
+                    << name_of_joint(lattice, j) << " at ("
+                    << lattice.joints[j][0] << ", " << lattice.joints[j][1];
+              if (lattice.dimension == 3)
+                words << ", " << lattice.joints[j][2];
+              words << ")";
+              return words.str();
+            }
+      return "";
+    }
+
+    /** Words for an unknown of a node inside a strut or of a released end. */
+    std::string describe_of_strut(const Lattice      &lattice,
+                                  const DofNumbering &numbering,
+                                  const unsigned int  unknown)
+    {
+      for (unsigned int e = 0; e < numbering.elements().size(); ++e)
+        {
+          const int *const        begin = numbering.element_unknowns(e),
+                           *const end = begin + numbering.n_element_unknowns(e),
+                           *const found =
+                             std::find(begin, end, static_cast<int>(unknown));
+          if (found == end)
+            continue;
+          const unsigned int number = numbering.elements()[e].interval.strut;
+          const Strut       &strut  = lattice.struts[number];
+          std::ostringstream words;
+          words << motion_name(numbering.components()[(found - begin) %
+                                                      numbering.n_components()],
+                               lattice.dimension)
+                << " of strut " << number << " (joints " << strut.joints[0]
+                << " - " << strut.joints[1] << ")";
+          return words.str();
+        }
+      return "";
+    }
+  } // namespace
+
+  std::string describe(const DofNumbering &numbering,
+                       const unsigned int  unknown)
+  {
+    const Lattice &lattice = numbering.lattice();
+    const int      global  = numbering.layout().global(unknown);
+    std::string    words =
+      describe_constraint(lattice, numbering.global(), global);
+    if (words.empty())
+      words = describe_of_joint(lattice, numbering, global);
+    return words.empty() ? describe_of_strut(lattice, numbering, unknown)
+                         : words;
+  }
+
+  std::string describe_largest(const DofNumbering        &numbering,
+                               const std::vector<double> &size)
+  {
+    namespace MPI = dealii::Utilities::MPI;
+
+    const UnknownLayout &layout  = numbering.layout();
+    const auto           end     = size.begin() + layout.n_owned();
+    const auto           found   = std::max_element(size.begin(), end);
+    const double         largest = found == end ? -1. : *found;
+    // Every rank gets the words of the lowest rank that has the largest value.
+    const unsigned int who =
+      MPI::min(largest == layout.largest(largest) ? layout.rank()
+                                                  : layout.n_ranks(),
+               layout.communicator());
+    const std::string words =
+      who == layout.rank() ? describe(numbering, found - size.begin()) : "";
+    return text_of_rank(who, words, layout.communicator());
+  }
+
+  std::string why_no_rotation(const DofNumbering &numbering,
+                              const unsigned int  joint)
+  {
+    const bool is_of_rigid_part =
+      joints_of_rigid_parts(numbering.lattice())[joint] &&
+      !numbering.joint_has(joint, rotation_z);
+    return "joint " + std::to_string(joint) +
+      " has no rotation of its own, because " +
+      (is_of_rigid_part
+         ? "a rigid part is hinged there. Act on a second joint of the part "
+           "(hold it, load it, give it a mass), or give the part a Rotary "
+           "inertia."
+         : "every strut is released there or no strut ends there. Leave one "
+           "strut unreleased, or take another joint.");
+  }
+
+  std::vector<RotationOwner>
+  joint_rotations(const Lattice                          &lattice,
+                  const std::vector<std::array<bool, 2>> &released)
+  {
+    using What = RotationOwner::What;
+    std::vector<RotationOwner> rotation_owner(lattice.joints.size());
+    for (unsigned int s = 0; s < lattice.struts.size(); ++s)
+      for (unsigned int end = 0; end < 2; ++end)
+        if (const unsigned int joint = lattice.struts[s].joints[end];
+            !lattice.struts[s].is_rigid() && !released[s][end])
+          rotation_owner[joint] = {What::joint, joint, 0};
+
+    std::vector<unsigned int> n_parts(lattice.joints.size(), 0);
+    for (const RigidPart &part : lattice.rigid_parts)
+      if (part.has_rotation)
+        for (const unsigned int joint : part.joints)
+          ++n_parts[joint];
+    for (unsigned int p = 0; p < lattice.rigid_parts.size(); ++p)
+      if (const RigidPart &part = lattice.rigid_parts[p]; part.has_rotation)
+        for (const unsigned int joint : part.joints)
+          if (rotation_owner[joint].what == What::joint ? part.clamps_struts
+                                                        : n_parts[joint] == 1)
+            rotation_owner[joint] = {What::rigid_part, p, 0};
+    return rotation_owner;
+  }
+
+  UnknownDistribution::UnknownDistribution(const Lattice     &lattice,
+                                           const Ties        &ties,
+                                           const unsigned int n_ranks)
+    : lattice(lattice)
+    , ties(ties)
+    , rotation_of_joint(joint_rotations(lattice, ties.released))
+    , of_joint(lattice.joints.size())
+    , of_part(lattice.rigid_parts.size())
+    , of_hinge(ties.hinged.size())
+    , count(n_ranks, 0)
+  {
+    for (unsigned int s = 0; s < lattice.struts.size(); ++s)
+      for (unsigned int end = 0; end < 2; ++end)
+        if (!lattice.struts[s].is_rigid() && ties.released[s][end])
+          of_released_end[{s, end}];
+  }
+
+  void UnknownDistribution::assign(Unknown &unknown, const int rank)
+  {
+    if (unknown.owner < 0)
+      unknown = {rank, count[rank]++};
+  }
+
+  int UnknownDistribution::assign_inner(const unsigned int n, const int rank)
+  {
+    const int first = count[rank];
+    count[rank] += n;
+    return first;
+  }
+
+  UnknownDistribution::Motion &
+  UnknownDistribution::motion_of(const RotationOwner &rotation_owner)
+  {
+    switch (rotation_owner.what)
+      {
+        case RotationOwner::What::strut_end:
+          return of_released_end.at({rotation_owner.index, rotation_owner.end});
+        case RotationOwner::What::rigid_part:
+          return of_part[rotation_owner.index].motion;
+        default:
+          return of_joint[rotation_owner.index];
+      }
+  }
+
+  const UnknownDistribution::Motion &
+  UnknownDistribution::motion_of(const RotationOwner &rotation_owner) const
+  {
+    return const_cast<UnknownDistribution *>(this)->motion_of(rotation_owner);
+  }
+
+  void UnknownDistribution::assign_end(const unsigned int strut,
+                                       const unsigned int end,
+                                       const unsigned int component,
+                                       const int          rank)
+  {
+    const unsigned int joint  = lattice.struts[strut].joints[end];
+    Motion            &motion = component < first_rotation ? of_joint[joint]
+                 : ties.released[strut][end] ? of_released_end.at({strut, end})
+                                             : motion_of(rotation_of_joint[joint]);
+    assign(motion[component], rank);
+  }
+
+  void
+  UnknownDistribution::assign_joints(const std::vector<unsigned int> &ranks)
+  {
+    const auto assign_displacements = [&](const unsigned int joint,
+                                          const int          rank) {
+      for (unsigned int component = 0; component < lattice.dimension;
+           ++component)
+        assign(of_joint[joint][component], rank);
+    };
+    for (unsigned int s = 0; s < lattice.struts.size(); ++s)
+      if (lattice.struts[s].is_rigid())
+        for (const unsigned int joint : lattice.struts[s].joints)
+          assign_displacements(joint, ranks[s]);
+    // A joint without struts (a mass on connectors) has displacements only.
+    for (unsigned int joint = 0; joint < of_joint.size(); ++joint)
+      assign_displacements(joint, 0);
+  }
+
+  void UnknownDistribution::assign_rigid_parts()
+  {
+    for (unsigned int p = 0; p < of_part.size(); ++p)
+      {
+        const RigidPart   &part   = lattice.rigid_parts[p];
+        RigidPartUnknowns &claims = of_part[p];
+        const int          rank   = of_joint[part.joints[0]][0].owner;
+        const unsigned int d = lattice.dimension, n = part.joints.size();
+        if (part.has_rotation)
+          for (Unknown &unknown : claims.motion)
+            assign(unknown, rank);
+        else if (part.clamps_struts)
+          for (const unsigned int joint : part.joints)
+            if (of_joint[joint][rotation_z].owner >= 0)
+              claims.clamped_joints.push_back(joint);
+        claims.multipliers.resize(part.has_rotation ? d * n
+                                                    : 1 + d * (n - 2) +
+                                      claims.clamped_joints.size());
+        for (Unknown &multiplier : claims.multipliers)
+          assign(multiplier, rank);
+      }
+  }
+
+  void UnknownDistribution::assign_hinges()
+  {
+    for (unsigned int h = 0; h < of_hinge.size(); ++h)
+      for (Unknown &multiplier : of_hinge[h])
+        assign(multiplier, motion_of(ties.hinged[h].end)[rotation_z].owner);
+  }
+
+  UnknownDistribution::Motion
+  UnknownDistribution::joint(const unsigned int joint) const
+  {
+    Motion        motion   = of_joint[joint];
+    const Motion &rotation = motion_of(rotation_of_joint[joint]);
+    if (rotation_of_joint[joint].what != RotationOwner::What::ground)
+      std::copy(rotation.begin() + first_rotation,
+                rotation.end(),
+                motion.begin() + first_rotation);
+    return motion;
+  }
+
   namespace
   {
     constexpr unsigned int not_numbered =

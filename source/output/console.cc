@@ -1,4 +1,7 @@
 #include <auxfem/output/console.h>
+#include <auxfem/output/output_folder.h>
+#include <auxfem/output/summary.h>
+#include <auxfem/output/verdict.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -6,7 +9,9 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <iostream>
 
+#include <nlohmann/json.hpp>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -209,5 +214,52 @@ namespace auxfem
     if (line_length > 0)
       screen << std::endl;
     line_length = 0;
+  }
+
+  RunReport::RunReport(const Scene          &scene,
+                       const Equations      &equations,
+                       const FileRules      &rules,
+                       const FolderContents &further)
+    : scene(scene)
+    , notes(notes_on(equations))
+  {
+    const UnknownLayout &layout = equations.unknowns().layout;
+    const Counts         counts = count(equations);
+    on_first_rank(layout.communicator(), [&]() {
+      files.emplace(scene, rules, further);
+      console.emplace(std::cout,
+                      terminal_width(layout.n_ranks()),
+                      files->log());
+      print(overview_text(scene,
+                          counts,
+                          equations.model().plan.simulated.decisions,
+                          notes) +
+            '\n');
+    });
+  }
+
+  void RunReport::print(const std::string &text)
+  {
+    console->print(text);
+  }
+
+  void RunReport::claim_series(const std::vector<std::string> &names)
+  {
+    for (const std::string &name : names)
+      files->claim_series(name);
+  }
+
+  void RunReport::finish(const Json                 &found,
+                         const std::vector<Finding> &findings)
+  {
+    Json json = json_of_run(scene, "completed", 0);
+    add_verdict(json, findings);
+    json.update(found);
+    if (!notes.empty())
+      json["notes"] = notes;
+    const std::string &folder = scene.output.directory;
+    replace_file(folder + "/summary.json", json.dump(2) + '\n');
+    print("  Results are in " + folder);
+    print(verdict_text(findings));
   }
 } // namespace auxfem

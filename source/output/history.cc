@@ -1,8 +1,9 @@
-#include <auxfem/equations/effects/contact.h>
+#include <auxfem/connectors/effects/connector_forces.h>
+#include <auxfem/contact/effects/contact.h>
 #include <auxfem/equations/node_rotations.h>
 #include <auxfem/mesh/sets.h>
-#include <auxfem/output/first_rank.h>
 #include <auxfem/output/history.h>
+#include <auxfem/output/output_folder.h>
 
 #include <deal.II/base/mpi.h>
 

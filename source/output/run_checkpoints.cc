@@ -1,5 +1,5 @@
-#include <auxfem/algebra/long_messages.h>
-#include <auxfem/output/first_rank.h>
+#include <auxfem/algebra/rank_exchange.h>
+#include <auxfem/output/output_folder.h>
 #include <auxfem/output/run_checkpoints.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/version.h>

@@ -1,16 +1,15 @@
 #include <auxfem/output/console.h>
-#include <auxfem/output/first_rank.h>
 #include <auxfem/output/history.h>
-#include <auxfem/output/notes.h>
-#include <auxfem/output/output_times.h>
+#include <auxfem/output/output_folder.h>
+#include <auxfem/output/recorder.h>
 #include <auxfem/output/run_checkpoints.h>
-#include <auxfem/output/run_folder.h>
 #include <auxfem/output/run_output.h>
 #include <auxfem/output/singular_point_files.h>
+#include <auxfem/output/verdict.h>
 #include <auxfem/output/vtu_writer.h>
 #include <auxfem/scene/step_ends.h>
-#include <auxfem/time/interruption.h>
-#include <auxfem/time/stopwatch.h>
+#include <auxfem/state/interruption.h>
+#include <auxfem/state/step_report.h>
 
 #include <algorithm>
 #include <chrono>

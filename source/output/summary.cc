@@ -1,6 +1,7 @@
+#include <auxfem/connectors/effects/connector_forces.h>
 #include <auxfem/output/console.h>
 #include <auxfem/output/summary.h>
-#include <auxfem/parameters/rounded_text.h>
+#include <auxfem/parameters/text.h>
 #include <auxfem/version.h>
 
 #include <deal.II/base/mpi.h>

@@ -1,8 +1,22 @@
+#include <auxfem/contact/effects/contact.h>
+#include <auxfem/mesh/sets.h>
+#include <auxfem/model/supports.h>
+#include <auxfem/model/unknown_records.h>
 #include <auxfem/output/console.h>
 #include <auxfem/output/verdict.h>
+#include <auxfem/output/verdict_limits.h>
+#include <auxfem/parameters/text.h>
+#include <auxfem/scene/step_ends.h>
+#include <auxfem/state/step_report.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <limits>
+#include <set>
+#include <sstream>
 
 #include <nlohmann/json.hpp>
 
@@ -63,5 +77,347 @@ namespace auxfem
     for (const Finding &finding : findings)
       text += '\n' + indented(finding.text);
     return text;
+  }
+
+  namespace
+  {} // namespace
+
+  EnergyJudgement::EnergyJudgement(const Kind kind) : kind(kind)
+  {}
+
+  void EnergyJudgement::start(const Energies &energies)
+  {
+    zero    = energies.balance(0.);
+    initial = std::abs(energies.total());
+  }
+
+  bool EnergyJudgement::is_off(const Energies &energies) const
+  {
+    const double moved =
+      initial + std::max(work, std::abs(energies.external()));
+    return !(std::abs(energies.balance(zero)) <= doubtful_error * moved);
+  }
+
+  void EnergyJudgement::add(const Energies &energies,
+                            const double    time,
+                            const double    round_off)
+  {
+    // What is moved is what came in; energies grow with the error itself.
+    work = std::max(work, std::abs(energies.external()));
+    if (const double size = std::abs(energies.balance(zero));
+        !(size <= round_off))
+      error.add(size, time);
+    given.add(-energies.numerical(), time);
+    taken.add(energies.numerical(), time);
+  }
+
+  std::vector<Finding> EnergyJudgement::findings() const
+  {
+    std::vector<Finding> found;
+    const double         moved = initial + work;
+    if (!(error.value <= doubtful_error * moved))
+      found.push_back(error_finding(moved));
+    // Without inertia it is what the rates at the ends of steps leave open.
+    if (kind == Kind::static_steps || kind == Kind::static_path)
+      return found;
+    if (given.value > doubtful_error * moved)
+      found.push_back({Verdict::doubtful,
+                       "The time integration has given the structure " +
+                         percentage_text(given.value / moved) +
+                         " of the energy that came in, by " +
+                         moment_text(kind == Kind::static_path, given.time) +
+                         "; shorten the step, or use a scheme that damps.",
+                       given.time,
+                       ""});
+    if (taken.value > unusable_error * moved)
+      found.push_back({Verdict::doubtful,
+                       "The time integration has taken " +
+                         percentage_text(taken.value / moved) +
+                         " of the energy that came in, by " +
+                         moment_text(kind == Kind::static_path, taken.time) +
+                         "; shorten the step.",
+                       taken.time,
+                       ""});
+    return found;
+  }
+
+  std::string EnergyJudgement::advice() const
+  {
+    switch (kind)
+      {
+        case Kind::static_path:
+          return "; reduce Path/Resolution.";
+        case Kind::static_steps:
+          return "; shorten the step. If that does not help, the structure "
+                 "jumps from one equilibrium to another, which only a "
+                 "simulation with inertia follows.";
+        case Kind::motion:
+          return "; shorten the step, or set Time/Scheme = energy-momentum, "
+                 "which keeps the balance whatever the step, in impacts too.";
+        case Kind::reduced_cell:
+          return "; shorten the step.";
+      }
+    return "";
+  }
+
+  Finding EnergyJudgement::error_finding(const double moved) const
+  {
+    const bool  is_ruinous = !(error.value <= unusable_error * moved);
+    std::string text       = "Energy error ";
+    text += moved > 0
+      ? percentage_text(error.value / moved) + " of the energy that came in"
+      : "where no energy came in";
+    text += ", at " + moment_text(kind == Kind::static_path, error.time) +
+      ": these results are ";
+    text += is_ruinous ? "not reliable" : "doubtful";
+    text += advice();
+    return {is_ruinous ? Verdict::not_to_be_used : Verdict::doubtful,
+            text,
+            error.time,
+            ""};
+  }
+
+  void EnergyJudgement::serialize(CheckpointArchive &archive)
+  {
+    archive.values("watch: energies", zero, initial, work, error, given, taken);
+  }
+
+  namespace
+  {
+    /**
+     * Thickness of a strut over its length that asks for a note.
+     * @tuned judgement
+     */
+    constexpr double thickest = 0.25;
+
+    /** Height of the rectangle with the same area and second moment (m): that
+     * in the plane, in space the larger one. */
+    double thickness(const Section &section, const unsigned int dimension)
+    {
+      const double second_moment = dimension == 2
+        ? section.second_moment_3
+        : std::max(section.second_moment_2, section.second_moment_3);
+      return std::sqrt(12 * second_moment / section.area);
+    }
+
+    /** The shortest elastic strut of a section. */
+    struct ShortestStrut
+    {
+      unsigned int strut  = 0;
+      double       length = std::numeric_limits<double>::infinity(); ///< m
+    };
+
+    std::vector<ShortestStrut> shortest_struts(const Lattice    &lattice,
+                                               const std::size_t n_sections)
+    {
+      std::vector<ShortestStrut> shortest(n_sections);
+      for (unsigned int i = 0; i < lattice.struts.size(); ++i)
+        {
+          const Strut &strut = lattice.struts[i];
+          if (strut.is_rigid())
+            continue;
+          ShortestStrut &of_section = shortest[strut.section];
+          if (const double length = lattice.length(strut);
+              length < of_section.length)
+            of_section = {i, length};
+        }
+      return shortest;
+    }
+
+    void add_imperfections(const Lattice            &lattice,
+                           std::vector<std::string> &notes)
+    {
+      if (!lattice.as_designed)
+        return;
+      double largest = 0;
+      for (unsigned int i = 0; i < lattice.n_structural_joints(); ++i)
+        largest =
+          std::max(largest,
+                   lattice.joints[i].distance(lattice.as_designed->joints[i]));
+      std::ostringstream text;
+      text << "By Imperfections joints of the stress-free lattice are off the "
+              "designed one by up to "
+           << largest << " m.";
+      notes.push_back(text.str());
+    }
+
+    /** Loads on unknowns that supports prescribe, which only add to reactions.
+     */
+    void add_loads_on_supports(const RunPlan            &plan,
+                               const Lattice            &lattice,
+                               std::vector<std::string> &notes)
+    {
+      std::set<std::pair<unsigned int, unsigned int>> prescribed;
+      for (const JointMotion &motion : prescribed_motions(plan.scene, lattice))
+        prescribed.insert({motion.joint, motion.component});
+      for (const JointLoadDefinition &load : plan.joint_loads())
+        {
+          const auto joints  = joints_of(load, lattice, plan.scene.context);
+          const auto is_held = [&](const unsigned int c) {
+            return std::all_of(joints.begin(),
+                               joints.end(),
+                               [&](const unsigned int joint) {
+                                 return prescribed.count({joint, c}) > 0;
+                               });
+          };
+          for (unsigned int c = 0; c < load.components.size(); ++c)
+            if (!load.components[c].is_zero() && !load.follows_joint &&
+                is_held(c))
+              notes.push_back(
+                load.components[c].origin() +
+                " does nothing: supports prescribe the " +
+                motion_name(c, lattice.dimension) +
+                " of all its joints, so it only adds to their reactions. Load "
+                "joints that are free to move, or remove the load.");
+        }
+    }
+
+    /** Results beside the scenes that a user has written. */
+    void add_inputs_beside_results(const std::string        &folder,
+                                   std::vector<std::string> &notes)
+    {
+      namespace fs = std::filesystem;
+      std::error_code ignored;
+      std::string     inputs;
+      for (const fs::directory_entry &entry :
+           fs::directory_iterator(folder, ignored))
+        if (const std::string name = entry.path().filename().string();
+            entry.path().extension() == ".prm" && name != "original.prm" &&
+            name != "parameters.prm")
+          inputs += (inputs.empty() ? "" : ", ") + name;
+      if (!inputs.empty())
+        notes.push_back("Results are written among input files: the folder " +
+                        folder + " has " + inputs +
+                        ". Give the results a folder of their own by "
+                        "Output/Directory or --output.");
+    }
+
+    void add_thick_sections(const Scene              &scene,
+                            const LatticeModel       &model,
+                            std::vector<std::string> &notes)
+    {
+      const Lattice                   &lattice = model.lattice;
+      const std::vector<ShortestStrut> shortest =
+        shortest_struts(lattice, scene.sections.size());
+      for (unsigned int s = 0; s < scene.sections.size(); ++s)
+        {
+          const auto [strut, length] = shortest[s];
+          const double found =
+            thickness(scene.sections[s].section, lattice.dimension);
+          if (found <= thickest * length)
+            continue;
+          std::ostringstream note;
+          note << scene.sections[s].path << ": the struts are about " << found
+               << " m thick, but strut " << strut << " is only " << length
+               << " m long; beams are meant to be slender. ";
+          if (found / 1000 <= thickest * length)
+            note << "A number without a unit is in m: was " << found
+                 << " mm meant? Then write the unit, or else";
+          else
+            note << "If that is not what was meant,";
+          note << " look at the dimensions of the section and the size of the "
+                  "lattice.";
+          notes.push_back(note.str());
+        }
+    }
+
+    void add_held_spins(const LatticeModel       &model,
+                        std::vector<std::string> &notes)
+    {
+      const bool is_static = !model.plan.simulated.inertia ||
+        model.plan.time.static_start ||
+        model.plan.analysis != Analysis::simulation;
+      if (model.free_spins.empty() || !is_static)
+        return;
+      std::ostringstream text;
+      text << "Between ball hinges ";
+      for (std::size_t i = 0; i < std::min(n_listed, model.free_spins.size());
+           ++i)
+        text << (i > 0 ? ", " : "") << "strut "
+             << model.free_spins[i].struts.front();
+      if (model.free_spins.size() > n_listed)
+        text << " and " << model.free_spins.size() - n_listed << " more";
+      text
+        << " could turn about "
+        << (model.free_spins.size() > 1 ? "their own axes" : "its own axis")
+        << " without resistance. Where there is no inertia, this rotation is "
+           "held; it bears nothing.";
+      notes.push_back(text.str());
+    }
+
+    void add_unknown_fibres(const Scene &scene, std::vector<std::string> &notes)
+    {
+      for (const SectionDefinition &definition : scene.sections)
+        {
+          const Section &section = definition.section;
+          if (!section.yield_strain || section.fibre_distances[1] > 0)
+            continue;
+          std::ostringstream text;
+          text.precision(3);
+          text << definition.path
+               << ": the Yield strain is compared with the least strain that "
+                  "bending can give, at a distance of the radius of gyration, "
+               << section.radii_of_gyration()[1]
+               << " m, from the axis. The outermost fibre is further away and "
+                  "yields earlier. Give its distance as Extreme fibre.";
+          notes.push_back(text.str());
+        }
+    }
+
+    /** The first of some pairs of struts, and how many more there are. */
+    std::string
+    pairs_text(const std::vector<std::array<unsigned int, 2>> &pairs)
+    {
+      std::ostringstream text;
+      for (std::size_t i = 0; i < std::min(n_listed, pairs.size()); ++i)
+        text << (i > 0 ? ", " : "") << pairs[i][0] << " and " << pairs[i][1];
+      if (pairs.size() > n_listed)
+        text << " and " << pairs.size() - n_listed << " more pairs";
+      return text.str();
+    }
+
+    void add_overlaps(const StrutContact       &contact,
+                      std::vector<std::string> &notes)
+    {
+      std::vector<std::array<unsigned int, 2>> passing, others;
+      for (const StrutOverlap &overlap : contact.overlaps())
+        (overlap.is_passing ? passing : others).push_back(overlap.struts);
+      if (!passing.empty())
+        notes.push_back("Struts " + pairs_text(passing) +
+                        " cross at rest without a common joint, so they pass "
+                        "each other freely, as if side by side. If they are "
+                        "connected, give them a joint there.");
+      if (!others.empty())
+        notes.push_back("Struts " + pairs_text(others) +
+                        " overlap at rest: they are nearer than they are "
+                        "thick. Where they are, they do not touch each other. "
+                        "If that is not what was meant, look at their section "
+                        "and their distance.");
+    }
+  } // namespace
+
+  std::vector<std::string> notes_on(const Equations &equations)
+  {
+    const LatticeModel      &model = equations.model();
+    const RunPlan           &plan  = model.plan;
+    const Scene             &scene = plan.scene;
+    std::vector<std::string> notes = model.lattice.notes;
+    for (const std::string &note : plan.time.values_without_effect)
+      notes.push_back(note);
+    if (const std::optional<std::string> on_scheme =
+          plan.time.scheme->note_on_rigid_parts();
+        on_scheme && model.numbering.constraints().n_multipliers() > 0)
+      notes.push_back(*on_scheme);
+    for (const std::string &note : time_function_notes(plan))
+      notes.push_back(note);
+    add_imperfections(model.lattice, notes);
+    add_thick_sections(scene, model, notes);
+    add_loads_on_supports(plan, model.lattice, notes);
+    add_inputs_beside_results(scene.output.directory, notes);
+    add_held_spins(model, notes);
+    add_unknown_fibres(scene, notes);
+    if (equations.reporting().strut_contact != nullptr)
+      add_overlaps(*equations.reporting().strut_contact, notes);
+    return notes;
   }
 } // namespace auxfem

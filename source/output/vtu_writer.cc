@@ -1,4 +1,6 @@
+#include <auxfem/connectors/effects/connector_forces.h>
 #include <auxfem/output/vtu_writer.h>
+#include <auxfem/rigid/effects/rigid_part_group.h>
 
 namespace auxfem
 {

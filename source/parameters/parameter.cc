@@ -1,7 +1,7 @@
+#include <auxfem/parameters/describe.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/parameter.h>
 #include <auxfem/parameters/quantity.h>
-#include <auxfem/parameters/suggest.h>
 
 #include <deal.II/base/utilities.h>
 

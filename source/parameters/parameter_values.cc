@@ -4,9 +4,17 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace auxfem
 {
+  std::string absolute_file(const std::string  &file,
+                            const SceneContext &context)
+  {
+    namespace fs = std::filesystem;
+    return (fs::absolute(context.directory) / file).lexically_normal().string();
+  }
+
   using dealii::Tensor;
 
   namespace

@@ -1,6 +1,6 @@
+#include <auxfem/parameters/describe.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/quantity.h>
-#include <auxfem/parameters/suggest.h>
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/utilities.h>

@@ -1,6 +1,6 @@
-#include <auxfem/parameters/named.h>
+#include <auxfem/parameters/describe.h>
+#include <auxfem/parameters/registry.h>
 #include <auxfem/parameters/subsection_schema.h>
-#include <auxfem/parameters/suggest.h>
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
-#include <auxfem/elements/strut_order.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/numerical_limits.h>
-#include <auxfem/scene/scene_subsections.h>
+#include <auxfem/scene/scene.h>
+#include <auxfem/struts/beam_dispatch.h>
 
 #include <cmath>
 #include <map>

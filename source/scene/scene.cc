@@ -1,8 +1,9 @@
 #include <auxfem/parameters/describe.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/scene/general_parameters.h>
-#include <auxfem/scene/scene_subsections.h>
+#include <auxfem/scene/scene.h>
 
+#include <algorithm>
 #include <set>
 
 namespace auxfem
@@ -124,5 +125,146 @@ namespace auxfem
                              const std::vector<std::string> &overrides)
   {
     return make_scene(parse_parameter_text(text, name), name, overrides);
+  }
+
+  namespace
+  {
+    void set_general(ParameterValues &values, Scene &scene)
+    {
+      scene.title             = read_title(values);
+      scene.analysis          = read_analysis(values);
+      scene.context.constants = read_constants(values);
+    }
+
+    /** After the analysis, which decides what Order = default is. */
+    void set_discretization(ParameterValues &values, Scene &scene)
+    {
+      scene.discretization =
+        read_discretization(values, is_of_small_motions(scene.analysis));
+    }
+
+    void add_load(ParameterValues &values, Scene &scene)
+    {
+      const auto load = read_load(values);
+      if (const auto *on_joints = std::get_if<JointLoadDefinition>(&load))
+        scene.joint_loads.push_back(*on_joints);
+      else
+        scene.line_loads.push_back(std::get<LineLoadDefinition>(load));
+    }
+
+    void add_plate(ParameterValues &values, Scene &scene)
+    {
+      const PlateDefinition plate = read_plate(values);
+      if (plate.support)
+        scene.supports.push_back(*plate.support);
+      if (plate.mass)
+        scene.masses.push_back(*plate.mass);
+      if (plate.initial_velocity)
+        scene.initial_velocities.push_back(*plate.initial_velocity);
+      scene.plates.push_back(plate);
+    }
+
+    void add_probe(ParameterValues &values, Scene &scene)
+    {
+      scene.output.probes.push_back(read_probe(values));
+    }
+
+    /** After the study itself. */
+    void add_quantity(ParameterValues &values, Scene &scene)
+    {
+      scene.study.quantities.push_back(read_quantity(values));
+    }
+
+    /** What @p read makes of the one subsection becomes that @p member. */
+    template <auto member, auto read>
+    void set(ParameterValues &values, Scene &scene)
+    {
+      scene.*member = read(values);
+    }
+
+    /** What @p read makes of each subsection is added to that @p list. */
+    template <auto list, auto read>
+    void add(ParameterValues &values, Scene &scene)
+    {
+      (scene.*list).push_back(read(values));
+    }
+  } // namespace
+
+
+
+  const std::vector<SceneSubsection> &scene_subsections()
+  {
+    static const std::vector<SceneSubsection> all = {
+      {general_schema(), set_general},
+      {reduced_cell_schema(), set<&Scene::reduced_cell, read_reduced_cell>},
+      {lattice_schema(), set<&Scene::lattice, read_lattice>},
+      {sets_schema(), add<&Scene::sets, read_set>},
+      {imperfections_schema(), add<&Scene::imperfections, read_imperfection>},
+      {sections_schema(), add<&Scene::sections, read_section>},
+      {rigid_parts_schema(), add<&Scene::rigid_parts, read_rigid_part>},
+      {joints_schema(), add<&Scene::joints, read_joint>},
+      {connectors_schema(), add<&Scene::connectors, read_connector>},
+      {supports_schema(), add<&Scene::supports, read_support>},
+      {masses_schema(), add<&Scene::masses, read_mass>},
+      {loads_schema(), add_load},
+      {gravity_schema(), set<&Scene::gravity, read_gravity>},
+      {initial_velocities_schema(),
+       add<&Scene::initial_velocities, read_initial_velocity>},
+      {plates_schema(), add_plate},
+      {contact_schema(), set<&Scene::contact, read_contact>},
+      {discretization_schema(), set_discretization},
+      {effects_schema(), set<&Scene::effects, read_effects>},
+      {time_schema(), set<&Scene::time, read_time>},
+      {newton_schema(), set<&Scene::newton, read_newton>},
+      {solver_schema(), set<&Scene::solver, read_solver>},
+      {output_schema(), set<&Scene::output, read_output>},
+      {probes_schema(), add_probe},
+      {modes_schema(), set<&Scene::modes, read_modes>},
+      {path_schema(), set<&Scene::path, read_path>},
+      {frequency_response_schema(),
+       set<&Scene::frequency_response, read_frequency_response>},
+      {study_schema(), set<&Scene::study, read_study>},
+      {quantities_schema(), add_quantity}};
+    return all;
+  }
+
+
+
+  std::vector<SubsectionSchema> scene_schemas()
+  {
+    std::vector<SubsectionSchema> schemas;
+    for (const SceneSubsection &subsection : scene_subsections())
+      schemas.push_back(subsection.schema);
+    return schemas;
+  }
+
+
+
+  void check_subsection_names(const ParameterSubsection &root,
+                              const Model                model,
+                              Mistakes                  &mistakes)
+  {
+    std::vector<std::string> known, others;
+    for (const SceneSubsection &subsection : scene_subsections())
+      if (!subsection.schema.name.empty())
+        (subsection.schema.serves(model) ? known : others)
+          .push_back(subsection.schema.name);
+    const auto is_among = [](const std::vector<std::string> &names,
+                             const std::string              &name) {
+      return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    for (const ParameterSubsection &found : root.subsections)
+      {
+        if (is_among(known, found.name))
+          continue;
+        mistakes.add(found.location.text() + ": " +
+                     (!is_among(others, found.name)
+                        ? "unknown subsection \"" + found.name + "\"" +
+                          did_you_mean(found.name, known)
+                        : "subsection \"" + found.name +
+                          "\" has no meaning with Model = " + name_of(model) +
+                          ". Remove it or choose another Model") +
+                     "\n  Allowed here: " + joined(known));
+      }
   }
 } // namespace auxfem

@@ -1,10 +1,10 @@
-#include <auxfem/elements/strut_order.h>
-#include <auxfem/loads/motion_parameters.h>
+#include <auxfem/loads/load_definitions.h>
+#include <auxfem/parameters/describe.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/quantity.h>
-#include <auxfem/parameters/suggest.h>
 #include <auxfem/scene/study_definition.h>
-#include <auxfem/time/schemes.h>
+#include <auxfem/struts/beam_dispatch.h>
+#include <auxfem/time/schemes/time_scheme.h>
 
 #include <deal.II/base/utilities.h>
 

@@ -1,8 +1,7 @@
 #include <auxfem/parameters/errors.h>
-#include <auxfem/study/recommendation.h>
 #include <auxfem/study/refinement.h>
-#include <auxfem/study/settings_list.h>
-#include <auxfem/study/study_kind.h>
+#include <auxfem/study/settings.h>
+#include <auxfem/study/study.h>
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 #include <auxfem/parameters/errors.h>
 #include <auxfem/study/quantities.h>
 #include <auxfem/study/settings.h>
-#include <auxfem/study/study_kind.h>
+#include <auxfem/study/study.h>
 
 #include <boost/algorithm/string/predicate.hpp>
 

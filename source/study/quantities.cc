@@ -1,5 +1,5 @@
+#include <auxfem/parameters/describe.h>
 #include <auxfem/parameters/errors.h>
-#include <auxfem/parameters/suggest.h>
 #include <auxfem/study/quantities.h>
 #include <auxfem/study/settings.h>
 

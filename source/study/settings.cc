@@ -1,7 +1,11 @@
 #include <auxfem/parameters/errors.h>
+#include <auxfem/struts/beam_dispatch.h>
 #include <auxfem/study/settings.h>
 
+#include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <functional>
 
 namespace auxfem
 {
@@ -100,5 +104,160 @@ namespace auxfem
                                    digits)
                        .ptr;
     return {text, end};
+  }
+
+  void SettingsList::add(const std::vector<Settings> &settings,
+                         const unsigned int           n_times)
+  {
+    for (const Settings &one : settings)
+      if (index(one) == list.size())
+        {
+          list.push_back(one);
+          repetitions.push_back(n_times);
+        }
+  }
+
+
+
+  std::vector<PlannedRun> SettingsList::planned_runs(const Scene &scene) const
+  {
+    const Settings          own = settings_of(scene);
+    std::vector<PlannedRun> planned;
+    for (std::size_t i = 0; i < list.size(); ++i)
+      {
+        planned.push_back({name_of_run(scene, list[i]),
+                           scene_with(scene, overrides(own, list[i])),
+                           repetitions[i]});
+        if (planned.back().scene.time.scheme->is_dynamic() !=
+            scene.time.scheme->is_dynamic())
+          throw InputError(
+            scene.file + ": Study/Schemes: " + list[i].scheme +
+            " computes something else than Time/Scheme = " + own.scheme +
+            ", statics or dynamics, so that they cannot be "
+            "compared. Remove one of them");
+      }
+    return planned;
+  }
+
+
+
+  std::vector<MeasuredRun>
+  SettingsList::of(const std::vector<Settings>    &settings,
+                   const std::vector<MeasuredRun> &runs) const
+  {
+    std::vector<MeasuredRun> result;
+    result.reserve(settings.size());
+    for (const Settings &one : settings)
+      result.push_back(runs[index(one)]);
+    return result;
+  }
+
+
+
+  std::size_t SettingsList::index(const Settings &settings) const
+  {
+    return std::find(list.begin(), list.end(), settings) - list.begin();
+  }
+
+
+
+  std::string name_of_run(const Scene &scene, const Settings &settings)
+  {
+    std::string name;
+    if (scene.context.model == Model::lattice)
+      name = "order " + std::to_string(settings.order) + ", " +
+        std::to_string(settings.elements()) +
+        (settings.elements() == 1 ? " element a strut, "
+                                  : " elements a strut, ");
+    name +=
+      settings.scheme + ", step " + short_number(settings.time_step) + " s";
+    if (settings.time_tolerance)
+      name +=
+        " and less to an error of " + short_number(*settings.time_tolerance);
+    if (settings.newton_tolerance != scene.newton.tolerance)
+      name += ", Newton tolerance " + short_number(settings.newton_tolerance);
+    return name;
+  }
+
+  std::vector<unsigned int>
+  tried_orders(const Scene &scene, const std::vector<unsigned int> &automatic)
+  {
+    if (!has_mesh(scene))
+      return {};
+    return sorted_values(scene.study.orders.value_or(automatic), std::less<>());
+  }
+
+
+
+  std::vector<unsigned int> tried_refinements(const Scene       &scene,
+                                              const unsigned int further)
+  {
+    if (!has_mesh(scene))
+      return {};
+    std::vector<unsigned int> automatic;
+    for (unsigned int i = 0; i <= further; ++i)
+      automatic.push_back(scene.discretization.refinements + i);
+    return sorted_values(scene.study.refinements.value_or(automatic),
+                         std::less<>());
+  }
+
+
+
+  std::vector<double> tried_time_steps(const Scene               &scene,
+                                       const std::vector<double> &factors)
+  {
+    std::vector<double> automatic;
+    if (scene.time.scheme->is_dynamic())
+      for (const double factor : factors)
+        automatic.push_back(factor * scene.time.step);
+    return sorted_values(scene.study.time_steps.value_or(automatic),
+                         std::greater<>());
+  }
+
+
+
+  std::vector<std::string> tried_schemes(const Scene &scene)
+  {
+    return values_or(scene.study.schemes, scene.time.scheme->name());
+  }
+
+
+
+  unsigned int highest_order(const Scene &scene)
+  {
+    return highest_strut_order(scene.context.dimension);
+  }
+
+
+
+  bool has_mesh(const Scene &scene)
+  {
+    return scene.context.model == Model::lattice;
+  }
+
+
+
+  std::vector<Settings> finer_meshes(const Scene    &scene,
+                                     const Settings &settings,
+                                     const bool      raises_order)
+  {
+    std::vector<Settings> finer(2, settings);
+    if (!has_mesh(scene))
+      return finer;
+    const bool raises = raises_order && settings.order < highest_order(scene);
+    for (unsigned int i = 0; i < finer.size(); ++i)
+      {
+        finer[i].order += raises;
+        finer[i].refinements += raises ? i : i + 1;
+      }
+    return finer;
+  }
+
+
+
+  void halve_time_steps(std::vector<Settings> &settings)
+  {
+    for (std::size_t i = 0; i < settings.size(); ++i)
+      settings[i].time_step = std::ldexp(settings[i].time_step, -int(i) - 1);
   }
 } // namespace auxfem

@@ -1,13 +1,12 @@
 #include <auxfem/analysis/analysis.h>
 #include <auxfem/output/console.h>
 #include <auxfem/output/csv_table.h>
-#include <auxfem/output/first_rank.h>
-#include <auxfem/output/run_folder.h>
+#include <auxfem/output/output_folder.h>
 #include <auxfem/output/summary.h>
-#include <auxfem/parameters/named.h>
-#include <auxfem/study/pictures.h>
+#include <auxfem/parameters/registry.h>
+#include <auxfem/state/interruption.h>
 #include <auxfem/study/study.h>
-#include <auxfem/time/interruption.h>
+#include <auxfem/study/study_report.h>
 
 #include <chrono>
 #include <iostream>
@@ -17,6 +16,14 @@
 
 namespace auxfem
 {
+  const std::vector<StudyKind> &study_registry()
+  {
+    static const std::vector<StudyKind> registry = {convergence_study(),
+                                                    work_precision_study(),
+                                                    effects_study()};
+    return registry;
+  }
+
   namespace
   {
     const StudyKind &kind_of(const Scene &scene)

@@ -1,8 +1,8 @@
-#include <auxfem/algebra/shared_work.h>
-#include <auxfem/output/first_rank.h>
-#include <auxfem/study/kept_runs.h>
+#include <auxfem/algebra/rank_exchange.h>
+#include <auxfem/output/output_folder.h>
+#include <auxfem/state/interruption.h>
+#include <auxfem/study/measured_run.h>
 #include <auxfem/study/study_runs.h>
-#include <auxfem/time/interruption.h>
 
 #include <deal.II/base/mpi.h>
 

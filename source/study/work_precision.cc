@@ -1,7 +1,6 @@
-#include <auxfem/study/recommendation.h>
-#include <auxfem/study/settings_list.h>
-#include <auxfem/study/study_kind.h>
-#include <auxfem/study/tried_values.h>
+#include <auxfem/study/refinement.h>
+#include <auxfem/study/settings.h>
+#include <auxfem/study/study.h>
 
 #include <algorithm>
 #include <cmath>

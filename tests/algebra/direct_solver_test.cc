@@ -1,4 +1,4 @@
-#include <auxfem/algebra/direct_solvers.h>
+#include <auxfem/algebra/direct_solver.h>
 
 #include <algebra/distributed_matrix.h>
 #include <gtest/gtest.h>

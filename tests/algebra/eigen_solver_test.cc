@@ -1,5 +1,4 @@
-#include <auxfem/algebra/eigen_solver_dense.h>
-#include <auxfem/algebra/krylov_eigenpairs.h>
+#include <auxfem/algebra/eigen_solver.h>
 
 #include <gtest/gtest.h>
 

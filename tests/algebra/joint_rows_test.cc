@@ -1,4 +1,4 @@
-#include <auxfem/algebra/joint_rows.h>
+#include <auxfem/algebra/joint_order.h>
 
 #include <gtest/gtest.h>
 #include <support/beam_lattice.h>

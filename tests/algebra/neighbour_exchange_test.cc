@@ -1,4 +1,4 @@
-#include <auxfem/algebra/neighbour_exchange.h>
+#include <auxfem/algebra/rank_exchange.h>
 
 #include <deal.II/base/mpi.h>
 

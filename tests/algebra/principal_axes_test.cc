@@ -1,4 +1,4 @@
-#include <auxfem/algebra/principal_axes.h>
+#include <auxfem/algebra/dense_block.h>
 
 #include <gtest/gtest.h>
 

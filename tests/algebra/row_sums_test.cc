@@ -1,4 +1,4 @@
-#include <auxfem/algebra/row_sums.h>
+#include <auxfem/algebra/sparse_matrix.h>
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <auxfem/algebra/shared_work.h>
+#include <auxfem/algebra/rank_exchange.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -1,5 +1,5 @@
-#include <auxfem/algebra/conjugate_gradients.h>
-#include <auxfem/algebra/free_block.h>
+#include <auxfem/algebra/krylov_solver.h>
+#include <auxfem/algebra/sparse_matrix.h>
 
 #include <algebra/strut_network.h>
 #include <gtest/gtest.h>

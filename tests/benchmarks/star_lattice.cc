@@ -1,5 +1,5 @@
 #include <auxfem/output/run_output.h>
-#include <auxfem/time/stopwatch.h>
+#include <auxfem/state/step_report.h>
 
 #include <deal.II/base/mpi.h>
 

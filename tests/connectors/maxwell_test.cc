@@ -1,4 +1,4 @@
-#include <auxfem/connectors/maxwell_element.h>
+#include <auxfem/connectors/maxwell.h>
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <auxfem/contact/bernstein_polynomial.h>
+#include <auxfem/contact/axis_curve.h>
 
 #include <gtest/gtest.h>
 

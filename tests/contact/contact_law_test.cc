@@ -1,4 +1,4 @@
-#include <auxfem/contact/contact_law.h>
+#include <auxfem/contact/plate_definition.h>
 
 #include <gtest/gtest.h>
 

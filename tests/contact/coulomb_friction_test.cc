@@ -1,4 +1,4 @@
-#include <auxfem/contact/coulomb_friction.h>
+#include <auxfem/contact/plate_definition.h>
 
 #include <gtest/gtest.h>
 

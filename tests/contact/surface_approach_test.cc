@@ -1,4 +1,4 @@
-#include <auxfem/contact/surface_approach.h>
+#include <auxfem/contact/rigid_surface.h>
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <auxfem/analysis/time_stepper.h>
+#include <auxfem/time/time_stepper.h>
 
 #include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
+#include <auxfem/connectors/effects/connector_forces.h>
 #include <auxfem/equations/node_rotations.h>
-#include <auxfem/equations/prescribed_motion.h>
-#include <auxfem/model/unknown_names.h>
+#include <auxfem/loads/effects/prescribed_motion.h>
+#include <auxfem/model/unknown_records.h>
 
 #include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>

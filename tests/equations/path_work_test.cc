@@ -1,4 +1,4 @@
-#include <auxfem/equations/path_work.h>
+#include <auxfem/equations/load_work.h>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,8 @@
-#include <auxfem/analysis/time_stepper.h>
+#include <auxfem/connectors/effects/connector_forces.h>
 #include <auxfem/equations/node_rotations.h>
-#include <auxfem/model/rotation_numbers.h>
+#include <auxfem/model/numbering.h>
+#include <auxfem/rigid/effects/rigid_part_group.h>
+#include <auxfem/time/time_stepper.h>
 
 #include <deal.II/base/mpi.h>
 

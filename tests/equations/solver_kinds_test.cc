@@ -1,4 +1,4 @@
-#include <auxfem/algebra/backward_error.h>
+#include <auxfem/algebra/direct_solver.h>
 #include <auxfem/algebra/linear_solver.h>
 #include <auxfem/equations/node_rotations.h>
 

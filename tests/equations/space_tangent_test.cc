@@ -1,5 +1,4 @@
 #include <auxfem/equations/node_rotations.h>
-#include <auxfem/equations/step_travel.h>
 
 #include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
-#include <auxfem/mesh/cells/separate_process.h>
+#include <auxfem/mesh/cells/gmsh_reader.h>
 #include <auxfem/model/build_lattice.h>
 #include <auxfem/output/history.h>
 #include <auxfem/parameters/errors.h>
-#include <auxfem/parameters/short_lines.h>
+#include <auxfem/parameters/text.h>
 #include <auxfem/scene/scene.h>
 
 #include <support/text_file.h>

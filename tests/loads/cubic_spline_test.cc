@@ -1,4 +1,4 @@
-#include <auxfem/loads/cubic_spline.h>
+#include <auxfem/loads/table_history.h>
 
 #include <gtest/gtest.h>
 

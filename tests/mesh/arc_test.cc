@@ -1,5 +1,5 @@
-#include <auxfem/mesh/arc.h>
 #include <auxfem/mesh/lattice.h>
+#include <auxfem/mesh/strut_geometry.h>
 
 #include <deal.II/base/tensor.h>
 #include <deal.II/physics/transformations.h>

@@ -1,4 +1,4 @@
-#include <auxfem/mesh/index_lists.h>
+#include <auxfem/mesh/lattice.h>
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <auxfem/mesh/segment.h>
+#include <auxfem/mesh/strut_geometry.h>
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <auxfem/mesh/strut_partition.h>
+#include <auxfem/mesh/strut_mesh.h>
 
 #include <gtest/gtest.h>
 

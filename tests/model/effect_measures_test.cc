@@ -1,6 +1,6 @@
 #include <auxfem/model/build_lattice.h>
 #include <auxfem/model/effect_decisions.h>
-#include <auxfem/model/load_course.h>
+#include <auxfem/model/load_history.h>
 
 #include <gtest/gtest.h>
 #include <support/scene_text.h>

@@ -1,6 +1,6 @@
 #include <auxfem/model/joint_releases.h>
 
-#include <equations/effects/space_effect.h>
+#include <equations/space_effect.h>
 #include <mesh/cell_from_text.h>
 #include <support/scene_text.h>
 

@@ -1,5 +1,5 @@
 #include <auxfem/model/numbering.h>
-#include <auxfem/model/unknown_names.h>
+#include <auxfem/model/unknown_records.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -1,5 +1,5 @@
 #include <auxfem/model/build_lattice.h>
-#include <auxfem/model/rigid_parts.h>
+#include <auxfem/model/rigid_bodies.h>
 
 #include <deal.II/base/numbers.h>
 

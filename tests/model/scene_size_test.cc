@@ -1,4 +1,4 @@
-#include <auxfem/model/scene_size.h>
+#include <auxfem/model/build_lattice.h>
 
 #include <gtest/gtest.h>
 #include <support/text_file.h>

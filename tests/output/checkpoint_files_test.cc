@@ -1,5 +1,4 @@
 #include <auxfem/output/checkpoint_files.h>
-#include <auxfem/output/checkpoint_format.h>
 
 #include <boost/crc.hpp>
 #include <gtest/gtest.h>

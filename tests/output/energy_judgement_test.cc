@@ -1,4 +1,4 @@
-#include <auxfem/output/energy_judgement.h>
+#include <auxfem/output/verdict.h>
 
 #include <gtest/gtest.h>
 

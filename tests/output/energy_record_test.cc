@@ -1,4 +1,4 @@
-#include <auxfem/output/energy_record.h>
+#include <auxfem/output/csv_table.h>
 
 #include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include <auxfem/output/first_rank.h>
+#include <auxfem/output/output_folder.h>
 
 #include <gtest/gtest.h>
 

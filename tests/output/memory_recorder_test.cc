@@ -1,4 +1,4 @@
-#include <auxfem/output/memory_recorder.h>
+#include <auxfem/output/recorder.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/simulation.h>
 

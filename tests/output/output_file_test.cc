@@ -1,4 +1,4 @@
-#include <auxfem/output/output_file.h>
+#include <auxfem/output/output_folder.h>
 
 #include <gtest/gtest.h>
 #include <support/text_file.h>

@@ -1,4 +1,4 @@
-#include <auxfem/output/output_times.h>
+#include <auxfem/output/recorder.h>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 #include <auxfem/mesh/sets.h>
-#include <auxfem/output/rigid_part_probe.h>
+#include <auxfem/output/probes.h>
 
 #include <deal.II/base/numbers.h>
 

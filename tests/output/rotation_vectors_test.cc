@@ -1,7 +1,7 @@
 #include <auxfem/equations/equations.h>
 #include <auxfem/equations/node_rotations.h>
 #include <auxfem/model/build_lattice.h>
-#include <auxfem/output/rotation_vectors.h>
+#include <auxfem/output/probes.h>
 
 #include <gtest/gtest.h>
 #include <support/scene_text.h>

@@ -1,4 +1,4 @@
-#include <auxfem/output/run_folder.h>
+#include <auxfem/output/output_folder.h>
 #include <auxfem/parameters/errors.h>
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include <auxfem/parameters/json.h>
+#include <auxfem/parameters/text.h>
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <auxfem/parameters/suggest.h>
+#include <auxfem/parameters/describe.h>
 
 #include <gtest/gtest.h>
 

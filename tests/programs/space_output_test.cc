@@ -1,4 +1,4 @@
-#include <auxfem/elements/rotation.h>
+#include <auxfem/mathematics/rotation.h>
 
 #include <programs/single_precision.h>
 #include <support/graphics_series.h>

@@ -1,4 +1,4 @@
-#include <auxfem/loads/motion_parameters.h>
+#include <auxfem/loads/load_definitions.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/scene/scene.h>
 

@@ -1,5 +1,5 @@
 #include <auxfem/parameters/describe.h>
-#include <auxfem/scene/scene_subsections.h>
+#include <auxfem/scene/scene.h>
 
 #include <gtest/gtest.h>
 

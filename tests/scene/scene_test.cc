@@ -1,7 +1,7 @@
 #include <auxfem/parameters/describe.h>
 #include <auxfem/parameters/errors.h>
-#include <auxfem/scene/scene_subsections.h>
-#include <auxfem/time/alpha_family.h>
+#include <auxfem/scene/scene.h>
+#include <auxfem/time/schemes/alpha_family.h>
 
 #include <deal.II/base/numbers.h>
 

@@ -1,5 +1,4 @@
 #include <auxfem/scene/step_ends.h>
-#include <auxfem/scene/time_function_notes.h>
 
 #include <gtest/gtest.h>
 #include <support/scene_text.h>

@@ -1,5 +1,4 @@
-#include <auxfem/study/pictures.h>
-#include <auxfem/study/recommendation.h>
+#include <auxfem/study/refinement.h>
 #include <auxfem/study/study_report.h>
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include <auxfem/study/kept_runs.h>
+#include <auxfem/study/measured_run.h>
 #include <auxfem/study/settings.h>
 #include <auxfem/study/study_runs.h>
 

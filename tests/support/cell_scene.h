@@ -1,7 +1,7 @@
 #ifndef auxfem_tests_support_cell_scene_h
 #define auxfem_tests_support_cell_scene_h
 
-#include <auxfem/reduced_cell/cell_run.h>
+#include <auxfem/analysis/reduced_cell/cell_run.h>
 #include <auxfem/scene/scene.h>
 
 #include <sstream>

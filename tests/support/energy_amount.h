@@ -1,7 +1,7 @@
 #ifndef auxfem_tests_support_energy_amount_h
 #define auxfem_tests_support_energy_amount_h
 
-#include <auxfem/time/energies.h>
+#include <auxfem/state/energies.h>
 
 #include <stdexcept>
 #include <string>

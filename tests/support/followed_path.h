@@ -1,7 +1,7 @@
 #ifndef auxfem_tests_support_followed_path_h
 #define auxfem_tests_support_followed_path_h
 
-#include <auxfem/analysis/saved_state.h>
+#include <auxfem/analysis/simulation/imperfect_lattice.h>
 #include <auxfem/output/recorder.h>
 #include <auxfem/scene/scene.h>
 #include <auxfem/simulation.h>

@@ -1,7 +1,7 @@
 #ifndef auxfem_tests_support_hand_over_h
 #define auxfem_tests_support_hand_over_h
 
-#include <auxfem/time/checkpoint_archive.h>
+#include <auxfem/state/checkpoint_archive.h>
 
 namespace auxfem::testing_support
 {

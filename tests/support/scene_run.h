@@ -1,7 +1,8 @@
 #ifndef auxfem_tests_support_scene_run_h
 #define auxfem_tests_support_scene_run_h
 
-#include <auxfem/analysis/lattice_run.h>
+#include <auxfem/analysis/simulation/lattice_run.h>
+#include <auxfem/connectors/effects/connector_forces.h>
 #include <auxfem/scene/scene.h>
 
 #include <support/mass_matrix.h>

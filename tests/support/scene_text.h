@@ -1,7 +1,7 @@
 #ifndef auxfem_tests_support_scene_text_h
 #define auxfem_tests_support_scene_text_h
 
-#include <auxfem/elements/beam_3d.h>
+#include <auxfem/struts/beam_3d.h>
 
 #include <algorithm>
 #include <array>

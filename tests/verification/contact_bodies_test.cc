@@ -1,4 +1,4 @@
-#include <auxfem/equations/effects/contact.h>
+#include <auxfem/contact/effects/contact.h>
 #include <auxfem/parameters/errors.h>
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include <auxfem/equations/effects/contact.h>
+#include <auxfem/contact/effects/contact.h>
 
 #include <verification/result_table.h>
 #include <verification/space_run.h>

@@ -1,4 +1,4 @@
-#include <auxfem/equations/effects/contact.h>
+#include <auxfem/contact/effects/contact.h>
 
 #include <support/run_program.h>
 #include <support/scene_run.h>

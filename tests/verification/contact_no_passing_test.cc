@@ -1,4 +1,5 @@
-#include <auxfem/mesh/segment.h>
+#include <auxfem/mesh/strut_geometry.h>
+#include <auxfem/struts/effects/struts.h>
 
 #include <gtest/gtest.h>
 #include <support/scene_run.h>

@@ -1,4 +1,4 @@
-#include <auxfem/equations/effects/contact.h>
+#include <auxfem/contact/effects/contact.h>
 
 #include <support/scene_run.h>
 #include <support/scene_text.h>

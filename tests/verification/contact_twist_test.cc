@@ -1,4 +1,5 @@
-#include <auxfem/equations/effects/contact.h>
+#include <auxfem/contact/effects/contact.h>
+#include <auxfem/struts/effects/struts.h>
 
 #include <verification/result_table.h>
 #include <verification/space_run.h>

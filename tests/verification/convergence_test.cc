@@ -1,3 +1,5 @@
+#include <auxfem/struts/effects/struts.h>
+
 #include <support/scene_run.h>
 #include <support/scene_text.h>
 #include <verification/rod_equation.h>

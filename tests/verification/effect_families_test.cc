@@ -1,8 +1,7 @@
-#include <auxfem/analysis/lattice_analysis.h>
-#include <auxfem/analysis/lattice_run.h>
+#include <auxfem/analysis/simulation/lattice_run.h>
 #include <auxfem/model/build_lattice.h>
 #include <auxfem/model/effect_decisions.h>
-#include <auxfem/output/memory_recorder.h>
+#include <auxfem/output/recorder.h>
 
 #include <gtest/gtest.h>
 #include <support/scene_text.h>

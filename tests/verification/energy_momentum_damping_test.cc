@@ -1,4 +1,4 @@
-#include <auxfem/elements/beam_shape.h>
+#include <auxfem/struts/beam_shape.h>
 
 #include <support/scene_text.h>
 #include <verification/result_table.h>

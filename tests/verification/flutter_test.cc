@@ -1,4 +1,4 @@
-#include <auxfem/analysis/lattice_run.h>
+#include <auxfem/analysis/simulation/lattice_run.h>
 #include <auxfem/analysis/small_motions/complex_modes.h>
 #include <auxfem/analysis/small_motions/modes.h>
 

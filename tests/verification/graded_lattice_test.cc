@@ -1,6 +1,6 @@
-#include <auxfem/analysis/lattice_run.h>
-#include <auxfem/analysis/order_choice.h>
-#include <auxfem/output/memory_recorder.h>
+#include <auxfem/analysis/discretization/order_choice.h>
+#include <auxfem/analysis/simulation/lattice_run.h>
+#include <auxfem/output/recorder.h>
 
 #include <support/scene_text.h>
 

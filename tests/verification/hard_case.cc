@@ -1,4 +1,4 @@
-#include <auxfem/analysis/lattice_run.h>
+#include <auxfem/analysis/simulation/lattice_run.h>
 #include <auxfem/parameters/errors.h>
 
 #include <support/scene_text.h>

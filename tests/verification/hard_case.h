@@ -2,7 +2,7 @@
 #define auxfem_tests_verification_hard_case_h
 
 #include <auxfem/output/verdict.h>
-#include <auxfem/time/records.h>
+#include <auxfem/state/checkpoint_archive.h>
 
 #include <optional>
 #include <string>

@@ -1,4 +1,4 @@
-#include <auxfem/time/static.h>
+#include <auxfem/time/schemes/static.h>
 
 #include <gtest/gtest.h>
 #include <support/scene_text.h>

@@ -1,4 +1,4 @@
-#include <auxfem/time/alpha_family.h>
+#include <auxfem/time/schemes/alpha_family.h>
 
 #include <support/energy_amount.h>
 #include <support/scene_run.h>

@@ -1,6 +1,6 @@
 #include "random_scene.h"
 
-#include <auxfem/mesh/segment.h>
+#include <auxfem/mesh/strut_geometry.h>
 
 #include <cmath>
 #include <vector>

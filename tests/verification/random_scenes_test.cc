@@ -1,12 +1,12 @@
-#include <auxfem/equations/effects/contact.h>
-#include <auxfem/equations/effects/struts.h>
-#include <auxfem/output/memory_recorder.h>
+#include <auxfem/contact/effects/contact.h>
+#include <auxfem/output/recorder.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/simulation.h>
+#include <auxfem/struts/effects/struts.h>
 
 #include <deal.II/base/mpi.h>
 
-#include <analysis/resumed_run.h>
+#include <analysis/simulation/resumed_run.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

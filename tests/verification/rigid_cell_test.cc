@@ -1,3 +1,5 @@
+#include <auxfem/rigid/effects/rigid_part_group.h>
+
 #include <gtest/gtest.h>
 #include <support/cell_scene.h>
 #include <support/run_program.h>

@@ -1,4 +1,5 @@
 #include <auxfem/model/rigid_bodies.h>
+#include <auxfem/rigid/effects/rigid_part_group.h>
 
 #include <support/scene_run.h>
 #include <support/scene_text.h>

@@ -1,4 +1,4 @@
-#include <auxfem/output/rotation_vectors.h>
+#include <auxfem/output/probes.h>
 
 #include <support/scene_text.h>
 #include <verification/result_table.h>

@@ -1,4 +1,4 @@
-#include <auxfem/model/unknown_names.h>
+#include <auxfem/model/unknown_records.h>
 
 #include <gtest/gtest.h>
 #include <support/scene_text.h>

@@ -1,7 +1,8 @@
 #ifndef auxfem_tests_verification_space_frame_h
 #define auxfem_tests_verification_space_frame_h
 
-#include <auxfem/elements/rotation.h>
+#include <auxfem/mathematics/rotation.h>
+#include <auxfem/rigid/effects/rigid_part_group.h>
 
 #include <support/scene_run.h>
 #include <support/scene_text.h>

@@ -1,3 +1,5 @@
+#include <auxfem/rigid/effects/rigid_part_group.h>
+
 #include <support/run_program.h>
 #include <support/scene_text.h>
 #include <verification/result_table.h>

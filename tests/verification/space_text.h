@@ -1,8 +1,8 @@
 #ifndef auxfem_tests_verification_space_text_h
 #define auxfem_tests_verification_space_text_h
 
-#include <auxfem/elements/rotation.h>
-#include <auxfem/mesh/motion_components.h>
+#include <auxfem/mathematics/rotation.h>
+#include <auxfem/mesh/lattice.h>
 
 #include <support/scene_run.h>
 #include <support/scene_text.h>

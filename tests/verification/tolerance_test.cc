@@ -1,5 +1,5 @@
-#include <auxfem/analysis/lattice_run.h>
-#include <auxfem/output/memory_recorder.h>
+#include <auxfem/analysis/simulation/lattice_run.h>
+#include <auxfem/output/recorder.h>
 
 #include <gtest/gtest.h>
 #include <study/report_cells.h>

@@ -1,6 +1,10 @@
 #ifndef auxfem_algebra_dense_block_h
 #define auxfem_algebra_dense_block_h
 
+#include <deal.II/base/tensor.h>
+
+#include <array>
+
 /**
  * @file
  * Small dense blocks, stored row by row. Factors of three or six rows, as
@@ -51,6 +55,17 @@ namespace auxfem
 
   /** Number of negative eigenvalues of the symmetric block @p a. */
   unsigned int n_negative_eigenvalues(const double *a, unsigned int n);
+
+  struct PrincipalAxis
+  {
+    double               value;
+    dealii::Tensor<1, 3> direction; ///< of length one
+  };
+
+  /** Eigenvalues and eigenvectors of a symmetric @p tensor without negative
+   * eigenvalues, the largest first. */
+  std::array<PrincipalAxis, 3>
+  principal_axes(const dealii::Tensor<2, 3> &tensor);
 } // namespace auxfem
 
 #endif

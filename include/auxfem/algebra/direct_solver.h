@@ -2,8 +2,13 @@
 #define auxfem_algebra_direct_solver_h
 
 #include <auxfem/algebra/sparse_matrix.h>
+#include <auxfem/algebra/tangent_matrix.h>
+#include <auxfem/parameters/numerical_limits.h>
 
+#include <functional>
+#include <limits>
 #include <memory>
+#include <new>
 #include <optional>
 
 namespace auxfem
@@ -96,6 +101,143 @@ namespace auxfem
    */
   std::unique_ptr<DirectSolver>
   make_first_rank_solver(std::unique_ptr<DirectSolver> solver);
+
+  /** Where MUMPS factorizes. */
+  enum class MumpsRanks
+  {
+    first,
+    /** Contributions add up as they come in: round-off differs from run to
+     * run. */
+    all
+  };
+
+  /** How rows are ordered so that factors stay sparse. */
+  enum class EliminationOrder
+  {
+    minimum_degree,   ///< AMD (Amestoy, Davis, Duff 1996)
+    nested_dissection ///< METIS (Karypis, Kumar 1998)
+  };
+
+  /**
+   * @name Direct solvers, each on any number of ranks. All bring the matrix to
+   * the first rank and factorize it there, unless MUMPS is to use all.
+   */
+  ///@{
+  /**
+   * CHOLMOD's simplicial LDL' (Chen, Davis, Hager, Rajamanickam 2008), for
+   * symmetric matrices: definite ones, and indefinite ones as long as pivots in
+   * the order that keeps the factors sparse are sound; `singular` otherwise.
+   * Not for matrices with multipliers.
+   */
+  std::unique_ptr<DirectSolver> make_cholmod(EliminationOrder order);
+
+  /** KLU (Davis, Palamadai Natarajan 2010), for any matrix; no inertia. */
+  std::unique_ptr<DirectSolver> make_klu(EliminationOrder order);
+
+  /**
+   * MUMPS (Amestoy, Duff, Koster, L'Excellent 2001), for any matrix: LDL' with
+   * pivots of one and two rows for symmetric ones, else LU.
+   */
+  std::unique_ptr<DirectSolver> make_mumps(MumpsRanks ranks);
+  ///@}
+
+  /** CSR offsets in the 32-bit integers of CHOLMOD and KLU. */
+  std::vector<int> narrow_offsets(const SparseMatrix &matrix);
+
+  /** Whether they can count the entries of @p matrix. */
+  bool fits_narrow_offsets(const SparseMatrix &matrix);
+
+  /**
+   * Order of elimination that keeps the factors of @p matrix, on one rank,
+   * sparse. Throws std::bad_alloc.
+   */
+  std::vector<int> elimination_order(const SparseMatrix &matrix,
+                                     EliminationOrder    kind);
+
+  /**
+   * Largest of |A x - b| / (|A| y + |b|) by rows: how wrong the entries of A
+   * and b would have to be for @p x to be the solution (J. L. Rigal, J. Gaches,
+   * J. ACM 14, 1967, 543-548). y is the largest |x| of all motions, rotations
+   * measured in Unknowns::length times radian, or of all multipliers; what is
+   * below least_of_full_precision is no error. Infinite if something is no
+   * number.
+   *
+   * @param x values at local unknowns, ghosts up to date
+   * @param b owned rows
+   * @param symmetry as in TangentMatrix::multiply(). Collective.
+   */
+  double backward_error(const TangentMatrix       &matrix,
+                        const std::vector<double> &x,
+                        const std::vector<double> &b,
+                        Symmetry                   symmetry = Symmetry::none);
+
+  /** Of this rank's rows. */
+  bool has_finite_entries(const SparseMatrix &matrix);
+
+  /**
+   * The gravest outcome of all ranks, for all of them. Collective.
+   */
+  FactorizationOutcome agree(FactorizationOutcome mine, MPI_Comm communicator);
+
+  /** What @p action returns, or `out_of_memory` if it throws std::bad_alloc. */
+  template <typename Action>
+  FactorizationOutcome guard_memory(const Action &action)
+  {
+    try
+      {
+        return action();
+      }
+    catch (const std::bad_alloc &)
+      {
+        return FactorizationOutcome::out_of_memory;
+      }
+  }
+
+  /**
+   * Factors s_i at local unknowns so that the largest s_i |a_ij| s_j of each
+   * row is about 1 (D. Ruiz, A scaling algorithm to equilibrate both rows and
+   * columns norms in matrices, RAL-TR-2001-034), whatever the units:
+   * 1/sqrt(a_ii) where @p matrix is positive definite. 1 for rows of zeros.
+   * Collective.
+   *
+   * @param scale result, room for local unknowns
+   * @param room for owned unknowns; with both there, nothing is allocated
+   */
+  void equilibrate(const SparseMatrix  &matrix,
+                   std::vector<double> &scale,
+                   std::vector<double> &room);
+
+  /**
+   * Estimate from below of the norm of a symmetric matrix, or of the product of
+   * a matrix and its transpose, that @p apply multiplies owned values by: power
+   * iteration, two applications, or one if that finds less than @p enough.
+   * Collective.
+   *
+   * @param x room for owned unknowns
+   */
+  double estimate_norm(const UnknownLayout                              &layout,
+                       std::vector<double>                              &x,
+                       double                                            enough,
+                       const std::function<void(std::vector<double> &)> &apply);
+
+  /**
+   * The inverse of a matrix whose rows and columns are scaled to about 1 has a
+   * norm above this if the matrix is singular to round-off. Found of lattices
+   * with 12 to 120,000 unknowns and slenderness 1 to 1e4: free ones 7e15 and
+   * more, those held at one joint only up to 4e12 (400 unknowns), 6e14 (5000).
+   */
+  constexpr double singular_inverse_norm = 2e15;
+
+  /**
+   * Pivots smaller than this times what they were computed from call for the
+   * estimate of the inverse's norm; others are no sign of a singular matrix.
+   */
+  constexpr double suspicious_pivot = sqrt_round_off;
+
+  /** Numbers below have fewer digits than others, or what is subtracted from
+   * them has: forces of a load that begins or ends as a Gaussian, say. */
+  constexpr double least_of_full_precision =
+    std::numeric_limits<double>::min() / std::numeric_limits<double>::epsilon();
 } // namespace auxfem
 
 #endif

@@ -2,7 +2,6 @@
 #define auxfem_algebra_joint_elimination_h
 
 #include <auxfem/algebra/joint_order.h>
-#include <auxfem/algebra/joint_rows.h>
 
 namespace auxfem
 {

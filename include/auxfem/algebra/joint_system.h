@@ -1,10 +1,10 @@
 #ifndef auxfem_algebra_joint_system_h
 #define auxfem_algebra_joint_system_h
 
-#include <auxfem/algebra/neighbour_exchange.h>
-#include <auxfem/algebra/sparse_assembly.h>
-#include <auxfem/algebra/strut_elements.h>
-#include <auxfem/algebra/unknown_selection.h>
+#include <auxfem/algebra/inner_elimination.h>
+#include <auxfem/algebra/rank_exchange.h>
+#include <auxfem/algebra/sparse_matrix.h>
+#include <auxfem/algebra/unknowns.h>
 
 #include <memory>
 

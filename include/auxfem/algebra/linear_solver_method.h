@@ -1,15 +1,35 @@
 #ifndef auxfem_algebra_linear_solver_method_h
 #define auxfem_algebra_linear_solver_method_h
 
-#include <auxfem/algebra/direct_solvers.h>
-#include <auxfem/algebra/solver_parameters.h>
+#include <auxfem/algebra/direct_solver.h>
 #include <auxfem/algebra/tangent_matrix.h>
+#include <auxfem/parameters/subsection_schema.h>
 
 #include <memory>
 #include <string>
 
 namespace auxfem
 {
+  /** `Solver`: linear solver. */
+  struct SolverParameters
+  {
+    /** `auto`, `cholmod`, `klu`, `mumps`, `gmres`. */
+    std::string type           = "auto";
+    std::string preconditioner = "amg"; ///< `amg`, `ilu`
+    /** Of an iterative solution, relative to the right-hand side. */
+    double       tolerance          = 1e-8;
+    unsigned int maximum_iterations = 1000;
+    /** Of the analysis: `auto` takes no method that does not know
+     * LinearSolver::inertia() of symmetric matrices. */
+    bool needs_inertia = false;
+  };
+
+  /** `Solver`. */
+  SubsectionSchema solver_schema();
+
+  /** The values of that subsection. */
+  SolverParameters read_solver(ParameterValues &values);
+
   /** How the equations at the joints are solved. */
   enum class LinearSolverType
   {

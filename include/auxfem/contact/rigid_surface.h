@@ -1,11 +1,12 @@
 #ifndef auxfem_contact_rigid_surface_h
 #define auxfem_contact_rigid_surface_h
 
-#include <auxfem/contact/bernstein_polynomial.h>
+#include <auxfem/contact/axis_curve.h>
 
 #include <deal.II/base/tensor.h>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace auxfem
@@ -89,6 +90,31 @@ namespace auxfem
   std::shared_ptr<const RigidSurface>
   make_cylinder_surface(const dealii::Tensor<1, 3> &axis, double radius);
   ///@}
+
+  /** A parameter of a curve, and a part of its way from one place to another.
+   */
+  struct CurvePassage
+  {
+    double parameter, way;
+  };
+
+  /** Sorted parameters from 0 to 1 between which the distances of a curve from
+   * a
+   * surface lie on one side of each of @p levels (m).
+   * @param curves of one degree; all of them count */
+  std::vector<double>
+  parameters_between_levels(const RigidSurface                &surface,
+                            const std::vector<ControlPolygon> &curves,
+                            const std::vector<double>         &levels);
+
+  /** Where a curve comes nearer to a surface than @p distance (m) on the
+   * straight way from @p from to @p to, if anywhere; subdivision of polynomials
+   * with bounds finds it, however short it is.
+   * @param from, to of one degree */
+  std::optional<CurvePassage> find_passage(const RigidSurface   &surface,
+                                           const ControlPolygon &from,
+                                           const ControlPolygon &to,
+                                           double                distance);
 } // namespace auxfem
 
 #endif

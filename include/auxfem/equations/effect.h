@@ -3,7 +3,7 @@
 
 #include <auxfem/algebra/tangent_matrix.h>
 #include <auxfem/equations/energy_account.h>
-#include <auxfem/time/time_scheme.h>
+#include <auxfem/time/schemes/time_scheme.h>
 
 #include <algorithm>
 #include <complex>
@@ -293,6 +293,60 @@ namespace auxfem
                                         double /*time*/,
                                         TangentMatrix & /*matrix*/) const
     {}
+  };
+
+  /**
+   * Constraints g = 0 (m) on the motion, with their Lagrange multipliers lambda
+   * (N): forces G^T lambda, and the constraints themselves in the rows of the
+   * multipliers. In an evaluation of rates with inertia these rows hold
+   * d2g/dt2, which determines consistent accelerations.
+   */
+  class Constraints : public Effect
+  {
+  public:
+    /**
+     * dg/dt (m/s) of the velocities of @p state, into the multipliers' entries
+     * of @p rates (n_local entries).
+     */
+    virtual void find_rates(const State &state, double *rates) const = 0;
+
+    /** Length (m) whose round-off is in the constraints besides that of
+     * displacements. */
+    virtual double length() const
+    {
+      return 0;
+    }
+  };
+
+  /** What all inertia has: the energies that follow from its mass matrix. */
+  class InertiaEffect : public Effect
+  {
+  public:
+    void register_in(StateLayout &layout) override
+    {
+      kinetic_entry   = layout.energies.enter(kinetic_energy_entry());
+      numerical_entry = layout.energies.enter(numerical_energy_entry());
+    }
+
+    void account(const Evaluation & /*evaluation*/,
+                 const EffectResults * /*results*/,
+                 EnergyAccount &account) const override
+    {
+      account.add_inertia(kinetic_entry,
+                          numerical_entry,
+                          [&](const Vector &x, const Vector &y) {
+                            return mass_product(x, y);
+                          });
+    }
+
+  protected:
+    unsigned int numerical_entry = 0;
+
+  private:
+    /** x.M y of what this rank owns, of values of all local unknowns. */
+    virtual double mass_product(const Vector &x, const Vector &y) const = 0;
+
+    unsigned int kinetic_entry = 0;
   };
 } // namespace auxfem
 

@@ -1,8 +1,8 @@
 #ifndef auxfem_equations_element_batches_h
 #define auxfem_equations_element_batches_h
 
-#include <auxfem/elements/lanes.h>
-#include <auxfem/time/state.h>
+#include <auxfem/mathematics/lanes.h>
+#include <auxfem/state/state.h>
 
 #include <algorithm>
 #include <utility>

@@ -1,10 +1,8 @@
 #ifndef auxfem_equations_equations_h
 #define auxfem_equations_equations_h
 
-#include <auxfem/equations/effects/connector_forces.h>
-#include <auxfem/equations/effects/rigid_part_group.h>
-#include <auxfem/equations/effects/struts.h>
-#include <auxfem/equations/solution.h>
+#include <auxfem/equations/effect.h>
+#include <auxfem/equations/evaluation.h>
 #include <auxfem/model/lattice_model.h>
 
 #include <memory>
@@ -13,8 +11,37 @@
 
 namespace auxfem
 {
+  /** An accepted state with the results of its evaluation. */
+  struct Solution
+  {
+    State             state;
+    EvaluationResults results;
+
+    /** A place within a step. */
+    struct Within
+    {
+      const Solution *from, *to; ///< ends of the step
+      double          part;      ///< of the step that has gone by
+
+      /** Linear between the ends. */
+      double chord(const double at_from, const double at_to) const
+      {
+        return at_from + part * (at_to - at_from);
+      }
+    };
+
+    /** Set where forces at an interpolated motion are far out of equilibrium:
+     * those of this solution, energies included, are linear between the ends
+     * of the step, and `results` do not serve. */
+    std::optional<Within> forces_within = {};
+  };
+
+  class ConnectorForces;
   class PlateContact;
+  class RigidPartGroup;
   class StrutContact;
+  class StrutForces;
+  struct ConnectorReport;
 
   /** A group of connectors among the effects. */
   struct ConnectorGroup

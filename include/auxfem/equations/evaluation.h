@@ -1,8 +1,8 @@
 #ifndef auxfem_equations_evaluation_h
 #define auxfem_equations_evaluation_h
 
-#include <auxfem/loads/time_event.h>
-#include <auxfem/time/state.h>
+#include <auxfem/loads/time_function.h>
+#include <auxfem/state/state.h>
 
 #include <memory>
 #include <vector>

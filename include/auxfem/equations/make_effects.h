@@ -1,8 +1,7 @@
 #ifndef auxfem_equations_make_effects_h
 #define auxfem_equations_make_effects_h
 
-#include <auxfem/equations/constraints.h>
-#include <auxfem/equations/effects/struts.h>
+#include <auxfem/equations/effect.h>
 #include <auxfem/model/lattice_model.h>
 
 #include <memory>
@@ -10,6 +9,8 @@
 
 namespace auxfem
 {
+  class StrutForces;
+
   /**
    * Internal forces of all struts of @p numbering, one effect for each group of
    * its elements.

@@ -1,7 +1,7 @@
 #ifndef auxfem_loads_one_sided_limit_h
 #define auxfem_loads_one_sided_limit_h
 
-#include <auxfem/loads/time_event.h>
+#include <auxfem/loads/time_function.h>
 #include <auxfem/parameters/expression.h>
 
 #include <functional>

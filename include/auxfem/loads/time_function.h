@@ -1,10 +1,12 @@
 #ifndef auxfem_loads_time_function_h
 #define auxfem_loads_time_function_h
 
-#include <auxfem/loads/time_event.h>
 #include <auxfem/parameters/registry.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,6 +14,53 @@
 
 namespace auxfem
 {
+  /** Value, first and second derivative of a function of time. */
+  struct Jet
+  {
+    double value  = 0;
+    double first  = 0;
+    double second = 0;
+  };
+
+  /** A time at which a function of time or a derivative of it jumps. */
+  struct TimeEvent
+  {
+    enum class Kind
+    {
+      bend, ///< value and first derivative are continuous, the second is not
+      kink, ///< the value is continuous, its first derivative is not
+      jump  ///< the value jumps
+    };
+
+    double time; ///< s
+    Kind   kind;
+  };
+
+  /** Side of a time from which a limit is taken. */
+  enum class TimeSide
+  {
+    before,
+    after
+  };
+
+  /** A time (s) and the side from which it is approached. */
+  struct TimeLimit
+  {
+    double   time;
+    TimeSide side;
+  };
+
+  /**
+   * Distance (s) below which times around @p t are one, 1e-12 of t or of 1 s:
+   * some thousand units of round-off, because the operands of expressions like
+   * (0.01 * t - 3) carry less digits than the time.
+   */
+  inline double time_resolution(const double t)
+  {
+    return 4096 * std::numeric_limits<double>::epsilon() *
+      std::max(std::abs(t), 1.);
+  }
+
   class TimeHistory;
 
   /** What a table is between its rows. */
@@ -149,6 +198,73 @@ namespace auxfem
 
     std::shared_ptr<const TimeHistory> history;
   };
+
+  /** What a TimeFunction consists of: an expression or a table. */
+  class TimeHistory
+  {
+  public:
+    virtual ~TimeHistory() = default;
+
+    /** Value at time @p t (s), finite or not. */
+    virtual double value(double t) const = 0;
+
+    /** Limit of the value at @p t (s) from one side, finite or not. */
+    virtual double limit(double t, TimeSide side) const = 0;
+
+    /**
+     * Limits of the value and its first two derivatives at @p t (s) from one
+     * side, finite or not.
+     */
+    virtual Jet jet(double t, TimeSide side) const = 0;
+
+    /**
+     * Jumps of the value and of its first @p derivatives derivatives, 1 or 2,
+     * at begin < t < end (s), sorted.
+     */
+    virtual std::vector<TimeEvent>
+    events(double begin, double end, unsigned int derivatives) const = 0;
+
+    /** Last time (s) it is given for, from which on its value is held; none if
+     * it is given for all. */
+    virtual std::optional<double> last_time() const
+    {
+      return {};
+    }
+
+    /** See TimeFunction::overshoot(). */
+    virtual std::optional<Overshoot> overshoot() const
+    {
+      return {};
+    }
+
+    /** Whether it does not depend on time at all. */
+    virtual bool is_constant() const
+    {
+      return false;
+    }
+
+    /** Path and text of the parameter, for messages. */
+    std::string origin;
+  };
+
+  /**
+   * Two columns of a file, linear between rows or a cubic spline through them,
+   * constant outside. Two rows at one time are a jump of a linear table.
+   * @p path is that of the parameter. Throws InputError if there is no such
+   * table, and for a jump of a smooth one.
+   */
+  std::shared_ptr<TimeHistory> make_table_history(const TableText    &table,
+                                                  const std::string  &path,
+                                                  const SceneContext &context);
+
+  /**
+   * The expression in t that the user wrote for the parameter @p path; nullptr
+   * if it is zero at all times. Throws InputError if it is no expression.
+   */
+  std::shared_ptr<TimeHistory>
+  make_expression_history(const std::string  &text,
+                          const std::string  &path,
+                          const SceneContext &context);
 } // namespace auxfem
 
 #endif

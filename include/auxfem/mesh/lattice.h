@@ -1,17 +1,77 @@
 #ifndef auxfem_mesh_lattice_h
 #define auxfem_mesh_lattice_h
 
+#include <deal.II/base/array_view.h>
 #include <deal.II/base/point.h>
 
 #include <array>
 #include <limits>
 #include <map>
 #include <memory>
+#include <numeric>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace auxfem
 {
+  /** Many lists of indices, one behind the other in memory. */
+  class IndexLists
+  {
+  public:
+    IndexLists() = default;
+
+    /**
+     * @param n_lists number of lists
+     * @param for_each_entry calls what it is given with the number of a list
+     * and an index for it, for each entry; the same each time
+     */
+    template <class ForEachEntry>
+    IndexLists(const std::size_t n_lists, const ForEachEntry &for_each_entry)
+      : first(n_lists + 2, 0)
+    {
+      // Counted one place ahead, so that places are the first ones when all
+      // are filled.
+      for_each_entry(
+        [this](const std::size_t list, unsigned int) { ++first[list + 2]; });
+      std::partial_sum(first.begin(), first.end(), first.begin());
+      entries.resize(first.back());
+      for_each_entry([this](const std::size_t list, const unsigned int index) {
+        entries[first[list + 1]++] = index;
+      });
+    }
+
+    /** A list, in the order in which it was given. */
+    dealii::ArrayView<const unsigned int>
+    operator[](const std::size_t list) const
+    {
+      return {entries.data() + first[list], first[list + 1] - first[list]};
+    }
+
+  private:
+    std::vector<unsigned int> first, entries;
+  };
+
+  /**
+   * The joint or strut number @p text stands for: digits only, blanks around
+   * them allowed; nothing for any other text and for numbers too large to be
+   * an index.
+   */
+  std::optional<unsigned int> read_index(const std::string &text);
+
+  /**
+   * Number of components of motion and load at a joint: three displacements or
+   * forces along x, y, z, three rotations or moments about them. In the plane
+   * only 0, 1 and 5 are used.
+   */
+  constexpr unsigned int n_motion_components = 6;
+
+  /** The component of rotation and moment that there is in the plane. */
+  constexpr unsigned int rotation_z = 5;
+
+  /** The first component of rotation and moment. */
+  constexpr unsigned int first_rotation = 3;
+
   /** Marks "no joint", "no strut": an index that no list has. */
   constexpr unsigned int invalid_index =
     std::numeric_limits<unsigned int>::max();

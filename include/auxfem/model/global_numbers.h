@@ -1,15 +1,83 @@
 #ifndef auxfem_model_global_numbers_h
 #define auxfem_model_global_numbers_h
 
-#include <auxfem/mesh/motion_components.h>
-#include <auxfem/mesh/strut_interval.h>
-#include <auxfem/mesh/strut_partition.h>
-#include <auxfem/model/ties.h>
+#include <auxfem/algebra/unknowns.h>
+#include <auxfem/mesh/lattice.h>
+#include <auxfem/mesh/strut_mesh.h>
 
+#include <array>
 #include <map>
+#include <vector>
 
 namespace auxfem
 {
+  /** Something with a rotation, or the ground, which has none. */
+  struct RotationOwner
+  {
+    enum class What
+    {
+      ground,
+      joint,     ///< with the struts that are rigidly connected there
+      strut_end, ///< released from its joint
+      rigid_part ///< in space, RigidPart::has_rotation
+    };
+    What what = What::ground;
+    /** Of the joint, strut or rigid part. */
+    unsigned int index = 0;
+    unsigned int end   = 0; ///< of the strut
+
+    bool operator==(const RotationOwner &other) const
+    {
+      return what == other.what && index == other.index && end == other.end;
+    }
+  };
+
+  /** Two rotations at one joint that are coupled by a spring or a hinge. */
+  struct RotationPair
+  {
+    unsigned int  joint;
+    RotationOwner base, end;
+  };
+
+  /** A component of the motion of a joint. */
+  struct JointMotion
+  {
+    unsigned int joint, component;
+  };
+
+  /** What is released, tied and prescribed beyond the rigid joints. */
+  struct Ties
+  {
+    /**
+     * For every strut: whether the rotation of its first, second end is free
+     * of the joint.
+     */
+    std::vector<std::array<bool, 2>> released;
+
+    /** Pairs of joints whose motions act on each other through a connector. */
+    std::vector<JointPair> connected;
+
+    /** Rotations coupled by springs. */
+    std::vector<RotationPair> sprung;
+
+    /** Rotations coupled by revolute hinges, with two constraints each. */
+    std::vector<RotationPair> hinged;
+
+    /** Motions that supports prescribe; joints need not have them all. */
+    std::vector<JointMotion> prescribed;
+  };
+
+  /**
+   * For each joint what gives it its rotation: the joint itself, if an elastic
+   * strut that is not released ends there; in space a rigid part that clamps
+   * these struts, or the only rigid part with a rotation, if no such strut ends
+   * there; else nothing (ground).
+   * @param released as Ties::released.
+   */
+  std::vector<RotationOwner>
+  joint_rotations(const Lattice                          &lattice,
+                  const std::vector<std::array<bool, 2>> &released);
+
   class UnknownDistribution;
 
   /**
@@ -102,6 +170,89 @@ namespace auxfem
     void take(const UnknownDistribution &distribution);
 
     std::vector<unsigned int> components; ///< of motion that nodes have
+  };
+
+  /**
+   * The unknowns of rigid parts and hinges beside those of joints: own motions
+   * and Lagrange multipliers. Local numbers; -1 if not on this rank.
+   */
+  class ConstraintUnknowns
+  {
+  public:
+    /** @param rigid_parts those kept on this rank, with all their unknowns. */
+    ConstraintUnknowns(const GlobalNumbers             &numbers,
+                       const UnknownLayout             &layout,
+                       const std::vector<unsigned int> &rigid_parts);
+
+    /** Rigid parts kept on this rank, with all their unknowns. */
+    const std::vector<unsigned int> &rigid_parts() const
+    {
+      return kept_rigid_parts;
+    }
+
+    /**
+     * An unknown of a rigid part's own, RigidPart::has_rotation: displacement
+     * of its centre of mass, rotation.
+     */
+    int motion(const unsigned int rigid_part,
+               const unsigned int component) const
+    {
+      return of_rigid_part[rigid_part].motion[component];
+    }
+
+    /** In the plane: joints whose rotation is tied to that of a rigid part. */
+    const std::vector<unsigned int> &
+    clamped_joints(const unsigned int rigid_part) const
+    {
+      return of_rigid_part[rigid_part].clamped_joints;
+    }
+
+    /**
+     * A multiplier of a rigid part: of one with a rotation of its own 3 k + c
+     * for component c of joint k. Of others 0 for the distance of the base
+     * joints, then d for each joint k = 2, 3, ... of the part in d dimensions;
+     * then, in the plane, one for each of its clamped joints.
+     */
+    int multiplier(const unsigned int rigid_part,
+                   const unsigned int number) const
+    {
+      return of_rigid_part[rigid_part].multipliers[number];
+    }
+
+    /** Number of multipliers of a rigid part; the same on every rank. */
+    unsigned int n_multipliers(const unsigned int rigid_part) const
+    {
+      return of_rigid_part[rigid_part].multipliers.size();
+    }
+
+    /** Multiplier @p number (0, 1) of a pair of Ties::hinged. */
+    int hinge_multiplier(const unsigned int hinge,
+                         const unsigned int number) const
+    {
+      return of_hinge[hinge][number];
+    }
+
+    /** The multipliers kept on this rank. */
+    const std::vector<int> &multipliers() const
+    {
+      return kept_multipliers;
+    }
+
+    /** Number of all multipliers, over all ranks. */
+    unsigned int n_multipliers() const;
+
+  private:
+    struct OfRigidPart
+    {
+      std::array<int, n_motion_components> motion;
+      std::vector<unsigned int>            clamped_joints;
+      std::vector<int>                     multipliers;
+    };
+
+    std::vector<unsigned int>       kept_rigid_parts;
+    std::vector<OfRigidPart>        of_rigid_part;
+    std::vector<std::array<int, 2>> of_hinge;
+    std::vector<int>                kept_multipliers;
   };
 } // namespace auxfem
 

@@ -2,7 +2,7 @@
 #define auxfem_model_lattice_model_h
 
 #include <auxfem/model/effect_decisions.h>
-#include <auxfem/model/free_spins.h>
+#include <auxfem/model/joint_releases.h>
 #include <auxfem/model/rigid_bodies.h>
 #include <auxfem/model/supports.h>
 

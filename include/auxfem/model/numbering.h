@@ -2,11 +2,61 @@
 #define auxfem_model_numbering_h
 
 #include <auxfem/algebra/unknowns.h>
-#include <auxfem/model/constraint_unknowns.h>
-#include <auxfem/model/spatial_rotations.h>
+#include <auxfem/model/global_numbers.h>
+
+#include <array>
+#include <vector>
 
 namespace auxfem
 {
+  /**
+   * The rotations in space kept on this rank, each with three unknowns: its
+   * spins about x, y, z. None in the plane.
+   */
+  class SpatialRotations
+  {
+  public:
+    explicit SpatialRotations(unsigned int n_local_unknowns);
+
+    /** Adds the rotation with these local unknowns, unless it is there or they
+     * are not (-1). */
+    void add(const std::array<int, 3> &spins);
+
+    unsigned int size() const
+    {
+      return rotations.size();
+    }
+
+    /** Local numbers of the spins of rotation @p i. */
+    const std::array<int, 3> &operator[](const unsigned int i) const
+    {
+      return rotations[i];
+    }
+
+    std::vector<std::array<int, 3>>::const_iterator begin() const
+    {
+      return rotations.begin();
+    }
+
+    std::vector<std::array<int, 3>>::const_iterator end() const
+    {
+      return rotations.end();
+    }
+
+    /** Index of the rotation that a local unknown is a spin of; -1: none. */
+    int with(const unsigned int unknown) const
+    {
+      return of_unknown[unknown];
+    }
+
+    /** Axis, 0 to 2, about which a local unknown is the spin. */
+    unsigned int axis(unsigned int unknown) const;
+
+  private:
+    std::vector<std::array<int, 3>> rotations;
+    std::vector<int>                of_unknown;
+  };
+
   /**
    * Numbering of the unknowns of a lattice: at every node u_x, u_y and the
    * rotation in the plane, u_x, u_y, u_z and the spins about x, y, z in space.
@@ -210,6 +260,15 @@ namespace auxfem
     ConstraintUnknowns       of_constraints;
     SpatialRotations         in_space;
   };
+
+  /**
+   * A number for each of DofNumbering::spatial_rotations() that names the same
+   * rotation on any number of ranks: that of the rigid part that has it, else
+   * of the joint, else of the end or the node inside a strut. None in the
+   * plane.
+   */
+  std::vector<unsigned int> rotation_numbers(const Lattice      &lattice,
+                                             const DofNumbering &numbering);
 } // namespace auxfem
 
 #endif

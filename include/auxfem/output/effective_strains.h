@@ -4,7 +4,7 @@
 #include <auxfem/model/lattice_model.h>
 #include <auxfem/output/csv_table.h>
 #include <auxfem/scene/run_plan.h>
-#include <auxfem/time/checkpoint_archive.h>
+#include <auxfem/state/checkpoint_archive.h>
 
 #include <optional>
 #include <string>

@@ -2,13 +2,11 @@
 #define auxfem_output_history_h
 
 #include <auxfem/equations/equations.h>
-#include <auxfem/equations/solution.h>
+#include <auxfem/output/csv_table.h>
 #include <auxfem/output/effective_strains.h>
-#include <auxfem/output/energy_record.h>
-#include <auxfem/output/rigid_part_probe.h>
-#include <auxfem/output/rotation_vectors.h>
+#include <auxfem/output/probes.h>
 #include <auxfem/scene/scene.h>
-#include <auxfem/time/checkpoint_archive.h>
+#include <auxfem/state/checkpoint_archive.h>
 
 #include <optional>
 

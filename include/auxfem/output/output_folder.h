@@ -1,16 +1,110 @@
 #ifndef auxfem_output_output_folder_h
 #define auxfem_output_output_folder_h
 
-#include <auxfem/output/start_times.h>
-#include <auxfem/time/records.h>
+#include <auxfem/algebra/rank_exchange.h>
+#include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/text.h>
+#include <auxfem/scene/scene.h>
+#include <auxfem/state/checkpoint_archive.h>
+#include <auxfem/state/interruption.h>
 
+#include <deal.II/base/mpi.h>
+
+#include <fstream>
+#include <new>
 #include <optional>
 #include <set>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace auxfem
 {
+  /**
+   * Opens @p file to be written in @p mode, unless it is a link, a device or a
+   * pipe: output never ends up outside of its folder. The stream has failed if
+   * that is not possible, and errno says why.
+   */
+  std::ofstream open_output_file(const std::string &file,
+                                 std::ios::openmode mode = std::ios::out);
+
+  /** Makes the folder @p path in an output folder; a link is an error. */
+  std::error_code make_output_subfolder(const std::string &path);
+
+  /** Message of an errno; for a link in words that help. */
+  std::string output_error_text(int error);
+
+  /**
+   * Runs @p action on rank 0 of @p communicator only; if it throws, all ranks
+   * throw the same (InputError, Interrupted, or ComputationError for all else),
+   * so that none waits for another for ever; but std::bad_alloc is thrown on
+   * rank 0 only. Collective.
+   */
+  template <typename Action>
+  void on_first_rank(const MPI_Comm communicator, const Action &action)
+  {
+    if (dealii::Utilities::MPI::n_mpi_processes(communicator) == 1)
+      {
+        action();
+        return;
+      }
+
+    enum Outcome : int
+    {
+      done,
+      input_error,
+      interrupted,
+      computation_error
+    };
+    int         outcome = done;
+    int         signal  = 0;
+    std::string message;
+    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+      try
+        {
+          action();
+        }
+      catch (const InputError &error)
+        {
+          outcome = input_error;
+          message = error.what();
+        }
+      catch (const Interrupted &interruption)
+        {
+          outcome = interrupted;
+          signal  = interruption.signal();
+        }
+      catch (const std::bad_alloc &)
+        {
+          // main() ends the other ranks.
+          throw;
+        }
+      catch (const std::exception &error)
+        {
+          outcome = computation_error;
+          message = error.what();
+        }
+
+    outcome = dealii::Utilities::MPI::broadcast(communicator, outcome);
+    if (outcome == done)
+      return;
+    if (outcome == interrupted)
+      throw Interrupted(
+        dealii::Utilities::MPI::broadcast(communicator, signal));
+    message = text_of_rank(0, message, communicator);
+    if (outcome == input_error)
+      throw InputError(message);
+    throw ComputationError(message);
+  }
+
+  /** What the operating system and MPI took before the run could begin (s). */
+  struct StartTimes
+  {
+    double program = 0; ///< wall time of loading the program and its libraries
+    double mpi     = 0; ///< wall time of MPI_Init
+    double cpu     = 0; ///< processor time of both
+  };
+
   /** What is written into a folder, by name. */
   struct FolderContents
   {
@@ -124,6 +218,53 @@ namespace auxfem
     /** Names of files, and of folders with a slash at their end. */
     std::set<std::string> own;
   };
+
+  /** @p rules that spare all files @p scene was read from, too. */
+  FileRules with_inputs_of(const Scene &scene, FileRules rules);
+
+  /**
+   * The folder of a run, with original.prm, the file as the user gave it,
+   * parameters.prm, all values used, and the log. To be used on one rank.
+   */
+  class RunFolder
+  {
+  public:
+    /**
+     * Makes the folder that @p scene names, whose files are spared, and removes
+     * the results of an earlier run in it, unless they are continued: then the
+     * log is. Throws InputError that says why the folder cannot be used, see
+     * OutputFolder.
+     * @param further that the run writes, besides those of a simulation.
+     */
+    RunFolder(const Scene          &scene,
+              const FileRules      &rules,
+              const FolderContents &further        = {},
+              FormerResults         former_results = FormerResults::removed);
+
+    /** Notes that the run writes the series @p name. */
+    void claim_series(const std::string &name);
+
+    /** log.txt, which is read on terminals. */
+    std::ostream &log()
+    {
+      return log_stream;
+    }
+
+  private:
+    void write(const std::string &name, const std::string &text) const;
+
+    OutputFolder      folder;
+    const std::string path;
+    std::ofstream     log_file;
+    PrintableBuffer   log_buffer{log_file.rdbuf()};
+    std::ostream      log_stream{&log_buffer};
+  };
+
+  /**
+   * Replaces @p file by @p text in one move, so that a reader finds the old or
+   * the new text. Throws ComputationError if it cannot be written.
+   */
+  void replace_file(const std::string &file, const std::string &text);
 } // namespace auxfem
 
 #endif

@@ -2,19 +2,67 @@
 #define auxfem_output_recorder_h
 
 #include <auxfem/equations/equations.h>
-#include <auxfem/equations/solution.h>
-#include <auxfem/output/order_report.h>
-#include <auxfem/output/singular_point.h>
+#include <auxfem/output/history.h>
 #include <auxfem/output/verdict.h>
-#include <auxfem/time/checkpoint_archive.h>
-#include <auxfem/time/step_report.h>
+#include <auxfem/scene/run_plan.h>
+#include <auxfem/state/checkpoint_archive.h>
+#include <auxfem/state/state.h>
+#include <auxfem/state/step_report.h>
 
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace auxfem
 {
+  /** What makes a point of a path of equilibria singular. */
+  struct SingularPoint
+  {
+    enum class Kind
+    {
+      limit,      ///< the load factor turns round
+      bifurcation ///< another branch crosses
+    };
+    Kind kind;
+    /** What is known of the stiffness before and after it on the path. */
+    PathPosition before, after;
+    /** Of the stiffness there, of all local unknowns; its largest entry is
+     * positive. */
+    Vector null_vector;
+    /** PathStepper::part_of_loads(). */
+    std::optional<double> part_of_loads = {};
+
+    /** How many directions become singular at once; 1 where that is not known.
+     */
+    unsigned long multiplicity() const
+    {
+      if (!before.n_negative || !after.n_negative)
+        return 1;
+      return *before.n_negative < *after.n_negative
+        ? *after.n_negative - *before.n_negative
+        : *before.n_negative - *after.n_negative;
+    }
+
+    /** Whether the equilibria after it are less stable than those before. */
+    bool destabilizes() const
+    {
+      if (before.n_negative && after.n_negative)
+        return *after.n_negative > *before.n_negative;
+      return before.determinant_sign == 1 && after.determinant_sign == -1;
+    }
+  };
+
+  /** A sentence on how the elements were found, without the last line break. */
+  std::string order_search_text(const OrderReport &report);
+
+  /** A sentence on what the run says of their error, without the last line
+   * break. */
+  std::string mesh_error_text(const OrderReport &report);
+
+  /** All of it for summary.json. */
+  Json json_of(const OrderReport &report);
+
   struct Column;
   struct Scene;
 
@@ -145,6 +193,87 @@ namespace auxfem
     virtual void row(const std::vector<double> & /*values*/)
     {}
     ///@}
+  };
+
+  /** When to write something: at the multiples of an interval. */
+  class OutputTimes
+  {
+  public:
+    /**
+     * @param interval (s); none: never.
+     * @param nearness of times that are the same (s), much less
+     */
+    OutputTimes(std::optional<double> interval, double nearness);
+
+    /** The first of them after @p time (s). */
+    std::optional<double> after(double time) const;
+
+    /** Whether @p time (s) is one of them. */
+    bool has(double time) const;
+
+  private:
+    std::optional<double> interval;
+    double                nearness;
+  };
+
+  /**
+   * Keeps the history of a lattice in memory and writes nothing: the columns of
+   * history.csv with a row for each step of the scene, or for each of the times
+   * that Output/Time between rows asks for; of a resumed run for those that
+   * follow. The same on all ranks.
+   */
+  class MemoryRecorder : public Recorder
+  {
+  public:
+    /** @param scene must outlive the recording. */
+    MemoryRecorder(const Scene &scene, MPI_Comm communicator);
+
+    void begin(const Equations &equations) override;
+
+    void start(const Solution &solution) override
+    {
+      row_list.push_back(history->values(solution));
+    }
+
+    void serialize(const Solution    &solution,
+                   CheckpointArchive &archive) override
+    {
+      history->serialize(solution.state, archive);
+    }
+
+    std::optional<double> next_time(const double time) const override
+    {
+      return row_times.after(time);
+    }
+
+    void between(const Solution &solution) override
+    {
+      row_list.push_back(history->values(solution));
+    }
+
+    void step(const Solution &solution, const StepReport &report) override;
+
+    const std::vector<Column> &columns() const
+    {
+      return column_list;
+    }
+
+    const std::vector<std::vector<double>> &rows() const
+    {
+      return row_list;
+    }
+
+    /** The numbers of a column, from t = 0 on. Throws InputError if there is no
+     * such column. */
+    std::vector<double> column(const std::string &name) const;
+
+  private:
+    const Scene                     &scene;
+    const MPI_Comm                   communicator;
+    const OutputTimes                row_times;
+    std::optional<History>           history; ///< from begin() on
+    std::vector<Column>              column_list;
+    std::vector<std::vector<double>> row_list;
   };
 } // namespace auxfem
 

@@ -3,7 +3,7 @@
 
 #include <auxfem/output/checkpoint_files.h>
 #include <auxfem/scene/scene.h>
-#include <auxfem/time/records.h>
+#include <auxfem/state/checkpoint_archive.h>
 
 #include <mpi.h>
 

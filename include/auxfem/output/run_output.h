@@ -5,7 +5,7 @@
 #include <auxfem/output/recorder.h>
 #include <auxfem/output/summary.h>
 #include <auxfem/scene/scene.h>
-#include <auxfem/time/step_report.h>
+#include <auxfem/state/step_report.h>
 
 #include <memory>
 

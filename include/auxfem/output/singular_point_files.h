@@ -2,17 +2,26 @@
 #define auxfem_output_singular_point_files_h
 
 #include <auxfem/equations/equations.h>
-#include <auxfem/equations/solution.h>
 #include <auxfem/output/csv_table.h>
 #include <auxfem/output/output_folder.h>
-#include <auxfem/output/singular_point.h>
+#include <auxfem/output/recorder.h>
 #include <auxfem/output/vtu_writer.h>
-#include <auxfem/time/checkpoint_archive.h>
+#include <auxfem/scene/scene.h>
+#include <auxfem/state/checkpoint_archive.h>
 
 #include <optional>
 
 namespace auxfem
 {
+  /**
+   * By what the shape of a mode, of all local unknowns, is multiplied to be
+   * seen in pictures of @p scene: ModesDefinition::amplitude (m per shape).
+   * Collective.
+   */
+  double shape_amplitude(const Scene     &scene,
+                         const Equations &equations,
+                         const Vector    &shape);
+
   /** What a path of equilibria writes beside the files of other runs. */
   FolderContents path_contents();
 

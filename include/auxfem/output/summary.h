@@ -3,12 +3,12 @@
 
 #include <auxfem/equations/equations.h>
 #include <auxfem/output/history.h>
-#include <auxfem/output/order_report.h>
-#include <auxfem/output/start_times.h>
+#include <auxfem/output/output_folder.h>
+#include <auxfem/output/recorder.h>
 #include <auxfem/output/verdict.h>
-#include <auxfem/parameters/json.h>
+#include <auxfem/parameters/text.h>
 #include <auxfem/scene/scene.h>
-#include <auxfem/time/step_report.h>
+#include <auxfem/state/step_report.h>
 
 #include <map>
 

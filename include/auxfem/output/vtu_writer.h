@@ -2,10 +2,10 @@
 #define auxfem_output_vtu_writer_h
 
 #include <auxfem/equations/equations.h>
-#include <auxfem/equations/solution.h>
-#include <auxfem/output/contact_graphics.h>
+#include <auxfem/output/line_graphics.h>
 #include <auxfem/scene/scene.h>
-#include <auxfem/time/checkpoint_archive.h>
+#include <auxfem/state/checkpoint_archive.h>
+#include <auxfem/struts/effects/struts.h>
 
 #include <optional>
 

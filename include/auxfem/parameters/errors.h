@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace auxfem
 {
@@ -31,6 +32,35 @@ namespace auxfem
       : std::runtime_error(message)
     {}
   };
+
+  /** Gathers the user's mistakes, to report them all at once. */
+  class Mistakes
+  {
+  public:
+    /** Adds one complete message. */
+    void add(const std::string &message);
+
+    bool empty() const
+    {
+      return messages.empty();
+    }
+
+    /**
+     * Throws InputError with all messages if there is any; of very many, the
+     * first ones and a count, so that a screen holds them. @p file is named in
+     * the heading.
+     */
+    void throw_if_any(const std::string &file) const;
+
+  private:
+    std::vector<std::string> messages;
+  };
+
+  /**
+   * What the user is told when this rank got no more memory from the operating
+   * system: which rank, what it had in use at most, what can be done.
+   */
+  std::string out_of_memory_text();
 } // namespace auxfem
 
 #endif

@@ -1,7 +1,7 @@
 #ifndef auxfem_parameters_subsection_schema_h
 #define auxfem_parameters_subsection_schema_h
 
-#include <auxfem/parameters/mistakes.h>
+#include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/parameter_values.h>
 
 #include <algorithm>

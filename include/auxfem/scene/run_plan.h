@@ -2,7 +2,7 @@
 #define auxfem_scene_run_plan_h
 
 #include <auxfem/scene/scene.h>
-#include <auxfem/time/records.h>
+#include <auxfem/state/checkpoint_archive.h>
 
 #include <optional>
 #include <string>

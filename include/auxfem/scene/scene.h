@@ -1,28 +1,20 @@
 #ifndef auxfem_scene_scene_h
 #define auxfem_scene_scene_h
 
-#include <auxfem/algebra/solver_parameters.h>
+#include <auxfem/algebra/linear_solver_method.h>
 #include <auxfem/connectors/connector_definition.h>
-#include <auxfem/contact/contact_parameters.h>
 #include <auxfem/contact/plate_definition.h>
-#include <auxfem/elements/discretization_parameters.h>
-#include <auxfem/elements/section_definition.h>
+#include <auxfem/joints/joint_definition.h>
 #include <auxfem/loads/load_definitions.h>
-#include <auxfem/loads/support_definition.h>
-#include <auxfem/mesh/imperfection_definition.h>
-#include <auxfem/mesh/joint_definition.h>
+#include <auxfem/mesh/imperfection.h>
 #include <auxfem/mesh/lattice_definition.h>
-#include <auxfem/mesh/rigid_part_definition.h>
-#include <auxfem/mesh/set_definition.h>
-#include <auxfem/scene/effect_switches.h>
-#include <auxfem/scene/frequency_response_definition.h>
+#include <auxfem/rigid/rigid_part.h>
+#include <auxfem/scene/analysis_definitions.h>
 #include <auxfem/scene/general_parameters.h>
-#include <auxfem/scene/modes_definition.h>
-#include <auxfem/scene/output_parameters.h>
-#include <auxfem/scene/path_definition.h>
-#include <auxfem/scene/reduced_cell_definition.h>
 #include <auxfem/scene/study_definition.h>
-#include <auxfem/time/time_parameters.h>
+#include <auxfem/struts/discretization_parameters.h>
+#include <auxfem/struts/section.h>
+#include <auxfem/time/schemes/time_parameters.h>
 
 #include <optional>
 #include <string>
@@ -88,6 +80,35 @@ namespace auxfem
   Scene read_scene_from_text(const std::string              &text,
                              const std::string              &name,
                              const std::vector<std::string> &overrides = {});
+
+  /** A subsection of the parameter file and the place of its values. */
+  struct SceneSubsection
+  {
+    SubsectionSchema schema;
+
+    /**
+     * Puts the values of one such subsection into the scene. Throws InputError
+     * if they contradict each other.
+     */
+    void (*read)(ParameterValues &values, Scene &scene);
+  };
+
+  /** All subsections, in the order in which they are read and described. */
+  const std::vector<SceneSubsection> &scene_subsections();
+
+  /** Their schemas, for the reference. */
+  std::vector<SubsectionSchema> scene_schemas();
+
+  /**
+   * Adds the subsections of the file that no schema allows, and those that
+   * serve other models than @p model, to @p mistakes.
+   */
+  void check_subsection_names(const ParameterSubsection &root,
+                              Model                      model,
+                              Mistakes                  &mistakes);
+
+  /** Adds contradictions between subsections of @p scene to @p mistakes. */
+  void check_consistency(const Scene &scene, Mistakes &mistakes);
 } // namespace auxfem
 
 #endif

@@ -2,9 +2,8 @@
 #define auxfem_study_measured_run_h
 
 #include <auxfem/output/recorder.h>
-#include <auxfem/parameters/json.h>
+#include <auxfem/parameters/text.h>
 #include <auxfem/scene/scene.h>
-#include <auxfem/study/recorded_field.h>
 #include <auxfem/study/recorded_history.h>
 
 #include <mpi.h>
@@ -87,6 +86,26 @@ namespace auxfem
    * finds what the set-up shows to be wrong with the scene (InputError). */
   std::vector<std::string> history_columns(const Scene &scene,
                                            MPI_Comm     communicator);
+
+  /**
+   * All that the result of a simulation of @p scene on @p n_ranks ranks depends
+   * on: program, parameters, files that are read. Output, Study and Quantities
+   * do not belong to it.
+   */
+  std::string key_of(const Scene &scene, unsigned int n_ranks);
+
+  /** The run of @p key in @p folder, unless it was never finished there or is
+   * not readable. */
+  std::optional<MeasuredRun> kept_run(const std::string &folder,
+                                      const std::string &key);
+
+  /**
+   * Writes @p run, in one move, to where kept_run() finds it. Throws
+   * ComputationError if it cannot.
+   */
+  void keep_run(const std::string &folder,
+                const std::string &key,
+                const MeasuredRun &run);
 } // namespace auxfem
 
 #endif

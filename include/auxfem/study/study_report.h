@@ -138,6 +138,20 @@ namespace auxfem
   void add_finding_on_reference(const MeasuredRun    &reference,
                                 const std::string    &what,
                                 std::vector<Finding> &findings);
+
+  /** The script for gnuplot, with its data, that draws @p picture into NAME.svg
+   * and NAME.png. */
+  std::string gnuplot_script(const LogPicture &picture);
+
+  /** The files that draw() leaves for a picture of that name. */
+  std::vector<std::string> picture_files(const std::string &name);
+
+  /**
+   * Leaves NAME.gnuplot in @p folder and has gnuplot draw it. Returns whether
+   * that worked; it does not where gnuplot is not installed. Throws
+   * ComputationError if the script cannot be written.
+   */
+  bool draw(const LogPicture &picture, const std::string &folder);
 } // namespace auxfem
 
 #endif

@@ -1,4 +1,4 @@
-#include <auxfem/algebra/krylov_eigenpairs.h>
+#include <auxfem/algebra/eigen_solver.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #ifndef algebra_tpetra_types_h
 #define algebra_tpetra_types_h
 
-#include <auxfem/algebra/joint_rows.h>
+#include <auxfem/algebra/joint_order.h>
 
 #include <Tpetra_CrsMatrix.hpp>
 

@@ -1,7 +1,7 @@
 #include <auxfem/analysis/small_motions/buckling_modes.h>
-#include <auxfem/analysis/small_motions/mode_space.h>
-#include <auxfem/equations/displaced_state.h>
-#include <auxfem/equations/prescribed_motion.h>
+#include <auxfem/equations/mode_space.h>
+#include <auxfem/equations/node_rotations.h>
+#include <auxfem/loads/effects/prescribed_motion.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/numerical_limits.h>
 

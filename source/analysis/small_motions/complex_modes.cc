@@ -1,4 +1,5 @@
 #include <auxfem/analysis/small_motions/complex_modes.h>
+#include <auxfem/analysis/small_motions/motion_pencil.h>
 #include <auxfem/analysis/small_motions/natural_modes.h>
 #include <auxfem/parameters/errors.h>
 
@@ -7,6 +8,63 @@
 
 namespace auxfem
 {
+  namespace
+  {
+    std::vector<double> conjugate(const UnknownLayout &layout,
+                                  std::vector<double>  x)
+    {
+      const unsigned int n = layout.n_owned();
+      for (unsigned int i = 0; i < n; ++i)
+        x[n + i] *= -1;
+      return x;
+    }
+  } // namespace
+
+  std::complex<double> product(const UnknownLayout       &layout,
+                               const std::vector<double> &x,
+                               const std::vector<double> &y)
+  {
+    const unsigned int   n    = layout.n_owned();
+    std::complex<double> mine = 0;
+    for (unsigned int i = 0; i < n; ++i)
+      mine += std::complex<double>(x[i], x[n + i]) *
+        std::complex<double>(y[i], y[n + i]);
+    const std::vector<double> sums =
+      layout.sum(std::vector<double>{mine.real(), mine.imag()});
+    return {sums[0], sums[1]};
+  }
+
+  double size(const UnknownLayout &layout, const std::vector<double> &x)
+  {
+    double sum = 0;
+    for (const double value : x)
+      sum += value * value;
+    return std::sqrt(layout.sum(sum));
+  }
+
+  bool are_parallel(const UnknownLayout       &layout,
+                    const std::vector<double> &x,
+                    const std::vector<double> &y)
+  {
+    constexpr double parallel = 0.999;
+    return std::abs(product(layout, conjugate(layout, x), y)) >
+      parallel * size(layout, x) * size(layout, y);
+  }
+
+  void turn_phase(const UnknownLayout &layout, std::vector<double> &shape)
+  {
+    const unsigned int         n = layout.n_owned();
+    const std::complex<double> turn =
+      std::polar(1., -std::arg(product(layout, shape, shape)) / 2);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const std::complex<double> value =
+          turn * std::complex<double>(shape[i], shape[n + i]);
+        shape[i]     = value.real();
+        shape[n + i] = value.imag();
+      }
+  }
+
   namespace
   {
     /** Of Re s (1/s). */
@@ -99,5 +157,81 @@ namespace auxfem
     if (modes.modes.empty())
       throw ComputationError("Analysis = modes: no motion was found.");
     return modes;
+  }
+
+  namespace
+  {
+    /** How much of a damped motion a natural mode has. */
+    struct Part
+    {
+      std::size_t mode, root;
+      double      size;
+    };
+
+    /** All parts, the largest first. */
+    std::vector<Part> parts_of(const MotionPencil             &pencil,
+                               const std::vector<NaturalMode> &modes,
+                               const std::vector<MotionRoot>  &roots)
+    {
+      std::vector<Part> parts;
+      for (std::size_t k = 0; k < roots.size(); ++k)
+        {
+          const std::size_t begin = parts.size();
+          double            all   = 0;
+          for (std::size_t i = 0; i < modes.size(); ++i)
+            {
+              const double size =
+                std::abs(pencil.mass_product(modes[i].shape, roots[k].shape));
+              all += size * size;
+              parts.push_back({i, k, size});
+            }
+          for (std::size_t j = begin; j < parts.size() && all > 0; ++j)
+            parts[j].size /= std::sqrt(all);
+        }
+      std::stable_sort(parts.begin(),
+                       parts.end(),
+                       [](const Part &one, const Part &other) {
+                         return one.size > other.size;
+                       });
+      return parts;
+    }
+  } // namespace
+
+  void add_damped_modes(TangentSolver &solver,
+                        const State   &state,
+                        NaturalModes  &found)
+  {
+    // Just above the highest frequency, where hardly a root lies.
+    constexpr double    above = 1.0437;
+    std::vector<double> frequencies;
+    for (const NaturalMode &mode : found.modes)
+      if (mode.eigenvalue > 0)
+        frequencies.push_back(mode.angular_frequency());
+    if (frequencies.empty())
+      return;
+    const auto [lowest, highest] =
+      std::minmax_element(frequencies.begin(), frequencies.end());
+    const double              reach = above * *highest;
+    MotionPencil              pencil(solver, state, Damping::all);
+    const MotionPencil::Roots damped = pencil.nearest(
+      shift_below_roots * *lowest,
+      {swings, static_cast<unsigned int>(frequencies.size()), reach});
+
+    std::vector<char> is_taken(damped.roots.size(), false);
+    const auto        told = [](const MotionRoot &root) {
+      return NaturalMode::Damped{root.s.real(), root.s.imag()};
+    };
+    for (const Part &part : parts_of(pencil, found.modes, damped.roots))
+      if (NaturalMode &mode = found.modes[part.mode];
+          mode.eigenvalue > 0 && !mode.damped && !is_taken[part.root])
+        {
+          mode.damped         = told(damped.roots[part.root]);
+          is_taken[part.root] = true;
+        }
+    for (std::size_t k = 0; k < damped.roots.size(); ++k)
+      if (!is_taken[k])
+        found.further_damped.push_back(told(damped.roots[k]));
+    if (damped.is_complete)
+      found.damped_limit = reach;
   }
 } // namespace auxfem

@@ -1,10 +1,10 @@
-#include <auxfem/analysis/mesh_error.h>
+#include <auxfem/analysis/discretization/order_choice.h>
 #include <auxfem/analysis/small_motions/mesh_choice.h>
-#include <auxfem/elements/strut_order.h>
-#include <auxfem/equations/held_struts.h>
 #include <auxfem/model/build_lattice.h>
 #include <auxfem/model/unknown_records.h>
 #include <auxfem/parameters/numerical_limits.h>
+#include <auxfem/struts/beam_dispatch.h>
+#include <auxfem/struts/effects/clamped_strut_problems.h>
 
 #include <deal.II/base/numbers.h>
 

@@ -1,7 +1,7 @@
 #include <auxfem/analysis/small_motions/mode_errors.h>
 #include <auxfem/analysis/small_motions/modes.h>
 #include <auxfem/parameters/errors.h>
-#include <auxfem/time/interruption.h>
+#include <auxfem/state/interruption.h>
 
 #include <algorithm>
 #include <cmath>

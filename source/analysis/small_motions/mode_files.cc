@@ -1,9 +1,9 @@
 #include <auxfem/analysis/small_motions/mode_files.h>
-#include <auxfem/equations/displaced_state.h>
+#include <auxfem/equations/node_rotations.h>
 #include <auxfem/output/csv_table.h>
-#include <auxfem/output/shape_amplitude.h>
+#include <auxfem/output/singular_point_files.h>
 #include <auxfem/output/vtu_writer.h>
-#include <auxfem/parameters/rounded_text.h>
+#include <auxfem/parameters/text.h>
 
 #include <deal.II/base/numbers.h>
 

@@ -1,19 +1,19 @@
-#include <auxfem/analysis/lattice_analysis.h>
+#include <auxfem/analysis/analysis.h>
+#include <auxfem/analysis/simulation/lattice_run.h>
 #include <auxfem/analysis/small_motions/complex_modes.h>
-#include <auxfem/analysis/small_motions/damped_modes.h>
 #include <auxfem/analysis/small_motions/dynamic_stiffness.h>
+#include <auxfem/analysis/small_motions/frequency_response.h>
 #include <auxfem/analysis/small_motions/mode_errors.h>
 #include <auxfem/analysis/small_motions/mode_files.h>
 #include <auxfem/analysis/small_motions/modes.h>
-#include <auxfem/analysis/small_motions/relaxations.h>
-#include <auxfem/output/first_rank.h>
+#include <auxfem/output/console.h>
+#include <auxfem/output/output_folder.h>
 #include <auxfem/output/run_output.h>
-#include <auxfem/output/run_report.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/numerical_limits.h>
-#include <auxfem/parameters/rounded_text.h>
-#include <auxfem/time/interruption.h>
-#include <auxfem/time/static.h>
+#include <auxfem/parameters/text.h>
+#include <auxfem/state/interruption.h>
+#include <auxfem/time/schemes/static.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -433,5 +433,45 @@ namespace auxfem
     LatticeRun run(plan_with_elements(scene), communicator);
     run.prepare();
     print_overview(scene, run.equations);
+  }
+
+  AnalysisEntry modes_entry()
+  {
+    return {"modes",
+            "Natural frequencies and modes of a lattice, at rest or about an "
+            "equilibrium.",
+            [](const Scene &scene) {
+              return scene.analysis == Analysis::modes;
+            },
+            run_modes,
+            nullptr,
+            check_modes,
+            modes_files()};
+  }
+
+  AnalysisEntry buckling_entry()
+  {
+    return {
+      "buckling",
+      "Factors of the loads at which a lattice buckles, by linear theory, "
+      "and its buckling modes.",
+      [](const Scene &scene) { return scene.analysis == Analysis::buckling; },
+      run_modes,
+      nullptr,
+      check_modes,
+      modes_files()};
+  }
+
+  AnalysisEntry frequency_response_entry()
+  {
+    return {"frequency response",
+            "Amplitudes and phases of steady vibrations over the frequency.",
+            [](const Scene &scene) {
+              return scene.analysis == Analysis::frequency_response;
+            },
+            run_frequency_response,
+            nullptr,
+            check_frequency_response,
+            frequency_response_contents().names()};
   }
 } // namespace auxfem

@@ -1,5 +1,5 @@
-#include <auxfem/algebra/ritz_values.h>
-#include <auxfem/analysis/small_motions/complex_shape.h>
+#include <auxfem/algebra/eigen_solver.h>
+#include <auxfem/analysis/small_motions/complex_modes.h>
 #include <auxfem/analysis/small_motions/motion_pencil.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/numerical_limits.h>

@@ -1,5 +1,5 @@
-#include <auxfem/analysis/small_motions/mode_space.h>
 #include <auxfem/analysis/small_motions/natural_modes.h>
+#include <auxfem/equations/mode_space.h>
 #include <auxfem/parameters/errors.h>
 
 #include <algorithm>

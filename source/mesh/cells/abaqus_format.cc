@@ -1,4 +1,4 @@
-#include <auxfem/mesh/cells/abaqus_format.h>
+#include <auxfem/mesh/cells/line_mesh.h>
 
 #include <deal.II/base/utilities.h>
 

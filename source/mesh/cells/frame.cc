@@ -1,7 +1,7 @@
-#include <auxfem/mesh/arc.h>
-#include <auxfem/mesh/cells/entries.h>
-#include <auxfem/mesh/index_text.h>
+#include <auxfem/mesh/cells/cell_table.h>
+#include <auxfem/mesh/lattice.h>
 #include <auxfem/mesh/merge_joints.h>
+#include <auxfem/mesh/strut_geometry.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/numerical_limits.h>
 #include <auxfem/parameters/quantity.h>

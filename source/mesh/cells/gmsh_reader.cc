@@ -1,18 +1,199 @@
 #include <auxfem/mesh/cells/gmsh_reader.h>
-#include <auxfem/mesh/cells/msh_format.h>
-#include <auxfem/mesh/cells/separate_process.h>
-#include <auxfem/parameters/input_file.h>
+#include <auxfem/mesh/cells/line_mesh.h>
+#include <auxfem/parameters/parameter_file.h>
 
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cmath>
+#include <csignal>
 #include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <filesystem>
 #include <fstream>
 #include <new>
+#include <sstream>
 
+#include <fcntl.h>
 #include <gmsh.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace auxfem
 {
+  namespace
+  {
+    using Clock = std::chrono::steady_clock;
+
+    void leave()
+    {
+      _exit(1);
+    }
+
+    void write_all(const int pipe, const std::string &text)
+    {
+      for (std::size_t done = 0; done < text.size();)
+        {
+          const ssize_t n = write(pipe, text.data() + done, text.size() - done);
+          if (n < 0 && errno != EINTR)
+            leave();
+          done += n < 0 ? 0 : n;
+        }
+    }
+
+    /** Milliseconds until @p end, as poll() takes them; -1 without end. */
+    int milliseconds_until(const Clock::time_point start, const double seconds)
+    {
+      if (!std::isfinite(seconds))
+        return -1;
+      const std::chrono::duration<double> passed  = Clock::now() - start;
+      constexpr double                    longest = 1e6;
+      return static_cast<int>(
+        std::clamp(std::ceil(1000 * (seconds - passed.count())), 0., longest));
+    }
+
+    /** Appends to @p text until the other end closes; whether it did in time. */
+    bool read_all(const int pipe, const double seconds, std::string &text)
+    {
+      const Clock::time_point start = Clock::now();
+      std::array<char, 65536> buffer;
+      while (true)
+        {
+          pollfd    waiting = {pipe, POLLIN, 0};
+          const int timeout = milliseconds_until(start, seconds);
+          const int ready   = poll(&waiting, 1, timeout);
+          if (ready == 0 && milliseconds_until(start, seconds) == 0)
+            return false;
+          if (ready <= 0)
+            continue;
+          const ssize_t n = read(pipe, buffer.data(), buffer.size());
+          if (n > 0)
+            text.append(buffer.data(), n);
+          else if (n == 0 || errno != EINTR)
+            return true;
+        }
+    }
+
+    void kill_process_group(int)
+    {
+      kill(0, SIGKILL);
+    }
+
+    /** Ends this process and all that it starts when @p parent ends. */
+    void end_with(const pid_t parent)
+    {
+      setpgid(0, 0);
+      std::signal(SIGTERM, kill_process_group);
+      prctl(PR_SET_PDEATHSIG, SIGTERM);
+      // The parent may have ended before.
+      if (getppid() != parent)
+        leave();
+    }
+
+    /** Address space of this process (bytes). */
+    rlim_t address_space()
+    {
+      rlim_t pages = 0;
+      std::ifstream("/proc/self/statm") >> pages;
+      return pages * sysconf(_SC_PAGESIZE);
+    }
+
+    void set_limits(const ProcessLimits &limits)
+    {
+      const rlimit no_core = {0, 0};
+      setrlimit(RLIMIT_CORE, &no_core);
+      if (std::isfinite(limits.seconds))
+        {
+          const rlim_t seconds = std::ceil(limits.seconds);
+          const rlimit cpu     = {seconds, seconds + 1};
+          setrlimit(RLIMIT_CPU, &cpu);
+        }
+      if (limits.memory > 0)
+        {
+          const rlim_t bytes = address_space() + limits.memory;
+          const rlimit space = {bytes, bytes};
+          setrlimit(RLIMIT_AS, &space);
+        }
+    }
+
+    /** Nothing of the copy's end is to be seen or done by what the original has
+     * prepared for its own. */
+    void prepare_to_crash()
+    {
+      for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGABRT, SIGILL})
+        std::signal(signal, SIG_DFL);
+      // Registered last, called first.
+      std::atexit(leave);
+      const int nowhere = open("/dev/null", O_RDWR);
+      for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        dup2(nowhere, stream);
+    }
+
+    std::string no_end_after(const double seconds)
+    {
+      std::ostringstream text;
+      text << "no end after " << seconds << " s";
+      return text.str();
+    }
+
+    CrashedProcess how_ended(const int status, const double seconds)
+    {
+      if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
+        return {no_end_after(seconds), true};
+      if (WIFSIGNALED(status))
+        return {strsignal(WTERMSIG(status))};
+      return {"exit code " + std::to_string(WEXITSTATUS(status))};
+    }
+  } // namespace
+
+  std::string
+  run_in_separate_process(const std::function<std::string()> &action,
+                          const ProcessLimits                &limits)
+  {
+    std::array<int, 2> ends;
+    if (pipe2(ends.data(), O_CLOEXEC) != 0)
+      throw std::bad_alloc();
+    const pid_t parent = getpid();
+    const pid_t child  = fork();
+    if (child == 0)
+      {
+        close(ends[0]);
+        end_with(parent);
+        prepare_to_crash();
+        set_limits(limits);
+        write_all(ends[1], action());
+        _exit(0);
+      }
+    close(ends[1]);
+    if (child < 0)
+      {
+        close(ends[0]);
+        throw std::bad_alloc();
+      }
+    // The child does the same; whoever comes first.
+    setpgid(child, child);
+    std::string text;
+    const bool  is_in_time = read_all(ends[0], limits.seconds, text);
+    close(ends[0]);
+    int status = 0;
+    if (!is_in_time)
+      kill(-child, SIGKILL);
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR)
+      ;
+    // Whatever it has started and not waited for.
+    kill(-child, SIGKILL);
+    if (!is_in_time)
+      throw CrashedProcess{no_end_after(limits.seconds), true};
+    if (status != 0)
+      throw how_ended(status, limits.seconds);
+    return text;
+  }
+
   namespace
   {
     namespace fs = std::filesystem;

@@ -1,4 +1,4 @@
-#include <auxfem/mesh/cells/entries.h>
+#include <auxfem/mesh/cells/cell_table.h>
 #include <auxfem/parameters/errors.h>
 
 #include <cmath>

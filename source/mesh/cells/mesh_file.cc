@@ -1,13 +1,12 @@
-#include <auxfem/mesh/arc.h>
-#include <auxfem/mesh/cells/abaqus_format.h>
-#include <auxfem/mesh/cells/entries.h>
+#include <auxfem/mesh/cells/cell_table.h>
 #include <auxfem/mesh/cells/gmsh_reader.h>
-#include <auxfem/mesh/cells/msh_format.h>
+#include <auxfem/mesh/cells/line_mesh.h>
 #include <auxfem/mesh/merge_joints.h>
-#include <auxfem/mesh/position_text.h>
+#include <auxfem/mesh/position_function.h>
+#include <auxfem/mesh/strut_geometry.h>
 #include <auxfem/parameters/errors.h>
-#include <auxfem/parameters/input_file.h>
 #include <auxfem/parameters/numerical_limits.h>
+#include <auxfem/parameters/parameter_file.h>
 
 #include <algorithm>
 #include <cctype>

@@ -1,4 +1,4 @@
-#include <auxfem/mesh/cells/msh_format.h>
+#include <auxfem/mesh/cells/line_mesh.h>
 #include <auxfem/mesh/cells/msh_tokens.h>
 
 #include <algorithm>

@@ -1,8 +1,11 @@
-#include <auxfem/mesh/cells/entries.h>
-#include <auxfem/mesh/cells/opening_angle.h>
+#include <auxfem/mesh/cells/cell_table.h>
 #include <auxfem/mesh/cells/star_shape.h>
+#include <auxfem/parameters/errors.h>
+
+#include <deal.II/base/numbers.h>
 
 #include <cmath>
+#include <sstream>
 
 namespace auxfem
 {
@@ -50,5 +53,128 @@ namespace auxfem
             "tips and 4 re-entrant vertices, 4 stubs to the neighbour cells.",
             {star_strut_length, star_opening_angle},
             make_star};
+  }
+
+  namespace
+  {
+    const Quantity half_width{
+      "Half width",
+      "9 mm",
+      "m",
+      Range::positive(),
+      "Distance w of the tips from the vertical through the cell's centre."};
+
+    const Quantity half_height{
+      "Half height",
+      "9 mm",
+      "m",
+      Range::positive(),
+      "Distance g of the tips from the horizontal through the cell's centre."};
+
+    const Quantity side_depth{
+      "Side notch depth",
+      "5 mm",
+      "m",
+      Range::non_negative(),
+      "Depth of the notches at the left and right side, L cos(theta0) for "
+      "edges of length L at the angle theta0; less than the half width."};
+
+    const Quantity top_depth{
+      "Top notch depth",
+      "5 mm",
+      "m",
+      Range::non_negative(),
+      "Depth of the notches at top and bottom; less than the half height."};
+
+    const Quantity horizontal_stub{
+      "Horizontal stub length",
+      "10 mm",
+      "m",
+      Range::non_negative(),
+      "Length of the stubs at the left and right side, 0 for none. Several "
+      "cells along x need at least the side notch depth."};
+
+    const Quantity vertical_stub{
+      "Vertical stub length",
+      "10 mm",
+      "m",
+      Range::non_negative(),
+      "Length of the stubs at top and bottom, 0 for none. Several cells along "
+      "y need at least the top notch depth."};
+
+    /**
+     * Refuses a notch that reaches the middle: @p symbols is the inequality
+     * extent > depth in formula signs, @p explanation what the depth means.
+     */
+    void check_notch(const Quantity     &extent_entry,
+                     const double        extent,
+                     const Quantity     &depth_entry,
+                     const double        depth,
+                     const std::string  &symbols,
+                     const std::string  &explanation,
+                     const SceneContext &context)
+    {
+      if (extent - depth > 1e-12 * extent)
+        return;
+      std::ostringstream text;
+      text << context.path << ": the notches of the cell 'general star' cross "
+           << "or meet in its centre. " << symbols
+           << " fails: " << extent_entry.name << " = " << extent << " m, "
+           << depth_entry.name << " = " << depth << " m" << explanation
+           << ". Increase '" << extent_entry.name << "' or reduce '"
+           << depth_entry.name << "'.";
+      throw InputError(text.str());
+    }
+
+    void check_shape(const StarShape &shape, const SceneContext &context)
+    {
+      std::ostringstream edges;
+      edges << " (edges of length L = "
+            << std::hypot(shape.side_depth, shape.half_height)
+            << " m at theta0 = "
+            << std::atan2(shape.half_height, shape.side_depth) * 180. /
+          dealii::numbers::PI
+            << " deg)";
+      check_notch(half_width,
+                  shape.half_width,
+                  side_depth,
+                  shape.side_depth,
+                  "w > L cos(theta0), the side notch depth,",
+                  edges.str(),
+                  context);
+      check_notch(half_height,
+                  shape.half_height,
+                  top_depth,
+                  shape.top_depth,
+                  "g > top notch depth",
+                  "",
+                  context);
+    }
+
+    std::unique_ptr<Cell> make_general_star(ParameterValues &values)
+    {
+      const StarShape shape = {values[half_width],
+                               values[half_height],
+                               values[side_depth],
+                               values[top_depth],
+                               values[horizontal_stub],
+                               values[vertical_stub]};
+      check_shape(shape, values.context);
+      return make_star_cell(shape);
+    }
+  } // namespace
+
+  RegistryEntry<Cell> general_star_cell_entry()
+  {
+    return {"general star",
+            "Star with half width, half height, notch depths and stub lengths "
+            "given one by one, also with edges flatter than 45 deg.",
+            {half_width,
+             half_height,
+             side_depth,
+             top_depth,
+             horizontal_stub,
+             vertical_stub},
+            make_general_star};
   }
 } // namespace auxfem

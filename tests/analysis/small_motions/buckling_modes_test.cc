@@ -1,4 +1,4 @@
-#include <auxfem/analysis/lattice_run.h>
+#include <auxfem/analysis/simulation/lattice_run.h>
 #include <auxfem/analysis/small_motions/buckling_modes.h>
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
-#include <auxfem/analysis/lattice_run.h>
+#include <auxfem/analysis/simulation/lattice_run.h>
 #include <auxfem/analysis/small_motions/complex_modes.h>
+#include <auxfem/analysis/small_motions/dynamic_stiffness.h>
 #include <auxfem/analysis/small_motions/modes.h>
 #include <auxfem/analysis/small_motions/motion_pencil.h>
 #include <auxfem/analysis/small_motions/natural_modes.h>
-#include <auxfem/analysis/small_motions/relaxations.h>
 
 #include <analysis/small_motions/held_rod.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-#include <auxfem/analysis/lattice_run.h>
-#include <auxfem/analysis/small_motions/damped_modes.h>
+#include <auxfem/analysis/simulation/lattice_run.h>
+#include <auxfem/analysis/small_motions/complex_modes.h>
 
 #include <analysis/small_motions/held_rod.h>
 #include <gtest/gtest.h>

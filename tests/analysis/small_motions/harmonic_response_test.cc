@@ -1,5 +1,5 @@
-#include <auxfem/analysis/lattice_run.h>
-#include <auxfem/analysis/small_motions/harmonic_response.h>
+#include <auxfem/analysis/simulation/lattice_run.h>
+#include <auxfem/analysis/small_motions/frequency_response.h>
 
 #include <gtest/gtest.h>
 #include <support/scene_text.h>

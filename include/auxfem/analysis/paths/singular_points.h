@@ -2,7 +2,7 @@
 #define auxfem_analysis_paths_singular_points_h
 
 #include <auxfem/analysis/paths/path_stepper.h>
-#include <auxfem/output/singular_point.h>
+#include <auxfem/output/recorder.h>
 
 #include <vector>
 

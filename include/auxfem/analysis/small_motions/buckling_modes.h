@@ -1,7 +1,7 @@
 #ifndef auxfem_analysis_small_motions_buckling_modes_h
 #define auxfem_analysis_small_motions_buckling_modes_h
 
-#include <auxfem/analysis/small_motions/mode_space.h>
+#include <auxfem/equations/mode_space.h>
 
 #include <limits>
 #include <vector>

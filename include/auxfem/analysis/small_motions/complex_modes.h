@@ -1,7 +1,9 @@
 #ifndef auxfem_analysis_small_motions_complex_modes_h
 #define auxfem_analysis_small_motions_complex_modes_h
 
+#include <auxfem/algebra/unknowns.h>
 #include <auxfem/analysis/small_motions/motion_pencil.h>
+#include <auxfem/analysis/small_motions/natural_modes.h>
 
 #include <complex>
 #include <limits>
@@ -9,6 +11,27 @@
 
 namespace auxfem
 {
+  /** @name Complex values of owned rows: real parts, then imaginary ones. All of
+   * these are collective. */
+  ///@{
+
+  /** x.y, without conjugation. */
+  std::complex<double> product(const UnknownLayout       &layout,
+                               const std::vector<double> &x,
+                               const std::vector<double> &y);
+
+  /** Square root of the sum of the squared magnitudes. */
+  double size(const UnknownLayout &layout, const std::vector<double> &x);
+
+  /** Whether two shapes are one but for a complex factor. */
+  bool are_parallel(const UnknownLayout       &layout,
+                    const std::vector<double> &x,
+                    const std::vector<double> &y);
+
+  /** Makes the real part of @p shape as large as can be; its length is kept. */
+  void turn_phase(const UnknownLayout &layout, std::vector<double> &shape);
+  ///@}
+
   /** A small motion x e^(s t) about an equilibrium: A(s) x = 0 with the dynamic
    * stiffness A. */
   struct ComplexMode
@@ -54,6 +77,18 @@ namespace auxfem
                              const State   &state,
                              unsigned int   n,
                              Damping        damping);
+
+  /**
+   * Finds the damped modes about @p state, solutions of A(s) x = 0 with the
+   * dynamic stiffness A of all connectors and damping that swing, with |s| up
+   * to
+   * just above the highest frequency of @p found (MotionPencil). Each is given to
+   * the natural mode that has the largest part in it, pairs with the largest
+   * parts first; those left over are its further ones. Collective.
+   */
+  void add_damped_modes(TangentSolver &solver,
+                        const State   &state,
+                        NaturalModes  &found);
 } // namespace auxfem
 
 #endif

@@ -1,7 +1,7 @@
 #ifndef auxfem_analysis_small_motions_mesh_choice_h
 #define auxfem_analysis_small_motions_mesh_choice_h
 
-#include <auxfem/analysis/lattice_run.h>
+#include <auxfem/analysis/simulation/lattice_run.h>
 
 namespace auxfem
 {

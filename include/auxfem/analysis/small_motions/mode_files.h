@@ -1,11 +1,11 @@
 #ifndef auxfem_analysis_small_motions_mode_files_h
 #define auxfem_analysis_small_motions_mode_files_h
 
-#include <auxfem/analysis/lattice_run.h>
+#include <auxfem/analysis/simulation/lattice_run.h>
 #include <auxfem/analysis/small_motions/buckling_modes.h>
 #include <auxfem/analysis/small_motions/complex_modes.h>
+#include <auxfem/analysis/small_motions/dynamic_stiffness.h>
 #include <auxfem/analysis/small_motions/natural_modes.h>
-#include <auxfem/analysis/small_motions/relaxations.h>
 #include <auxfem/output/output_folder.h>
 
 namespace auxfem

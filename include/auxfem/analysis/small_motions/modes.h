@@ -1,7 +1,7 @@
 #ifndef auxfem_analysis_small_motions_modes_h
 #define auxfem_analysis_small_motions_modes_h
 
-#include <auxfem/analysis/lattice_run.h>
+#include <auxfem/analysis/simulation/lattice_run.h>
 #include <auxfem/analysis/small_motions/buckling_modes.h>
 #include <auxfem/output/output_folder.h>
 #include <auxfem/output/recorder.h>

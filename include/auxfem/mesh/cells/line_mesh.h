@@ -37,6 +37,23 @@ namespace auxfem
   {
     std::string text;
   };
+
+  /**
+   * Nodes, beam and truss elements, node and element sets in @p content of an
+   * input file of Abaqus without parts and instances. Elements are also in a
+   * set named by their type. Nodes of sets at which no element ends are left
+   * out; this and all else that is not taken over is in the notes. Throws
+   * MeshMistake, e.g. `line 12: element 5 has node 9, ...`.
+   */
+  LineMesh read_abaqus(const std::string &content);
+
+  /**
+   * Lines of two and three nodes and physical groups of points and curves in
+   * @p content of a file in gmsh's format MSH 2 or 4.1, as text or binary.
+   * Groups without name are called "group" and their number. The lines may be
+   * none. Throws MeshMistake, e.g. `line 66: element 5 has node -1, ...`.
+   */
+  LineMesh read_msh(const std::string &content);
 } // namespace auxfem
 
 #endif

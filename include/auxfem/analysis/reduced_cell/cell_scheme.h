@@ -1,0 +1,226 @@
+#ifndef auxfem_analysis_reduced_cell_cell_scheme_h
+#define auxfem_analysis_reduced_cell_cell_scheme_h
+
+#include <auxfem/analysis/reduced_cell/cell_equations.h>
+#include <auxfem/scene/scene.h>
+#include <auxfem/time/schemes/time_scheme.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <array>
+#include <memory>
+
+namespace auxfem
+{
+  /** Entries of the reduced cell's energy ledger, in order. */
+  enum CellEnergy : unsigned int
+  {
+    cell_kinetic,
+    cell_stored,
+    cell_dissipated,
+    cell_work
+  };
+
+  /** Energies of the reduced cell at rest. */
+  Energies cell_energies();
+
+  /**
+   * The cell at one time, a row of its history. What a scheme does not know is
+   * not a number.
+   */
+  struct CellSample
+  {
+    double   time;        ///< s
+    double   angle;       ///< theta (rad)
+    double   upper_rise;  ///< Y1 (m)
+    double   lower_rise;  ///< Y2 (m)
+    double   load;        ///< f1 (N)
+    double   transmitted; ///< f2 on the foundation (N), positive in compression
+    Energies energies;
+  };
+
+  /** Throws ComputationError if a number of @p sample is not finite. */
+  void refuse_not_finite(const CellSample &sample);
+
+  /** An angle (rad) as users read it (deg). */
+  inline double degrees(const double radians)
+  {
+    return radians * 180 / dealii::numbers::PI;
+  }
+
+  /** Takes the reduced cell of a scene through time, step by step. */
+  class CellScheme
+  {
+  public:
+    virtual ~CellScheme() = default;
+
+    /**
+     * The cell at t = 0, at rest. To be called once, before advance(). Throws
+     * ComputationError if there is no first acceleration.
+     */
+    virtual CellSample start() = 0;
+
+    /**
+     * Advances by one step of the scene. Throws ComputationError if it cannot;
+     * the samples until then hold.
+     */
+    virtual CellSample advance() = 0;
+
+    /** Iterations, or evaluations of the equations, so far. */
+    virtual unsigned long work() const = 0;
+  };
+
+  /** A choice of `Time/Scheme` that takes the reduced cell through time itself.
+   */
+  class CellMethod : public TimeScheme
+  {
+  public:
+    using TimeScheme::TimeScheme;
+
+    /**
+     * The scheme at work on @p scene, which must outlive it. Throws InputError
+     * if it cannot do the scene.
+     */
+    virtual std::unique_ptr<CellScheme> begin(const Scene &scene) const = 0;
+  };
+
+  /** The choice whose work a @p Scheme does, which is made of a scene. */
+  template <class Scheme>
+  class CellMethodOf : public CellMethod
+  {
+  public:
+    using CellMethod::CellMethod;
+
+    std::unique_ptr<CellScheme> begin(const Scene &scene) const override
+    {
+      return std::make_unique<Scheme>(scene);
+    }
+  };
+
+  /**
+   * The scheme of @p scene, which must outlive it. Throws InputError if the
+   * scheme cannot do the scene.
+   */
+  std::unique_ptr<CellScheme> make_cell_scheme(const Scene &scene);
+
+  /** A scheme of lattices at work on the cell of @p scene. */
+  std::unique_ptr<CellScheme> make_implicit_cell_scheme(const Scene &scene);
+
+  /**
+   * Load, connector and energies of the reduced cell for schemes that go from
+   * step to step: the law gets trial motions of a step until one is accepted.
+   */
+  class SteppedCell
+  {
+  public:
+    /** @param scene must outlive the object. */
+    explicit SteppedCell(const Scene &scene);
+
+    const CellEquations &equations() const
+    {
+      return cell;
+    }
+
+    /** Begins the step number @p step (from 1; 0: the start, of length zero). */
+    void begin_step(unsigned long step);
+
+    /** Length of the step begun (s). */
+    double dt() const
+    {
+      return connector_motion.dt;
+    }
+
+    /** f1 at its end (N). */
+    double load() const
+    {
+      return load_now;
+    }
+
+    /** Force and tangents of the connector at its end, for @p motion there. */
+    const ConnectorResponse &connector(const CellMotion &motion);
+
+    /**
+     * Ends the step with @p motion: internal variables and energies follow. The work of the load is that of its mean
+     * over the step, as for lattices. Throws ComputationError if a number of
+     * the sample is not finite.
+     */
+    CellSample accept(const CellMotion &motion);
+
+  private:
+    const Scene        &scene;
+    const CellEquations cell;
+    const ConnectorLaw &law;
+    std::vector<double> committed, trial;
+    ConnectorMotion     connector_motion{};
+    ConnectorResponse   response{};
+    double              time = 0, load_before = 0, load_now = 0;
+    Energies            energies;
+  };
+
+  /**
+   * Positions around step i on the grid of the paper's Eqs. (23) to (25), where
+   * velocities reach one step to both sides and accelerations two.
+   */
+  class TwoStepGrid
+  {
+  public:
+    /** x(-2), x(-1), x(0), x(1). */
+    explicit TwoStepGrid(const std::array<CellVector, 4> &first);
+
+    /** Position at i; velocity [x(i+1) - x(i-1)] / (2 dt). */
+    CellMotion motion(const double dt) const
+    {
+      return {x[2], (x[3] - x[1]) / (2 * dt)};
+    }
+
+    /** x(i-2). */
+    const CellVector &before() const
+    {
+      return x[0];
+    }
+
+    /** Goes on to i + 1; @p next is x(i+2). */
+    void shift(const CellVector &next)
+    {
+      x = {{x[1], x[2], x[3], next}};
+    }
+
+  private:
+    std::array<CellVector, 4> x;
+  };
+
+  /** A scheme on the two-step grid: one sample, one evaluation a step. */
+  class TwoStepScheme : public CellScheme
+  {
+  public:
+    CellSample start() override;
+    CellSample advance() override;
+
+    unsigned long work() const override
+    {
+      return step + 1;
+    }
+
+  protected:
+    /**
+     * Throws InputError for uneven steps.
+     * @param scene must outlive the object.
+     */
+    explicit TwoStepScheme(const Scene &scene);
+
+    /** Sets the grid for the first sample; by default all positions are those
+     * at rest. */
+    virtual void set_first_positions()
+    {}
+
+    /** The sample of the step begun, and the grid made ready for the next. */
+    virtual CellSample sample() = 0;
+
+    const Scene  &scene;
+    SteppedCell   cell;
+    TwoStepGrid   grid{{}};
+    unsigned long step = 0;
+  };
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,310 @@
+#ifndef auxfem_contact_effects_contact_effect_h
+#define auxfem_contact_effects_contact_effect_h
+
+#include <auxfem/contact/effects/contact.h>
+#include <auxfem/contact/effects/strut_curves.h>
+#include <auxfem/contact/plate_definition.h>
+#include <auxfem/equations/energy_account.h>
+#include <auxfem/equations/evaluation.h>
+#include <auxfem/time/schemes/static.h>
+
+#include <vector>
+
+namespace auxfem
+{
+  /**
+   * The velocity (m/s) of something that moves by @p motion(displacements), a
+   * linear function: that of the time scheme, in a step between two states its
+   * mean, without inertia the BackwardDifference.
+   */
+  template <class Motion>
+  dealii::Tensor<1, 3> sliding_velocity(const Evaluation &evaluation,
+                                        const Motion     &motion)
+  {
+    const State &from = evaluation.from, &to = evaluation.to;
+    const auto   way = [&motion](const Vector &begin, const Vector &end) {
+      return motion(end) - motion(begin);
+    };
+    if (evaluation.kind == Evaluation::Kind::between)
+      return way(from.displacement, to.displacement) / evaluation.dt;
+    if (evaluation.kind != Evaluation::Kind::static_step)
+      return motion(*to.velocity);
+    const BackwardDifference rule(from, evaluation.dt);
+    dealii::Tensor<1, 3>     velocity =
+      rule.now * way(from.displacement, to.displacement);
+    if (from.before)
+      velocity -=
+        rule.before * way(from.before->displacement, from.displacement);
+    return velocity;
+  }
+
+  /** Friction at a point, and how far this has moved in a step. */
+  struct Sliding
+  {
+    FrictionForce        friction;
+    dealii::Tensor<1, 3> way; ///< m
+  };
+
+  /** What friction takes from the energy. */
+  class FrictionAccount
+  {
+  public:
+    /** Enters `friction` among the energies. */
+    void register_in(StateLayout &layout);
+
+    /** Adds the loss in a step: with inertia the mean of the powers at both
+     * ends, else the work.
+     * @param at_start none but in steps with inertia */
+    void add_step(const Evaluation           &step,
+                  const std::vector<Sliding> &at_end,
+                  const std::vector<Sliding> &at_start,
+                  EnergyAccount              &account) const;
+
+    /** Adds the power lost at an instant (W). */
+    void add_power(const FrictionForce &friction, EnergyAccount &account) const;
+
+  private:
+    unsigned int friction_entry = 0, numerical_entry = 0;
+  };
+
+  /** A point of a strut that touches something. */
+  struct Touch
+  {
+    unsigned int pair; ///< of what touches, on this rank
+    unsigned int axis; ///< whose point it is, in the list of all
+    /** Penetration at the end of the step or at the instant (m). */
+    double        depth    = 0;
+    double        force    = 0;  ///< across the face (N)
+    double        slope    = 0;  ///< its derivative by the depth (N/m)
+    FrictionForce friction = {}; ///< on the strut
+  };
+
+  /** Points that touch in an evaluation. */
+  template <class Point>
+  struct ContactResults : EffectResults
+  {
+    std::vector<Point> points;
+  };
+
+  /**
+   * What contact is, whatever a strut touches: pairs that are near each other,
+   * which alone are coupled, forces of ContactLaw at points, and what friction
+   * there takes.
+   * @tparam Kind PlateContact or StrutContact
+   * @tparam Pair of what is near each other
+   * @tparam Point derived from Touch
+   */
+  template <class Kind, class Pair, class Point>
+  class ContactEffect : public Kind
+  {
+  public:
+    using Results = ContactResults<Point>;
+
+    bool is_linear() const override
+    {
+      return false;
+    }
+
+    void register_in(StateLayout &layout) override
+    {
+      contact_entry = layout.energies.enter(contact_energy_entry());
+      if (friction.coefficient > 0)
+        friction_account.register_in(layout);
+    }
+
+    void register_blocks(TangentPattern &pattern) override
+    {
+      coupled.clear();
+      for (const Pair &pair : near())
+        {
+          const std::vector<int> globals = unknowns_of(pair);
+          if (!has_rows_of(globals))
+            continue;
+          Coupled of_pair{pair, {}};
+          for (const int global : globals)
+            of_pair.unknowns.push_back(pattern.unknowns().layout.local(global));
+          const std::size_t block =
+            pattern.register_block(of_pair.unknowns.data(),
+                                   of_pair.unknowns.size());
+          if (coupled.empty())
+            first_block = block;
+          coupled.push_back(std::move(of_pair));
+        }
+    }
+
+    std::unique_ptr<EffectResults> make_results() const override
+    {
+      return std::make_unique<Results>();
+    }
+
+    void account(const Evaluation & /*evaluation*/,
+                 const EffectResults *results,
+                 EnergyAccount       &account) const override
+    {
+      for (const Point &point : points_of(results))
+        if (is_owned(point))
+          account.add(contact_entry, law_at(point).energy(point.depth));
+    }
+
+    std::optional<Penetration>
+    deepest(const EffectResults &results) const override
+    {
+      std::optional<Penetration> found;
+      for (const Point &point : points_of(&results))
+        if (is_owned(point))
+          if (const Penetration here = penetration(point);
+              here.part > (found ? found->part : 0.))
+            found = here;
+      return found;
+    }
+
+    bool update_couplings(const State      &accepted,
+                          std::vector<int> &wanted) override
+    {
+      return couple(follow(accepted), wanted);
+    }
+
+    bool restart_couplings(const State      &accepted,
+                           std::vector<int> &wanted) override
+    {
+      return couple(restart(accepted), wanted);
+    }
+
+    void account_step(const Evaluation    &step,
+                      const EffectResults *results,
+                      EnergyAccount       &account) const override
+    {
+      if (friction.coefficient == 0 || !account.takes_time())
+        return;
+      std::vector<Point> at_start;
+      if (step.kind == Evaluation::Kind::step)
+        {
+          State before = step.from;
+          at_start     = touching(Evaluation::rates(step.from, before));
+        }
+      friction_account.add_step(step,
+                                sliding(points_of(results), step),
+                                sliding(at_start, step),
+                                account);
+    }
+
+    void account_stage(const Evaluation & /*stage*/,
+                       const EffectResults *results,
+                       EnergyAccount       &account) const override
+    {
+      if (friction.coefficient == 0)
+        return;
+      for (const Point &point : points_of(results))
+        if (is_owned(point))
+          friction_account.add_power(point.friction, account);
+    }
+
+    StageTerms::StageNeeds stage_needs() const override
+    {
+      return friction.coefficient == 0 ? StageTerms::StageNeeds::state
+                                       : StageTerms::StageNeeds::results;
+    }
+
+  protected:
+    /** A pair that this rank has rows of, with the local unknowns of both. */
+    struct Coupled
+    {
+      Pair             pair;
+      std::vector<int> unknowns;
+    };
+
+    explicit ContactEffect(const LatticeModel &model)
+      : model(model)
+      , parameters(model.plan.scene.contact)
+      , friction{parameters.friction, parameters.slip_velocity}
+      , dimension(model.lattice.dimension)
+      , axes(make_contact_axes(model, parameters.stiffness))
+      , curves(model, axes)
+    {}
+
+    /** Search for near() in an accepted state; returns whether that has
+     * changed. restart() knows nothing of states before. Collective. */
+    ///@{
+    virtual bool follow(const State &accepted)  = 0;
+    virtual bool restart(const State &accepted) = 0;
+    ///@}
+
+    /** Pairs near each other, of all ranks, sorted. */
+    virtual const std::vector<Pair> &near() const = 0;
+
+    /** Global numbers of the displacements that a pair couples. */
+    virtual std::vector<int> unknowns_of(const Pair &pair) const = 0;
+
+    /** The points of all pairs that touch. */
+    virtual std::vector<Point> touching(const Evaluation &evaluation) const = 0;
+
+    virtual ContactLaw law_at(const Point &point) const = 0;
+
+    virtual Penetration penetration(const Point &point) const = 0;
+
+    /** Of a point less that of what it touches, of values by local unknown. */
+    virtual dealii::Tensor<1, 3> difference(const Point  &point,
+                                            const Vector &values) const = 0;
+
+    static const std::vector<Point> &points_of(const EffectResults *results)
+    {
+      return static_cast<const Results &>(*results).points;
+    }
+
+    /** Whether this rank counts the point. */
+    bool is_owned(const Point &point) const
+    {
+      return axes[point.axis].is_owned;
+    }
+
+    const LatticeModel            &model;
+    const ContactParameters        parameters;
+    const CoulombFriction          friction;
+    const unsigned int             dimension;
+    const std::vector<ContactAxis> axes;
+    const StrutCurves              curves;
+    std::vector<Coupled>           coupled; ///< of this rank
+    std::size_t                    first_block = 0;
+
+  private:
+    /** If near() has changed, adds to @p wanted the unknowns of the pairs that
+     * this rank has rows of. Returns whether it has. */
+    bool couple(const bool has_changed, std::vector<int> &wanted) const
+    {
+      if (!has_changed)
+        return false;
+      for (const Pair &pair : near())
+        if (const std::vector<int> globals = unknowns_of(pair);
+            has_rows_of(globals))
+          wanted.insert(wanted.end(), globals.begin(), globals.end());
+      return true;
+    }
+
+    bool has_rows_of(const std::vector<int> &globals) const
+    {
+      const UnknownLayout &layout = model.numbering.layout();
+      return std::any_of(globals.begin(),
+                         globals.end(),
+                         [&layout](const int global) {
+                           return layout.is_owned(layout.local(global));
+                         });
+    }
+
+    std::vector<Sliding> sliding(const std::vector<Point> &points,
+                                 const Evaluation         &step) const
+    {
+      std::vector<Sliding> result;
+      for (const Point &point : points)
+        if (is_owned(point))
+          result.push_back({point.friction,
+                            difference(point, step.to.displacement) -
+                              difference(point, step.from.displacement)});
+      return result;
+    }
+
+    unsigned int    contact_entry = 0;
+    FrictionAccount friction_account;
+  };
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,272 @@
+#ifndef auxfem_contact_effects_strut_proximity_h
+#define auxfem_contact_effects_strut_proximity_h
+
+#include <auxfem/contact/effects/strut_gap.h>
+#include <auxfem/mesh/lattice.h>
+#include <auxfem/state/state.h>
+
+#include <optional>
+#include <set>
+
+namespace auxfem
+{
+  /**
+   * Which struts of a lattice come near each other. Pairs are looked at again
+   * only when they may have come nearer than they were allowed to: axes with a
+   * common node when one of them has turned by what was left, others
+   * when nodes have moved by half of the distance that was left. These come
+   * from a tree of boxes (R-tree), made anew when nodes may have moved farther
+   * than the boxes are wide.
+   *
+   * Displacements are those of all ranks, by global number; each rank knows
+   * all pairs. Many that are to be looked at are shared out among the ranks.
+   */
+  class StrutProximity
+  {
+  public:
+    /** Looks at the struts at rest. Collective.
+     * @param model, curves must outlive the object and its copies */
+    StrutProximity(const LatticeModel &model, const StrutCurves &curves);
+
+    /** At rest; such as pass each other are never near. */
+    const std::vector<StrutOverlap> &overlaps() const
+    {
+      return overlaps_at_rest;
+    }
+
+    /** Largest motion of a node since the last look (m). */
+    double way_to(const std::vector<double> &displacements) const;
+
+    /** Follows an accepted state; whether near() has changed. Collective.
+     * @param way way_to() there */
+    ///@{
+    bool follow(const std::vector<double> &displacements, double way);
+    bool follow(const std::vector<double> &displacements)
+    {
+      return follow(displacements, way_to(displacements));
+    }
+    ///@}
+
+    /** Pairs that touch or may do so soon, sorted. */
+    const std::vector<AxisPair> &near() const
+    {
+      return near_pairs;
+    }
+
+    /** Displacements at the last look; nothing has touched since, while nodes
+     * have gone no farther than needs a look. */
+    const std::vector<double> &last_look() const
+    {
+      return looked;
+    }
+
+    /** Motion of nodes that no pair need be looked at for (m). */
+    double unseen_motion() const;
+
+    /** Whether one of them touches, or does so soon. */
+    bool may_touch() const
+    {
+      return touches_soon;
+    }
+
+    /** Looks at all struts in an accepted state, as if nothing were known of
+     * the states before; whether near() has changed. Collective. */
+    bool restart(const std::vector<double> &displacements);
+
+    /**
+     * A pair of struts that comes nearer on the straight way between two states
+     * than it may; none if there is none. The first state, or one before it,
+     * was followed. Collective.
+     * @param allowed penetration of near pairs over half their thickness;
+     *   others may not touch
+     * @param way way_to() the second state
+     */
+    ///@{
+    std::optional<AxisPair> first_too_near(const std::vector<double> &from,
+                                           const std::vector<double> &to,
+                                           double                     allowed,
+                                           double way) const;
+    std::optional<AxisPair> first_too_near(const std::vector<double> &from,
+                                           const std::vector<double> &to,
+                                           const double allowed) const
+    {
+      return first_too_near(from, to, allowed, way_to(to));
+    }
+    ///@}
+
+  private:
+    /**
+     * Gap of a pair that has forces of its own, over half its thickness.
+     * @tuned judgement
+     */
+    static constexpr double near_part = 0.15;
+
+    /** A pair within reach of each other. */
+    struct Reach
+    {
+      AxisPair pair;
+      /** It need not be looked at before the nodes have travelled so far (m).
+       */
+      double due;
+      bool   is_near;
+    };
+
+    /** A pair with a common node. */
+    struct Connected
+    {
+      /** What its axes may have turned since they were remembered before they
+       * are near (rad). */
+      std::array<double, 2> turning_left{};
+      bool                  is_near = false;
+    };
+
+    AxisCurve curve(unsigned int axis, const std::vector<double> &u) const
+    {
+      return curves.curve(axis, curves.list()[axis].unknowns.data(), u.data());
+    }
+
+    void find_nodes();
+    /** How far the nodes of a pair move against each other at most: the
+     * diagonal of the box of all their motions (m). */
+    double relative_motion(const AxisPair            &pair,
+                           const std::vector<double> &from,
+                           const std::vector<double> &to) const;
+    /** How near a pair is to be for having forces (m). */
+    double near_gap(const AxisPair &pair) const;
+    /** Whether the gap of a pair (m) is smaller than @p least or becomes so
+     * soon, if it goes on shrinking as it did since the last look, up to @p u.
+     */
+    bool comes_near(const AxisPair            &pair,
+                    double                     gap,
+                    const std::vector<double> &u,
+                    double                     least) const;
+
+    double gap(const AxisPair &pair, const std::vector<double> &u) const
+    {
+      return gap_of(pair, curve(pair[0], u), curve(pair[1], u));
+    }
+
+    /** Pairs without a common node whose axes, on the way between two states,
+     * are less than twice @p margin apart (m). */
+    std::vector<AxisPair> pairs_in_boxes(const std::vector<double> &from,
+                                         const std::vector<double> &to,
+                                         double margin) const;
+    /** The same of boxes of the axes. */
+    std::vector<AxisPair>
+         pairs_in(const std::vector<dealii::BoundingBox<3>> &boxes) const;
+    bool never_touch(const AxisPair &pair) const;
+    void find_near_at_rest();
+    /** Makes the list anew. @param pairs less than the reach apart */
+    void set_pairs_in_reach(const std::vector<AxisPair> &pairs);
+    /** Looks at what may have come near, and remembers @p u as the last look;
+     * whether near() has changed. */
+    bool look(const std::vector<double> &u);
+    void look_at_pairs(const std::vector<double> &u);
+    void look_at_connected(const std::vector<double> &u);
+    /** Several of them, by number. */
+    void      look_at_connected(const std::vector<unsigned int> &pairs,
+                                const std::vector<double>       &u);
+    Connected look_at_connected(const AxisPair            &pair,
+                                const std::vector<double> &u) const;
+    /** How much an axis has turned since it was looked at (rad). */
+    double turning(unsigned int axis, const std::vector<double> &u) const;
+    /** How much it may turn until it is looked at again (rad). */
+    double turning_allowed(unsigned int axis) const;
+    /** Travel of the nodes before which an axis that has @p turned (rad) cannot
+     * have turned by as much as it may (m). */
+    double earliest_turn(unsigned int axis, double turned) const;
+    /** Axes that have turned by as much as they may. */
+    std::vector<unsigned int> find_turned(const std::vector<double> &u);
+    /** Of them the pairs with a common node. */
+    std::vector<unsigned int>
+    connected_to(const std::vector<unsigned int> &turned) const;
+    /** All axes with a common node are looked at next. */
+    void forget_turning();
+    void remember_turning(unsigned int axis, const std::vector<double> &u);
+    /** Makes near() of what was found; whether it has changed. */
+    bool collect_near(const std::vector<double> &u);
+    bool some_may_touch(const std::vector<double> &u) const;
+
+    /** Whether a gap becomes smaller than @p least (m) on the straight way. */
+    bool comes_too_near(const AxisPair            &pair,
+                        const std::vector<double> &from,
+                        const std::vector<double> &to,
+                        double                     least) const;
+
+    /** Largest motion of a node (m). */
+    ///@{
+    double motion(const std::vector<double> &from,
+                  const std::vector<double> &to) const;
+    template <unsigned int dimension>
+    double largest_motion(const std::vector<double> &from,
+                          const std::vector<double> &to) const;
+    ///@}
+    /** Motion of the nodes of an axis, not less than that of any (m). */
+    double motion(unsigned int               axis,
+                  const std::vector<double> &from,
+                  const std::vector<double> &to) const;
+
+    const LatticeModel &model;
+    const StrutCurves  &curves;
+    const StrutGap      gap_of;
+    const double        reach; ///< between axes that are kept in the list (m)
+    std::vector<StrutOverlap> overlaps_at_rest;
+    /** Struts that pass each other at rest. */
+    std::set<std::array<unsigned int, 2>> passing;
+    double thickest = 0, thinnest = 0; ///< half (m)
+
+    std::vector<Reach>    in_reach;
+    std::vector<AxisPair> near_pairs;
+    std::vector<double>   near_gaps; ///< of these, in `looked` (m)
+    /** Displacements by axis, node and component when pairs with a common node
+     * were looked at. */
+    std::vector<double> turned_at;
+    /** Of each axis, in `turned_at`. */
+    std::vector<std::size_t> first_of_axis;
+    /** Global numbers of the displacements of each node of any axis, once. */
+    std::vector<std::array<int, 3>> nodes;
+    IndexLists             connected_of_axis; ///< pairs with a common node
+    std::vector<Connected> connected;
+    std::vector<double>    allowed_turning; ///< of each axis (rad)
+    /** Of each axis, travel of the nodes at which its turning is looked at
+     * again (m). */
+    std::vector<double> turning_due;
+    bool                touches_soon = false;
+    std::vector<double> looked;        ///< displacements
+    double              travelled = 0; ///< up to `looked` (m)
+    double              list_due = 0; ///< travel at which the list is made anew
+  };
+
+  /** Follows a motion without contact, step by step, and finds the first struts
+   * that touch or pass each other. */
+  class FirstContactDetector
+  {
+  public:
+    /** @param model, curves must outlive the object
+     * @param at_rest which has followed nothing so far */
+    FirstContactDetector(const LatticeModel   &model,
+                         const StrutCurves    &curves,
+                         const StrutProximity &at_rest)
+      : model(model)
+      , curves(curves)
+      , proximity(at_rest)
+    {}
+
+    /**
+     * Two struts that touch on the straight way of a step; none if there are
+     * none. Collective.
+     * @param from where the step before has ended
+     */
+    std::optional<std::array<unsigned int, 2>> find(const State &from,
+                                                    const State &to);
+
+  private:
+    const LatticeModel &model;
+    const StrutCurves  &curves;
+    StrutProximity      proximity;
+    bool                is_following = false;
+    std::vector<double> room; ///< for what other ranks have
+  };
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,40 @@
+#ifndef auxfem_joints_joint_definition_h
+#define auxfem_joints_joint_definition_h
+
+#include <auxfem/parameters/subsection_schema.h>
+
+#include <deal.II/base/tensor.h>
+
+#include <string>
+
+namespace auxfem
+{
+  /** `Joints/NAME`: joints at which struts are not rigidly connected. */
+  struct JointDefinition
+  {
+    enum class Type
+    {
+      hinge,    ///< free to rotate; in space a spherical joint
+      revolute, ///< in space: free to rotate about one axis
+      rotational_spring
+    };
+    std::string name;
+    std::string joints; ///< joint set
+    std::string struts; ///< strut set whose ends are released there
+    Type        type = Type::hinge;
+    /** K' (N m/rad) between a released strut and what it turns against. */
+    double stiffness = 0;
+    /** Unit vector of a revolute hinge's axis at rest. */
+    dealii::Tensor<1, 3> axis;
+    std::string          path;
+  };
+
+  /** `Joints`. */
+  SubsectionSchema joints_schema();
+
+  /** The values of one such subsection. Throws InputError if they contradict
+   * each other. */
+  JointDefinition read_joint(ParameterValues &values);
+} // namespace auxfem
+
+#endif

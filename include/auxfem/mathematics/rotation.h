@@ -1,0 +1,320 @@
+#ifndef auxfem_mathematics_rotation_h
+#define auxfem_mathematics_rotation_h
+
+#include <auxfem/mathematics/lanes.h>
+
+#include <deal.II/base/tensor.h>
+
+#include <cmath>
+#include <optional>
+
+/**
+ * @file
+ * Series of trigonometric functions by the square of the angle, exact to the
+ * last digit up to largest_small_square. They cost a fraction of the library's
+ * functions.
+ */
+namespace auxfem
+{
+  /** Up to which square of the angle (rad^2) the series may be used. */
+  constexpr double largest_small_square = 0.1;
+
+  /** sin(x) / x with x^2 = @p y. */
+  template <class Number>
+  inline Number sinc_series(const Number &y)
+  {
+    return 1 -
+      y * (1. / 6) *
+      (1 -
+       y * (1. / 20) *
+         (1 -
+          y * (1. / 42) *
+            (1 - y * (1. / 72) * (1 - y * (1. / 110) * (1 - y * (1. / 156))))));
+  }
+
+  /** cos(x) with x^2 = @p y. */
+  template <class Number>
+  inline Number cosine_series(const Number &y)
+  {
+    return 1 -
+      y * (1. / 2) *
+      (1 -
+       y * (1. / 12) *
+         (1 -
+          y * (1. / 30) *
+            (1 - y * (1. / 56) * (1 - y * (1. / 90) * (1 - y * (1. / 132))))));
+  }
+
+  template <class Number>
+  struct SineAndCosine
+  {
+    Number sine, cosine;
+  };
+
+  /** Of @p x (rad), by series where it is small. */
+  template <class Number>
+  inline SineAndCosine<Number> sine_and_cosine(const Number &x)
+  {
+    using std::cos, std::sin;
+    const Number          y      = x * x;
+    SineAndCosine<Number> result = {x * sinc_series(y), cosine_series(y)};
+    const auto            large  = y >= largest_small_square;
+    if (any_of(large))
+      {
+        where(large, result.sine)   = sin(x);
+        where(large, result.cosine) = cos(x);
+      }
+    return result;
+  }
+} // namespace auxfem
+
+/**
+ * @file
+ * Rotations in space as unit quaternions. The algebra needed is short, and the
+ * beam kernel differentiates it twice by the four numbers of a quaternion: a
+ * plain struct shows these, while Boost's quaternions lack logarithm, rotation
+ * of vectors (Boost.Math) or vector algebra (QVM).
+ */
+namespace auxfem
+{
+  /** Components along x, y, z. @p Number is double or, of several elements at
+   * a time, Lanes. */
+  template <class Number>
+  using VectorOf    = dealii::Tensor<1, 3, Number>;
+  using SpaceVector = VectorOf<double>;
+
+  /** Square matrix; as a frame of axes it has them as columns. */
+  template <class Number>
+  using TensorOf    = dealii::Tensor<2, 3, Number>;
+  using SpaceTensor = TensorOf<double>;
+
+  /**
+   * A quaternion; with unit norm, the rotation by the angle a about the unit
+   * vector n is (cos(a/2), sin(a/2) n), as is its negative.
+   */
+  template <class Number>
+  struct QuaternionOf
+  {
+    Number           scalar = 1;
+    VectorOf<Number> vector;
+
+    friend QuaternionOf operator+(const QuaternionOf &p, const QuaternionOf &q)
+    {
+      return {p.scalar + q.scalar, p.vector + q.vector};
+    }
+
+    friend QuaternionOf operator*(const Number &factor, const QuaternionOf &q)
+    {
+      return {factor * q.scalar, factor * q.vector};
+    }
+
+    /** Hamilton's product; of rotations, first @p q, then @p p. */
+    friend QuaternionOf operator*(const QuaternionOf &p, const QuaternionOf &q)
+    {
+      return {p.scalar * q.scalar - p.vector * q.vector,
+              p.scalar * q.vector + q.scalar * p.vector +
+                dealii::cross_product_3d(p.vector, q.vector)};
+    }
+  };
+  using Quaternion = QuaternionOf<double>;
+
+  /** Of a rotation, its inverse. */
+  template <class Number>
+  inline QuaternionOf<Number> conjugate(const QuaternionOf<Number> &q)
+  {
+    return {q.scalar, -q.vector};
+  }
+
+  /** Scalar product of the four numbers. */
+  template <class Number>
+  inline Number dot(const QuaternionOf<Number> &p,
+                    const QuaternionOf<Number> &q)
+  {
+    return p.scalar * q.scalar + p.vector * q.vector;
+  }
+
+  /** @p q with unit norm; it must not be zero. */
+  template <class Number>
+  inline QuaternionOf<Number> normalized(const QuaternionOf<Number> &q)
+  {
+    using std::sqrt;
+    return 1 / sqrt(dot(q, q)) * q;
+  }
+
+  /**
+   * The rotation by |@p rotation_vector| (rad, any size) about its direction:
+   * R = exp([rotation_vector]x).
+   */
+  template <class Number>
+  inline QuaternionOf<Number>
+  exponential(const VectorOf<Number> &rotation_vector)
+  {
+    using std::cos, std::sin, std::sqrt;
+    const Number square = rotation_vector.norm_square() / 4;
+    Number       cosine = cosine_series(square), sinc = sinc_series(square);
+    const auto   large = square >= largest_small_square;
+    if (any_of(large))
+      {
+        const Number half_angle = sqrt(square);
+        where(large, cosine)    = cos(half_angle);
+        where(large, sinc)      = sin(half_angle) / half_angle;
+      }
+    return {cosine, sinc / 2 * rotation_vector};
+  }
+
+  /**
+   * The inverse of exponential(): angle (rad, at most pi) times axis. Accurate
+   * to round-off for all angles; at pi itself one of the two axes.
+   */
+  template <class Number>
+  inline VectorOf<Number> rotation_vector(const QuaternionOf<Number> &rotation)
+  {
+    using std::atan2, std::sqrt;
+    Number sign                      = 1;
+    where(rotation.scalar < 0, sign) = -1;
+    // Square of the sine of half the angle.
+    const Number y = rotation.vector.norm_square();
+    // Relative rotations in an element are small; there the series of
+    // asin(x) / x is exact to the last digit, and the library's function slow.
+    Number half_angle_per_sine = 1 +
+      y * (1. / 6) *
+        (1 +
+         y * (9. / 20) *
+           (1 +
+            y * (25. / 42) *
+              (1 +
+               y * (49. / 72) *
+                 (1 +
+                  y * (81. / 110) *
+                    (1 + y * (121. / 156) * (1 + y * (169. / 210)))))));
+    const auto large = y >= 0.01;
+    if (any_of(large))
+      {
+        const Number sine = sqrt(y);
+        where(large, half_angle_per_sine) =
+          atan2(sine, Number(sign * rotation.scalar)) / sine;
+      }
+    return sign * 2 * half_angle_per_sine * rotation.vector;
+  }
+
+  /** R @p v - @p v, without the cancellation of the difference. */
+  template <class Number>
+  inline VectorOf<Number> rotation_change(const QuaternionOf<Number> &rotation,
+                                          const VectorOf<Number>     &v)
+  {
+    const VectorOf<Number> twice =
+      2. * dealii::cross_product_3d(rotation.vector, v);
+    return rotation.scalar * twice +
+      dealii::cross_product_3d(rotation.vector, twice);
+  }
+
+  /** R @p v. */
+  template <class Number>
+  inline VectorOf<Number> rotated(const QuaternionOf<Number> &rotation,
+                                  const VectorOf<Number>     &v)
+  {
+    return v + rotation_change(rotation, v);
+  }
+
+  /** R @p matrix: its columns, such as the axes of a frame, rotated. */
+  template <class Number>
+  inline TensorOf<Number> rotated(const QuaternionOf<Number> &rotation,
+                                  const TensorOf<Number>     &matrix)
+  {
+    TensorOf<Number> result;
+    for (int j = 0; j < 3; ++j)
+      {
+        const VectorOf<Number> column =
+          rotated(rotation,
+                  VectorOf<Number>({matrix[0][j], matrix[1][j], matrix[2][j]}));
+        for (int i = 0; i < 3; ++i)
+          result[i][j] = column[i];
+      }
+    return result;
+  }
+
+  /** [v]x, the matrix with [v]x w = v x w. */
+  template <class Number>
+  inline TensorOf<Number> cross_product_tensor(const VectorOf<Number> &v)
+  {
+    TensorOf<Number> result;
+    for (int i = 0; i < 3; ++i)
+      {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        result[j][i] = v[k];
+        result[i][j] = -v[k];
+      }
+    return result;
+  }
+
+  /** The symmetric tensor with the principal @p values along the axes of @p frame. */
+  template <class Number>
+  inline TensorOf<Number> with_principal_values(const TensorOf<Number> &frame,
+                                                const VectorOf<Number> &values)
+  {
+    TensorOf<Number> result;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        for (int k = 0; k < 3; ++k)
+          result[i][j] += frame[i][k] * values[k] * frame[j][k];
+    return result;
+  }
+
+  /**
+   * Whether two directions (or opposite ones) are within five degrees, too
+   * close for section_frame().
+   */
+  bool nearly_parallel(const SpaceVector &a, const SpaceVector &b);
+
+  /**
+   * The reference vector of a strut that was given none: the z axis, so that
+   * struts in the x-y plane bend in it about axis 3; for struts within five
+   * degrees of z the x axis.
+   */
+  SpaceVector default_reference(const SpaceVector &tangent);
+
+  /**
+   * Section axes of a strut, as columns: 1 along @p tangent, 3 as near to
+   * @p reference as can be, 2 = 3 x 1. Neither vector needs unit length; they
+   * must not be parallel (nearly_parallel() is what to refuse).
+   */
+  SpaceTensor section_frame(const SpaceVector &tangent,
+                            const SpaceVector &reference);
+
+  /** The same; without a @p reference with default_reference(). */
+  SpaceTensor section_frame(const SpaceVector                &tangent,
+                            const std::optional<SpaceVector> &reference);
+
+  /**
+   * Angular velocity (rad/s) and acceleration (rad/s2), material: W with
+   * P' = P [W]x, and its rate.
+   */
+  struct AngularMotion
+  {
+    SpaceVector velocity, acceleration;
+  };
+
+  /**
+   * T(Theta)^-1, by which a rotation vector changes when exp(Theta) turns:
+   * d exp(Theta) = exp(Theta) [T dTheta]x; singular at |Theta| = 2 pi.
+   */
+  SpaceTensor inverse_tangent_operator(const SpaceVector &rotation_vector);
+
+  /**
+   * Of P = exp(phi(t)): W = T phi', W' = T phi'' + T' phi'.
+   * @param rotation_vector phi (rad)
+   * @param first, second phi' (rad/s), phi'' (rad/s2)
+   */
+  AngularMotion angular_motion(const SpaceVector &rotation_vector,
+                               const SpaceVector &first,
+                               const SpaceVector &second);
+
+  /**
+   * That of all rotation vectors of @p rotation, of any number of turns, which
+   * is nearest to @p guess (rad).
+   */
+  SpaceVector rotation_vector_near(const Quaternion  &rotation,
+                                   const SpaceVector &guess);
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,33 @@
+#ifndef auxfem_mesh_cells_cell_table_h
+#define auxfem_mesh_cells_cell_table_h
+
+#include <auxfem/mesh/cell.h>
+
+namespace auxfem
+{
+  /** The symmetric star cell (mesh/cells/star.cc). */
+  RegistryEntry<Cell> star_cell_entry();
+
+  /**
+   * The star cell with free widths, notches and stubs
+   * (mesh/cells/general_star.cc).
+   */
+  RegistryEntry<Cell> general_star_cell_entry();
+
+  /**
+   * The cell of bars, rigid parts and a rod of Shokri Rad, Mohsenizadeh and
+   * Ahmad (mesh/cells/hinged_star.cc).
+   */
+  RegistryEntry<Cell> hinged_star_cell_entry();
+
+  /** The symmetric star cell in space (mesh/cells/space_star.cc). */
+  RegistryEntry<Cell> space_star_cell_entry();
+
+  /** Joints and struts given one by one (mesh/cells/frame.cc). */
+  RegistryEntry<Cell> frame_cell_entry();
+
+  /** Line elements of a file that gmsh reads (mesh/cells/mesh_file.cc). */
+  RegistryEntry<Cell> mesh_file_cell_entry();
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,407 @@
+#ifndef auxfem_struts_beam_2d_h
+#define auxfem_struts_beam_2d_h
+
+#include <auxfem/mathematics/rotation.h>
+#include <auxfem/struts/beam_shape.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace auxfem
+{
+  /**
+   * The planar geometrically exact beam of Reissner (1972) and Simo & Vu-Quoc
+   * (1986). Axis r(s), rotation phi(s) of the section. With t, n the section's
+   * normal and in-plane direction, turned by phi from their position t0, n0 at
+   * rest,
+   *
+   *     axial strain    epsilon = r'.t - r0'.t0        N = EA  epsilon
+   *     shear strain    gamma   = r'.n - r0'.n0        Q = kGA gamma
+   *     curvature       kappa   = phi'                 M = EI  kappa
+   *
+   * and the virtual work is N d(epsilon) + Q d(gamma) + M d(kappa) with
+   * d(epsilon) = dr'.t + (r'.n) dphi, d(gamma) = dr'.n - (r'.t) dphi.
+   * The small-displacement form is the same with t, n and r' at rest.
+   * Unknowns of an element: u_x, u_y, phi node by node. @p Number is double or,
+   * of several elements at a time, Lanes.
+   */
+  namespace Beam2D
+  {
+    /** Undeformed axis at a Gauss point. */
+    template <class Number>
+    struct FrameOf
+    {
+      Number cosine, sine; ///< section normal t0 = (cosine, sine)
+      /** Slope r0' in components along t0, n0: (1, 0) for a straight strut. */
+      Number axial, shear;
+    };
+    using Frame = FrameOf<double>;
+
+    /**
+     * Section stiffness (N, N, N m2) and the retardation time of
+     * stiffness-proportional damping (s).
+     */
+    template <class Number>
+    struct StiffnessOf
+    {
+      Number axial, shear, bending;
+      Number damping_time;
+    };
+    using Stiffness = StiffnessOf<double>;
+
+    /**
+     * Strains at a point, with what forces and tangents need of the
+     * kinematics.
+     */
+    template <class Number>
+    struct KinematicsOf
+    {
+      Number epsilon, gamma, kappa;
+      Number stretch, slip; ///< r'.t, r'.n
+      Number cosine, sine;  ///< of t in the global frame
+    };
+    using Kinematics = KinematicsOf<double>;
+
+    /**
+     * Derivatives by s of displacement, rotation and its derivative at a Gauss
+     * point.
+     */
+    template <class Number>
+    struct GradientOf
+    {
+      Number ux, uy, phi, kappa;
+    };
+    using Gradient = GradientOf<double>;
+
+    template <int order, class Number>
+    inline GradientOf<Number> interpolate(const BeamShape<order> &shape,
+                                          const int               g,
+                                          const Number  inverse_jacobian,
+                                          const Number *u)
+    {
+      GradientOf<Number> d{0, 0, 0, 0};
+      for (int a = 0; a <= order; ++a)
+        {
+          d.ux += shape.derivative[g][a] * u[3 * a];
+          d.uy += shape.derivative[g][a] * u[3 * a + 1];
+          d.kappa += shape.rotation_derivative[g][a] * u[3 * a + 2];
+          d.phi += shape.value[g][a] * u[3 * a + 2];
+        }
+      d.ux *= inverse_jacobian;
+      d.uy *= inverse_jacobian;
+      d.kappa *= inverse_jacobian;
+      return d;
+    }
+
+    /**
+     * Strains from the displacement gradient. Written with 1 - cos(phi) = 2
+     * sin^2(phi/2) so that small strains are not differences of numbers near
+     * one.
+     */
+    template <bool large_rotation, class Number>
+    inline KinematicsOf<Number> kinematics(const FrameOf<Number>    &frame,
+                                           const GradientOf<Number> &d)
+    {
+      const Number p = frame.cosine * d.ux + frame.sine * d.uy,
+                   q = frame.cosine * d.uy - frame.sine * d.ux;
+      KinematicsOf<Number> k;
+      k.kappa = d.kappa;
+      if (large_rotation)
+        {
+          const auto [half_sine, half_cosine] =
+            sine_and_cosine(Number(d.phi / 2));
+          const Number s       = 2 * half_sine * half_cosine;
+          const Number versine = 2 * half_sine * half_sine, c = 1 - versine;
+          k.epsilon = p * c + q * s - frame.axial * versine + frame.shear * s;
+          k.gamma   = q * c - p * s - frame.axial * s - frame.shear * versine;
+          k.cosine  = frame.cosine * c - frame.sine * s;
+          k.sine    = frame.sine * c + frame.cosine * s;
+          k.stretch = k.epsilon + frame.axial;
+          k.slip    = k.gamma + frame.shear;
+        }
+      else
+        {
+          k.epsilon = p + frame.shear * d.phi;
+          k.gamma   = q - frame.axial * d.phi;
+          k.cosine  = frame.cosine;
+          k.sine    = frame.sine;
+          k.stretch = frame.axial;
+          k.slip    = frame.shear;
+        }
+      return k;
+    }
+
+    /** Strain rates from the velocity gradient @p v. */
+    template <class Number>
+    inline void strain_rates(const KinematicsOf<Number> &k,
+                             const GradientOf<Number>   &v,
+                             Number                     &epsilon,
+                             Number                     &gamma)
+    {
+      epsilon = k.cosine * v.ux + k.sine * v.uy + k.slip * v.phi;
+      gamma   = k.cosine * v.uy - k.sine * v.ux - k.stretch * v.phi;
+    }
+
+    /** Strain energy (J) and power lost to damping (W) of an element. */
+    template <class Number>
+    struct EnergyRateOf
+    {
+      Number strain = 0, dissipation = 0;
+    };
+    using EnergyRate = EnergyRateOf<double>;
+
+    /**
+     * Internal force of an element.
+     * @param frames order Gauss points
+     * @param jacobian half the element's length (m)
+     * @param u displacements of the element, 3 (order + 1)
+     * @param v velocities, used only if @p damped
+     * @param force receives 3 (order + 1) nodal forces and moments
+     */
+    template <int order, bool large_rotation, bool damped, class Number>
+    inline EnergyRateOf<Number>
+    internal_force(const BeamShape<order>    &shape,
+                   const FrameOf<Number>     *frames,
+                   const Number               jacobian,
+                   const StiffnessOf<Number> &stiffness,
+                   const Number              *u,
+                   const Number              *v,
+                   Number                    *force)
+    {
+      EnergyRateOf<Number> energy;
+      const Number         inverse_jacobian     = 1 / jacobian;
+      Number               sum[3 * (order + 1)] = {};
+      for (int g = 0; g < order; ++g)
+        {
+          const KinematicsOf<Number> k = kinematics<large_rotation>(
+            frames[g],
+            interpolate(shape, g, inverse_jacobian, u));
+          Number axial        = stiffness.axial * k.epsilon,
+                 shear        = stiffness.shear * k.gamma,
+                 bending      = stiffness.bending * k.kappa;
+          const Number weight = shape.weight[g] * jacobian;
+          energy.strain += weight / 2 *
+            (axial * k.epsilon + shear * k.gamma + bending * k.kappa);
+          if (damped)
+            {
+              const GradientOf<Number> rate =
+                interpolate(shape, g, inverse_jacobian, v);
+              Number epsilon_rate, gamma_rate;
+              strain_rates(k, rate, epsilon_rate, gamma_rate);
+              const Number N = stiffness.damping_time * stiffness.axial *
+                epsilon_rate,
+                           Q = stiffness.damping_time * stiffness.shear *
+                gamma_rate,
+                           M = stiffness.damping_time * stiffness.bending *
+                rate.kappa;
+              energy.dissipation +=
+                weight * (N * epsilon_rate + Q * gamma_rate + M * rate.kappa);
+              axial += N;
+              shear += Q;
+              bending += M;
+            }
+          const double w  = shape.weight[g];
+          const Number fx = w * (k.cosine * axial - k.sine * shear),
+                       fy = w * (k.sine * axial + k.cosine * shear),
+                       m  = w * jacobian * (axial * k.slip - shear * k.stretch);
+          bending *= w;
+          for (int a = 0; a <= order; ++a)
+            {
+              sum[3 * a] += shape.derivative[g][a] * fx;
+              sum[3 * a + 1] += shape.derivative[g][a] * fy;
+              sum[3 * a + 2] += shape.rotation_derivative[g][a] * bending +
+                shape.value[g][a] * m;
+            }
+        }
+      std::copy_n(sum, 3 * (order + 1), force);
+      return energy;
+    }
+
+    /** Adds to a section tangent what axial and shear force have as the section
+     * turns. */
+    template <class Number>
+    inline void add_geometric_part(const KinematicsOf<Number> &k,
+                                   const Number                axial,
+                                   const Number                shear,
+                                   Number (&G)[3][3])
+    {
+      G[0][2] -= shear;
+      G[1][2] += axial;
+      G[2][0] -= shear;
+      G[2][1] += axial;
+      G[2][2] -= axial * k.stretch + shear * k.slip;
+    }
+
+    /**
+     * Tangent of the section forces by (r'.t, r'.n, phi) at a Gauss point, in
+     * that order along rows and columns, in the frame of the turned section.
+     */
+    template <bool large_rotation, bool damped, class Number>
+    inline void section_tangent(const KinematicsOf<Number> &k,
+                                const StiffnessOf<Number>  &stiffness,
+                                const GradientOf<Number>   &velocity,
+                                const double                stiffness_factor,
+                                const double                damping_factor,
+                                Number (&G)[3][3])
+    {
+      const Number beta     = damped ? stiffness.damping_time : 0.;
+      const Number material = stiffness_factor + beta * damping_factor;
+      // Variations of N and Q by r'.t, r'.n, phi.
+      Number dN[3] = {stiffness.axial * material,
+                      0,
+                      stiffness.axial * material * k.slip};
+      Number dQ[3] = {0,
+                      stiffness.shear * material,
+                      -stiffness.shear * material * k.stretch};
+      Number N = stiffness.axial * k.epsilon, Q = stiffness.shear * k.gamma;
+      if (damped)
+        {
+          Number epsilon_rate, gamma_rate;
+          strain_rates(k, velocity, epsilon_rate, gamma_rate);
+          N += beta * stiffness.axial * epsilon_rate;
+          Q += beta * stiffness.shear * gamma_rate;
+          if (large_rotation)
+            {
+              const Number vt = k.cosine * velocity.ux + k.sine * velocity.uy,
+                           vn = k.cosine * velocity.uy - k.sine * velocity.ux,
+                           omega = velocity.phi;
+              const Number a     = beta * stiffness_factor * stiffness.axial,
+                           s     = beta * stiffness_factor * stiffness.shear;
+              dN[1] += a * omega;
+              dN[2] += a * (vn - omega * k.stretch);
+              dQ[0] -= s * omega;
+              dQ[2] -= s * (vt + omega * k.slip);
+            }
+        }
+      for (int j = 0; j < 3; ++j)
+        {
+          G[0][j] = dN[j];
+          G[1][j] = dQ[j];
+          G[2][j] = dN[j] * k.slip - dQ[j] * k.stretch;
+        }
+      if (large_rotation)
+        add_geometric_part(k, stiffness_factor * N, stiffness_factor * Q, G);
+    }
+
+    /** Adds a Gauss point with its section tangent and bending stiffness to the
+     * tangent of an element. */
+    template <int order, class Number>
+    inline void add_section(const BeamShape<order>     &shape,
+                            const int                   g,
+                            const Number                jacobian,
+                            const KinematicsOf<Number> &k,
+                            const Number (&G)[3][3],
+                            const Number bending,
+                            Number      *matrix)
+    {
+      constexpr int n                = 3 * (order + 1);
+      const Number  inverse_jacobian = 1 / jacobian;
+      // The same in the global frame: x = (t, -n)-components turned back.
+      const Number c = k.cosine, s = k.sine;
+      const Number T[2][3] = {{c * G[0][0] - s * G[1][0],
+                               c * G[0][1] - s * G[1][1],
+                               c * G[0][2] - s * G[1][2]},
+                              {s * G[0][0] + c * G[1][0],
+                               s * G[0][1] + c * G[1][1],
+                               s * G[0][2] + c * G[1][2]}};
+      const Number xx      = c * T[0][0] - s * T[0][1],
+                   xy      = s * T[0][0] + c * T[0][1],
+                   yx      = c * T[1][0] - s * T[1][1],
+                   yy      = s * T[1][0] + c * T[1][1],
+                   zx      = c * G[2][0] - s * G[2][1],
+                   zy      = s * G[2][0] + c * G[2][1];
+      const double w       = shape.weight[g];
+      for (int a = 0; a <= order; ++a)
+        for (int b = 0; b <= order; ++b)
+          {
+            const Number dd = w * inverse_jacobian * shape.derivative[g][a] *
+              shape.derivative[g][b],
+                         dv = w * shape.derivative[g][a] * shape.value[g][b],
+                         vd = w * shape.value[g][a] * shape.derivative[g][b],
+                         vv =
+                           w * jacobian * shape.value[g][a] * shape.value[g][b],
+                         kk = w * inverse_jacobian *
+              shape.rotation_derivative[g][a] * shape.rotation_derivative[g][b];
+            Number *block = matrix + 3 * a * n + 3 * b;
+            block[0] += dd * xx;
+            block[1] += dd * xy;
+            block[2] += dv * T[0][2];
+            block[n] += dd * yx;
+            block[n + 1] += dd * yy;
+            block[n + 2] += dv * T[1][2];
+            block[2 * n] += vd * zx;
+            block[2 * n + 1] += vd * zy;
+            block[2 * n + 2] += vv * G[2][2] + kk * bending;
+          }
+    }
+
+    /**
+     * Tangent stiffness_factor * dF/du + damping_factor * dF/dv of the internal
+     * force, row by row into @p matrix (3 (order + 1) squared).
+     */
+    template <int order, bool large_rotation, bool damped, class Number>
+    inline void tangent(const BeamShape<order>    &shape,
+                        const FrameOf<Number>     *frames,
+                        const Number               jacobian,
+                        const StiffnessOf<Number> &stiffness,
+                        const Number              *u,
+                        const Number              *v,
+                        const double               stiffness_factor,
+                        const double               damping_factor,
+                        Number                    *matrix)
+    {
+      constexpr int n                = 3 * (order + 1);
+      const Number  inverse_jacobian = 1 / jacobian;
+      for (int i = 0; i < n * n; ++i)
+        matrix[i] = 0;
+      for (int g = 0; g < order; ++g)
+        {
+          const KinematicsOf<Number> k = kinematics<large_rotation>(
+            frames[g],
+            interpolate(shape, g, inverse_jacobian, u));
+          const GradientOf<Number> rate = damped
+            ? interpolate(shape, g, inverse_jacobian, v)
+            : GradientOf<Number>{0, 0, 0, 0};
+          Number                   G[3][3];
+          section_tangent<large_rotation, damped>(k,
+                                                  stiffness,
+                                                  rate,
+                                                  stiffness_factor,
+                                                  damping_factor,
+                                                  G);
+          const Number bending = stiffness.bending *
+            (stiffness_factor +
+             (damped ? stiffness.damping_time * damping_factor : 0.));
+
+          add_section(shape, g, jacobian, k, G, bending, matrix);
+        }
+    }
+
+    /**
+     * Geometric stiffness: what @p forces at the Gauss points (N, Q and, which
+     * does not count, M at indices 0, 1, 5) add to the tangent at the
+     * displacements @p u.
+     */
+    template <int order, class Forces>
+    inline void geometric_tangent(const BeamShape<order> &shape,
+                                  const Frame            *frames,
+                                  const double            jacobian,
+                                  const double           *u,
+                                  const Forces           *forces,
+                                  double                 *matrix)
+    {
+      constexpr int n = 3 * (order + 1);
+      std::fill(matrix, matrix + n * n, 0.);
+      for (int g = 0; g < order; ++g)
+        {
+          const Kinematics k =
+            kinematics<true>(frames[g], interpolate(shape, g, 1 / jacobian, u));
+          double G[3][3] = {};
+          add_geometric_part(k, forces[g][0], forces[g][1], G);
+          add_section(shape, g, jacobian, k, G, /*bending=*/0., matrix);
+        }
+    }
+  } // namespace Beam2D
+} // namespace auxfem
+
+#endif

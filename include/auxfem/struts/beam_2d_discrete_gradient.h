@@ -1,0 +1,495 @@
+#ifndef auxfem_struts_beam_2d_discrete_gradient_h
+#define auxfem_struts_beam_2d_discrete_gradient_h
+
+#include <auxfem/mathematics/cayley_rotation.h>
+#include <auxfem/struts/beam_2d.h>
+#include <auxfem/struts/beam_dispatch.h>
+
+/**
+ * @file
+ * Mean forces of Beam2D over a step from a state 0 to a state 1 that conserve
+ * energy and momenta (algorithmic strain operators of Simo, Tarnow & Doblare
+ * 1995 and Romero & Armero 2002, in the plane). With a bar for means over the
+ * step, a delta for increments and d = (phi_1 - phi_0) / 2,
+ * @code
+ * stress      = C (E_0 + E_1) / 2 + beta C delta E / dt
+ * d(epsilon)  = (t_0 + t_1)/2 . dr' + (n_0 + n_1)/2 . rbar' dphi_g
+ * d(gamma)    = (n_0 + n_1)/2 . dr' - (t_0 + t_1)/2 . rbar' dphi_g
+ * @endcode
+ * Rotations are measured by Cayley's 2 tan d. With subscripts a for nodes, g
+ * for Gauss points and d_r = (d_first + d_last) / 2 of the ends,
+ * @code
+ * dphi_r = sum_ends cos(d_a) dphi_a / sum_ends cos(d_a)
+ * c_a    = cos(d_a) cos(d_r) / sinc(d_a - d_r)
+ * dphi_g = dphi_r + sinc(d_g - d_r) / (cos(d_g) cos(d_r)) *
+ *            sum_a N_a c_a (dphi_a - dphi_r)
+ * dkappa = sum_a N_a' c_a (dphi_a - dphi_r)
+ * @endcode
+ * For dr = delta r, dphi_a = 2 tan d_a these are the increments of the strains,
+ * exactly; for rigid motions they are zero.
+ */
+namespace auxfem
+{
+  namespace Beam2D
+  {
+    /** Strains, or increments of strains. */
+    template <class Number>
+    struct StrainsOf
+    {
+      Number epsilon, gamma, kappa;
+    };
+
+    /** A Gauss point at the start of a step. */
+    template <class Number>
+    struct PointAtStartOf
+    {
+      StrainsOf<Number> strains;
+      Number            cosine, sine; ///< of t
+      Number            x, y;         ///< r'
+    };
+
+    /** An element at the start of a step, which iterations have in common. */
+    template <int order, class Number = double>
+    struct StepStart
+    {
+      /** Values are not set. */
+      StepStart() = default;
+
+      /** Of displacements @p u. */
+      StepStart(const BeamShape<order> &shape,
+                const FrameOf<Number>  *frames,
+                const Number            jacobian,
+                const Number           *u)
+      {
+        std::copy(u, u + 3 * (order + 1), displacements);
+        for (int g = 0; g < order; ++g)
+          {
+            const FrameOf<Number>   &frame = frames[g];
+            const GradientOf<Number> d =
+              interpolate(shape, g, Number(1 / jacobian), u);
+            const KinematicsOf<Number> k = kinematics<true>(frame, d);
+            points[g]                    = {{k.epsilon, k.gamma, k.kappa},
+                                            k.cosine,
+                                            k.sine,
+                                            frame.axial * frame.cosine - frame.shear * frame.sine +
+                                              d.ux,
+                                            frame.axial * frame.sine + frame.shear * frame.cosine +
+                                              d.uy};
+          }
+      }
+
+      Number                 displacements[3 * (order + 1)];
+      PointAtStartOf<Number> points[order];
+    };
+
+    /** Increments of the displacements of an element in a step. */
+    template <int order, class Number = double>
+    struct NodeIncrements
+    {
+      /** Of displacements @p u0 and @p u1 at start and end. */
+      NodeIncrements(const Number *u0, const Number *u1)
+      {
+        Number cosines[order + 1];
+        for (int a = 0; a <= order; ++a)
+          {
+            x[a]       = u1[3 * a] - u0[3 * a];
+            y[a]       = u1[3 * a + 1] - u0[3 * a + 1];
+            half[a]    = (u1[3 * a + 2] - u0[3 * a + 2]) / 2;
+            cosines[a] = cosine_of_small(half[a]);
+          }
+        reference        = (half[0] + half[1]) / 2;
+        reference_cosine = cosine_of_small(reference);
+        // Both ends are as far from their mean.
+        const Number of_ends =
+          reference_cosine / sinc(Number(half[0] - reference));
+        for (int end = 0; end < 2; ++end)
+          c[end] = cosines[end] * of_ends;
+        for (int a = 2; a <= order; ++a)
+          c[a] =
+            cosines[a] * reference_cosine / sinc(Number(half[a] - reference));
+        of_end[0] = cosines[0] / (cosines[0] + cosines[1]);
+        of_end[1] = 1 - of_end[0];
+      }
+
+      Number x[order + 1], y[order + 1];  ///< of translations
+      Number half[order + 1];             ///< d_a
+      Number reference, reference_cosine; ///< d_r
+      Number c[order + 1];                ///< c_a
+      Number of_end[2];                   ///< dphi_r by dphi_a
+    };
+
+    /** Increments at a Gauss point. */
+    template <class Number>
+    struct PointIncrementsOf
+    {
+      template <int order>
+      PointIncrementsOf(const BeamShape<order>              &shape,
+                        const int                            g,
+                        const Number                         inverse_jacobian,
+                        const NodeIncrements<order, Number> &nodes)
+      {
+        for (int a = 0; a <= order; ++a)
+          {
+            x += shape.derivative[g][a] * nodes.x[a];
+            y += shape.derivative[g][a] * nodes.y[a];
+            kappa += shape.rotation_derivative[g][a] * nodes.half[a];
+            half += shape.value[g][a] * nodes.half[a];
+          }
+        x *= inverse_jacobian;
+        y *= inverse_jacobian;
+        kappa *= 2 * inverse_jacobian;
+      }
+
+      Number x = 0, y = 0; ///< of r'
+      Number kappa = 0;
+      Number half  = 0; ///< d_g
+    };
+
+    /** Kinematics of a Gauss point over a step. */
+    template <class Number>
+    struct StepKinematicsOf
+    {
+      StrainsOf<Number> start, increment;
+      /** Means of t, n = (-sine, cosine) over the step; not of unit length. */
+      Number cosine, sine;
+      Number half_cosine;   ///< cos(d_g), the length of these means
+      Number x, y;          ///< mean of r'
+      Number stretch, slip; ///< mean of r' times the means of t and n
+
+      StrainsOf<Number> end() const
+      {
+        return {start.epsilon + increment.epsilon,
+                start.gamma + increment.gamma,
+                start.kappa + increment.kappa};
+      }
+
+      StrainsOf<Number> mean() const
+      {
+        return {start.epsilon + increment.epsilon / 2,
+                start.gamma + increment.gamma / 2,
+                start.kappa + increment.kappa / 2};
+      }
+    };
+
+    template <class Number>
+    inline StepKinematicsOf<Number>
+    step_kinematics(const PointAtStartOf<Number>    &start,
+                    const PointIncrementsOf<Number> &d)
+    {
+      StepKinematicsOf<Number> k;
+      k.start                = start.strains;
+      const Number half_sine = d.half * sinc(d.half);
+      k.half_cosine          = cosine_of_small(d.half);
+      k.cosine =
+        k.half_cosine * (k.half_cosine * start.cosine - half_sine * start.sine);
+      k.sine =
+        k.half_cosine * (k.half_cosine * start.sine + half_sine * start.cosine);
+      k.x       = start.x + d.x / 2;
+      k.y       = start.y + d.y / 2;
+      k.stretch = k.cosine * k.x + k.sine * k.y;
+      k.slip    = k.cosine * k.y - k.sine * k.x;
+
+      // By increments, not as differences of strains; with them those at the
+      // end cost no sine and cosine.
+      const Number turn = 2 * half_sine / k.half_cosine;
+      k.increment       = {k.cosine * d.x + k.sine * d.y + k.slip * turn,
+                           k.cosine * d.y - k.sine * d.x - k.stretch * turn,
+                           d.kappa};
+      return k;
+    }
+
+    /** How far the rotation of a Gauss point is from d_r, over what nodes with
+     * their c_a give. */
+    template <int order, class Number>
+    inline Number rotation_scale(const NodeIncrements<order, Number> &nodes,
+                                 const PointIncrementsOf<Number>     &point,
+                                 const StepKinematicsOf<Number>      &k)
+    {
+      return sinc(Number(point.half - nodes.reference)) /
+        (k.half_cosine * nodes.reference_cosine);
+    }
+
+    /**
+     * How the rotation at a Gauss point and its slope follow those of the nodes
+     * over a step.
+     */
+    template <int order, class Number>
+    struct RotationShapes
+    {
+      RotationShapes(const BeamShape<order>              &shape,
+                     const int                            g,
+                     const NodeIncrements<order, Number> &increments,
+                     const Number                         scale)
+      {
+        Number sum = 0, slope = 0;
+        for (int a = 0; a <= order; ++a)
+          {
+            value[a]      = shape.value[g][a] * increments.c[a] * scale;
+            derivative[a] = shape.rotation_derivative[g][a] * increments.c[a];
+            sum += value[a];
+            slope += derivative[a];
+          }
+        for (int end = 0; end < 2; ++end)
+          {
+            value[end] += increments.of_end[end] * (1 - sum);
+            derivative[end] -= increments.of_end[end] * slope;
+          }
+      }
+
+      Number value[order + 1];      ///< dphi_g by dphi_a
+      Number derivative[order + 1]; ///< dkappa_g by dphi_a, times J
+    };
+
+    /** Mean section forces over a step: N, Q (N), M (N m). */
+    template <class Number>
+    struct MeanForcesOf
+    {
+      Number axial, shear, bending;
+    };
+
+    /** Elastic ones of the mean strains. */
+    template <class Number>
+    inline MeanForcesOf<Number>
+    mean_forces(const StepKinematicsOf<Number> &k,
+                const StiffnessOf<Number>      &stiffness)
+    {
+      const StrainsOf<Number> mean = k.mean();
+      return {stiffness.axial * mean.epsilon,
+              stiffness.shear * mean.gamma,
+              stiffness.bending * mean.kappa};
+    }
+
+    /**
+     * Adds those of damping, from the increment of the strains over the time
+     * @p dt (s); returns what is lost in the step (J/m).
+     */
+    template <class Number>
+    inline Number add_damping(const StepKinematicsOf<Number> &k,
+                              const StiffnessOf<Number>      &stiffness,
+                              const double                    dt,
+                              MeanForcesOf<Number>           &forces)
+    {
+      const Number rate = stiffness.damping_time / dt;
+      const Number N    = rate * stiffness.axial * k.increment.epsilon,
+                   Q    = rate * stiffness.shear * k.increment.gamma,
+                   M    = rate * stiffness.bending * k.increment.kappa;
+      forces.axial += N;
+      forces.shear += Q;
+      forces.bending += M;
+      return N * k.increment.epsilon + Q * k.increment.gamma +
+        M * k.increment.kappa;
+    }
+
+    /**
+     * Adds those of @p damping at Gauss point @p g; returns what it takes in the
+     * step (J/m).
+     */
+    template <class Number>
+    inline Number add_damping(const StepKinematicsOf<Number>   &k,
+                              const StiffnessOf<Number>        &stiffness,
+                              const IncrementDampingOf<Number> &damping,
+                              const int                         g,
+                              MeanForcesOf<Number>             &forces)
+    {
+      const StrainsOf<Number> &d = k.increment;
+      const Number             N = stiffness.axial * damping(3 * g, d.epsilon),
+                   Q = stiffness.shear * damping(3 * g + 1, d.gamma),
+                   M = stiffness.bending * damping(3 * g + 2, d.kappa);
+      forces.axial += N;
+      forces.shear += Q;
+      forces.bending += M;
+      return N * d.epsilon + Q * d.gamma + M * d.kappa;
+    }
+
+    /** Strain energy at the end of a step, energy lost in it and taken by
+     * IncrementDamping (J). */
+    template <class Number>
+    struct StepEnergyOf
+    {
+      Number strain = 0, lost = 0, taken = 0;
+    };
+
+    /**
+     * Mean force of an element over a step; as internal_force().
+     * @param u1 displacements at the end
+     * @param dt length of the step (s), used only if @p damped
+     */
+    template <int  order,
+              bool damped,
+              class Number,
+              class HighFrequencyDamping = NoIncrementDamping>
+    inline StepEnergyOf<Number>
+    mean_force(const BeamShape<order>                      &shape,
+               const Number                                 jacobian,
+               const StiffnessOf<Number>                   &stiffness,
+               const StepStart<order, Number>              &start,
+               const Number                                *u1,
+               const double                                 dt,
+               Number                                      *force,
+               [[maybe_unused]] const HighFrequencyDamping &damping = {})
+    {
+      StepEnergyOf<Number>                energy;
+      const Number                        inverse_jacobian = 1 / jacobian;
+      const NodeIncrements<order, Number> increments(start.displacements, u1);
+      // By dphi_a - dphi_r over c_a, and by rotations of all nodes alike.
+      Number by_rotations[order + 1] = {}, by_all = 0;
+      for (int i = 0; i < 3 * (order + 1); ++i)
+        force[i] = 0;
+      for (int g = 0; g < order; ++g)
+        {
+          const PointIncrementsOf<Number> point(shape,
+                                                g,
+                                                inverse_jacobian,
+                                                increments);
+          const StepKinematicsOf<Number>  k =
+            step_kinematics(start.points[g], point);
+          const StrainsOf<Number> end    = k.end();
+          MeanForcesOf<Number>    mean   = mean_forces(k, stiffness);
+          const double            w      = shape.weight[g];
+          const Number            weight = w * jacobian;
+          energy.strain += weight / 2 *
+            (stiffness.axial * end.epsilon * end.epsilon +
+             stiffness.shear * end.gamma * end.gamma +
+             stiffness.bending * end.kappa * end.kappa);
+          if (damped)
+            energy.lost += weight * add_damping(k, stiffness, dt, mean);
+          if constexpr (HighFrequencyDamping::is_used)
+            energy.taken +=
+              weight * add_damping(k, stiffness, damping, g, mean);
+          const Number fx = w * (k.cosine * mean.axial - k.sine * mean.shear),
+                       fy = w * (k.sine * mean.axial + k.cosine * mean.shear),
+                       m  = weight *
+            (mean.axial * k.slip - mean.shear * k.stretch);
+          const Number by_value   = m * rotation_scale(increments, point, k),
+                       by_bending = w * mean.bending;
+          for (int a = 0; a <= order; ++a)
+            {
+              force[3 * a] += shape.derivative[g][a] * fx;
+              force[3 * a + 1] += shape.derivative[g][a] * fy;
+              by_rotations[a] += shape.rotation_derivative[g][a] * by_bending +
+                shape.value[g][a] * by_value;
+            }
+          by_all += m;
+        }
+      for (int a = 0; a <= order; ++a)
+        {
+          force[3 * a + 2] = increments.c[a] * by_rotations[a];
+          by_all -= force[3 * a + 2];
+        }
+      for (int end = 0; end < 2; ++end)
+        force[3 * end + 2] += increments.of_end[end] * by_all;
+      return energy;
+    }
+
+    /**
+     * Derivative of mean_force() by @p u1 but for that of the shapes of the
+     * rotation: it vanishes with the rotation increment. Not symmetric: rows
+     * are those of the mean configuration, columns those of the end.
+     * @param stiffness_factor, damping_factor how means and rates of strains
+     *   follow those at the end
+     */
+    template <int  order,
+              bool damped,
+              class Number,
+              class HighFrequencyDamping = NoIncrementDamping>
+    inline void
+    mean_tangent(const BeamShape<order>                      &shape,
+                 const FrameOf<Number>                       *frames,
+                 const Number                                 jacobian,
+                 const StiffnessOf<Number>                   &stiffness,
+                 const StepStart<order, Number>              &start,
+                 const Number                                *u1,
+                 const double                                 dt,
+                 const double                                 stiffness_factor,
+                 const double                                 damping_factor,
+                 Number                                      *matrix,
+                 [[maybe_unused]] const HighFrequencyDamping &damping = {})
+    {
+      constexpr int n                = 3 * (order + 1);
+      const Number  inverse_jacobian = 1 / jacobian;
+      Number        material         = stiffness_factor +
+        (damped ? stiffness.damping_time * damping_factor : 0.);
+      if constexpr (HighFrequencyDamping::is_used)
+        material += damping.in_tangent;
+      const NodeIncrements<order, Number> increments(start.displacements, u1);
+      for (int i = 0; i < n * n; ++i)
+        matrix[i] = 0;
+      for (int g = 0; g < order; ++g)
+        {
+          const PointIncrementsOf<Number> point(shape,
+                                                g,
+                                                inverse_jacobian,
+                                                increments);
+          const StepKinematicsOf<Number>  k =
+            step_kinematics(start.points[g], point);
+          MeanForcesOf<Number> mean = mean_forces(k, stiffness);
+          if (damped)
+            add_damping(k, stiffness, dt, mean);
+          if constexpr (HighFrequencyDamping::is_used)
+            add_damping(k, stiffness, damping, g, mean);
+          // Mean N and Q by x', y' and phi at the end.
+          const Number EA               = material * stiffness.axial,
+                       GA               = material * stiffness.shear,
+                       c                = 2 * k.cosine - start.points[g].cosine,
+                       s                = 2 * k.sine - start.points[g].sine;
+          const StrainsOf<Number> end   = k.end();
+          const Number            dN[3] = {EA * c,
+                                           EA * s,
+                                           EA * (end.gamma + frames[g].shear)},
+                       dQ[3]            = {-GA * s,
+                                           GA * c,
+                                           -GA * (end.epsilon + frames[g].axial)};
+          Number G[3][3];
+          for (int j = 0; j < 3; ++j)
+            {
+              G[0][j] = k.cosine * dN[j] - k.sine * dQ[j];
+              G[1][j] = k.sine * dN[j] + k.cosine * dQ[j];
+              G[2][j] = k.slip * dN[j] - k.stretch * dQ[j];
+            }
+          // The means of t and n turn with half of the rotation at the end.
+          const Number along = c * k.x + s * k.y, across = c * k.y - s * k.x;
+          const Number N = stiffness_factor * mean.axial,
+                       Q = stiffness_factor * mean.shear;
+          G[0][2] -= N * s + Q * c;
+          G[1][2] += N * c - Q * s;
+          G[2][0] -= N * k.sine + Q * k.cosine;
+          G[2][1] += N * k.cosine - Q * k.sine;
+          G[2][2] -= N * along + Q * across;
+
+          const RotationShapes<order, Number> rotation(
+            shape,
+            g,
+            increments,
+            rotation_scale(increments, point, k));
+          const double w = shape.weight[g];
+          const Number bending =
+            w * inverse_jacobian * material * stiffness.bending;
+          for (int a = 0; a <= order; ++a)
+            for (int b = 0; b <= order; ++b)
+              {
+                const double slope = shape.derivative[g][a];
+                const Number dd =
+                  w * inverse_jacobian * slope * shape.derivative[g][b];
+                const double dv = w * slope * shape.value[g][b];
+                const Number vd =
+                  w * rotation.value[a] * shape.derivative[g][b];
+                const Number vv =
+                  w * jacobian * rotation.value[a] * shape.value[g][b];
+                Number *block = matrix + 3 * a * n + 3 * b;
+                for (int i = 0; i < 2; ++i)
+                  {
+                    for (int j = 0; j < 2; ++j)
+                      block[n * i + j] += dd * G[i][j];
+                    block[n * i + 2] += dv * G[i][2];
+                    block[2 * n + i] += vd * G[2][i];
+                  }
+                block[2 * n + 2] += vv * G[2][2] +
+                  bending * rotation.derivative[a] *
+                    shape.rotation_derivative[g][b];
+              }
+        }
+    }
+  } // namespace Beam2D
+} // namespace auxfem
+
+#endif

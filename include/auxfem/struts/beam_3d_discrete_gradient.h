@@ -1,0 +1,334 @@
+#ifndef auxfem_struts_beam_3d_discrete_gradient_h
+#define auxfem_struts_beam_3d_discrete_gradient_h
+
+#include <auxfem/struts/beam_3d_damping.h>
+#include <auxfem/struts/beam_3d_step.h>
+#include <auxfem/struts/beam_dispatch.h>
+
+/**
+ * @file
+ * Mean forces of Beam3D over a step from a state 0 to a state 1 that conserve
+ * energy and momenta (algorithmic strain operators of Simo, Tarnow & Doblare
+ * 1995 and Romero & Armero 2002). With a bar for means over the step, a delta
+ * for increments and Theta, Cayley's measure of the rotation R_1 R_0^T of a
+ * section,
+ * @code
+ * stress       = C (E_0 + E_1) / 2 + beta C delta E / dt
+ * delta Gamma  = Rbar^T (delta r' - Theta x rbar')
+ * delta K      = cof(Rbar)^T Theta'
+ * @endcode
+ * are the increments of the strains, exactly, as R_1 - R_0 = [Theta]x Rbar. The
+ * same with the spins theta = sum A_a theta_a and slopes theta' = sum B_a
+ * theta_a in place of Theta and Theta' are the operators of the virtual work.
+ * A_a and B_a are those of the interpolation of rotations half way between the
+ * states, corrected such that the Cayley rotations Theta_a of the nodes give
+ * Theta and Theta' as well:
+ * @code
+ * A_a <- A_a + (Theta - sum A_b Theta_b) y_a^T / sum |y_b|^2,
+ * y_a  = Theta_a - mean(Theta_b)
+ * @endcode
+ * and B_a alike. As sum y_a = 0, rigid rotations stay such: sum A_a = I,
+ * sum B_a = 0. The correction goes with the square of the step.
+ */
+namespace auxfem
+{
+  namespace Beam3D
+  {
+    /** Mean section force and moment over a step, in axes of the section. */
+    template <class Number>
+    struct MeanForcesOf
+    {
+      VectorOf<Number> force, moment;
+    };
+
+    /** Those of @p strains, which are means. */
+    template <class Number>
+    inline MeanForcesOf<Number>
+    mean_forces(const StrainsOf<Number>   &strains,
+                const StiffnessOf<Number> &stiffness)
+    {
+      return {section_force(stiffness, strains.gamma),
+              section_moment(stiffness, strains.kappa)};
+    }
+
+    /** Mean strains and, with @p damping_rate beta / dt, what damping adds. */
+    template <class Number>
+    inline StrainsOf<Number> mean_strains(const StepPointOf<Number> &point,
+                                          const Number damping_rate)
+    {
+      return {0.5 * (point.start.strains.gamma + point.end.strains.gamma) +
+                damping_rate * point.increment.gamma,
+              0.5 * (point.start.strains.kappa + point.end.strains.kappa) +
+                damping_rate * point.increment.kappa};
+    }
+
+    /** Adds to mean @p strains what @p damping adds at Gauss point @p g, and
+     * returns that. */
+    template <class Number>
+    inline StrainsOf<Number>
+    add_damping(const IncrementDampingOf<Number> &damping,
+                const int                         g,
+                const StrainsOf<Number>          &increment,
+                StrainsOf<Number>                &strains)
+    {
+      StrainsOf<Number> added;
+      for (int i = 0; i < 3; ++i)
+        {
+          added.gamma[i] = damping(6 * g + i, increment.gamma[i]);
+          added.kappa[i] = damping(6 * g + 3 + i, increment.kappa[i]);
+        }
+      strains.gamma += added.gamma;
+      strains.kappa += added.kappa;
+      return added;
+    }
+
+    /** Strain energy at the end of a step, energy lost in it and taken by
+     * IncrementDamping (J). */
+    template <class Number>
+    struct StepEnergyOf
+    {
+      Number strain = 0, lost = 0, taken = 0;
+    };
+
+    /** What ElementGradient takes of mean section forces n and moments m.
+     * @param force, moment n, m in fixed axes */
+    template <class Number>
+    inline GradientOf<Number> mean_gradient(const StepPointOf<Number> &point,
+                                            const VectorOf<Number>    &force,
+                                            const VectorOf<Number>    &moment)
+    {
+      GradientOf<Number> d;
+      d.force  = force;
+      d.couple = dealii::cross_product_3d(force, point.slope);
+      const VectorOf<Number> middle_moment =
+        rotated(conjugate(point.middle.turn), moment);
+      d.by_psi = point.middle.tangent * d.couple +
+        times_tangent_derivative(middle_moment,
+                                 point.middle.coefficients,
+                                 point.middle.psi,
+                                 point.middle.gradient);
+      d.by_gradient = middle_moment * point.middle.tangent;
+      return d;
+    }
+
+    /**
+     * Mean force of an element over a step; as internal_force().
+     * @param nodes order + 1 nodes at the end
+     * @param damping_rate beta / dt, 0 without damping
+     */
+    template <int order,
+              class Number,
+              class HighFrequencyDamping = NoIncrementDamping>
+    inline StepEnergyOf<Number>
+    mean_force(const BeamShape<order>                      &shape,
+               const FrameOf<Number>                       *frames,
+               const Number                                 jacobian,
+               const StiffnessOf<Number>                   &stiffness,
+               const StepStart<order, Number>              &start,
+               const NodeOf<Number>                        *nodes,
+               const Number                                 damping_rate,
+               Number                                      *force,
+               [[maybe_unused]] const HighFrequencyDamping &damping = {})
+    {
+      const StepElement<order, Number> element(start, nodes);
+      StepEnergyOf<Number>             energy;
+      ElementGradient<order, Number>   sum;
+      Number                           on_missing = 0;
+      for (int g = 0; g < order; ++g)
+        {
+          const StepPointOf<Number> point(shape,
+                                          g,
+                                          1 / jacobian,
+                                          frames[g],
+                                          start.sections[g],
+                                          nodes,
+                                          element);
+          const Number              weight  = shape.weight[g] * jacobian;
+          StrainsOf<Number>         strains = mean_strains(point, damping_rate);
+          if constexpr (HighFrequencyDamping::is_used)
+            {
+              const StrainsOf<Number> added =
+                add_damping(damping, g, point.increment, strains);
+              const MeanForcesOf<Number> forces = mean_forces(added, stiffness);
+              energy.taken += weight *
+                (forces.force * point.increment.gamma +
+                 forces.moment * point.increment.kappa);
+            }
+          const MeanForcesOf<Number>  mean = mean_forces(strains, stiffness);
+          const QuaternionOf<Number> &axes = point.start.rotation;
+          const VectorOf<Number>      at_start =
+                                   rotated(axes, frames[g].axes * mean.moment),
+                                 moment = point.determinant *
+            (at_start +
+             dealii::cross_product_3d(VectorOf<Number>(0.5 * point.turn),
+                                      at_start));
+          const GradientOf<Number> d = mean_gradient(
+            point,
+            mean_over_rotation(point.turn,
+                               rotated(axes, frames[g].axes * mean.force)),
+            moment);
+          energy.strain +=
+            weight * energy_density(stiffness, point.end.strains);
+          energy.lost += 2 * damping_rate * weight *
+            energy_density(stiffness, point.increment);
+          sum.add(shape, g, jacobian, d);
+          on_missing += weight *
+            (d.couple * point.missing_turn + moment * point.missing_slope);
+        }
+      VectorOf<Number> moments[order + 1], at_ends;
+      sum.find_moments(element.at_middle, moments, at_ends);
+      for (int a = 0; a <= order; ++a)
+        for (int i = 0; i < 3; ++i)
+          {
+            force[n_components * a + i] = sum.force[a][i];
+            force[n_components * a + 3 + i] =
+              moments[a][i] + on_missing * element.shares[a][i];
+          }
+      return energy;
+    }
+
+    /** Derivatives of mean section forces by slope and rotation at the end of a
+     * step. */
+    template <class Number>
+    struct MeanStiffnessOf
+    {
+      TensorOf<Number> force_by_slope, force_by_spin;   ///< of n
+      TensorOf<Number> couple_by_slope, couple_by_spin; ///< of n x rbar'
+      TensorOf<Number> moment_by_spin, moment_by_spin_slope;
+    };
+
+    template <class Number>
+    inline MeanStiffnessOf<Number>
+    mean_stiffness(const StepPointOf<Number> &point,
+                   const FrameOf<Number>     &frame,
+                   const StiffnessOf<Number> &stiffness,
+                   const StrainsOf<Number>   &mean_strains,
+                   const double               stiffness_factor,
+                   const Number               material_factor)
+    {
+      const TensorOf<Number> start_axes =
+                               rotated(point.start.rotation, frame.axes),
+                             end_axes = rotated(point.end.rotation, frame.axes),
+                             axes     = 0.5 * (start_axes + end_axes),
+                             cofactor = point.determinant *
+        plus_identity(0.5 * cross_product_tensor(point.turn), Number(1)) *
+        start_axes;
+      const VectorOf<Number> ones({1, 1, 1});
+      const VectorOf<Number> by_gamma = section_force(stiffness, ones),
+                             by_kappa = section_moment(stiffness, ones);
+      TensorOf<Number> force_by_gamma, moment_by_kappa;
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+          {
+            force_by_gamma[i][j] = material_factor * axes[i][j] * by_gamma[j];
+            moment_by_kappa[i][j] =
+              material_factor * cofactor[i][j] * by_kappa[j];
+          }
+      const MeanForcesOf<Number> mean = mean_forces(mean_strains, stiffness);
+      const VectorOf<Number>  n = axes * mean.force, m = cofactor * mean.moment;
+      const TensorOf<Number>  slope_cross = cross_product_tensor(point.slope);
+      MeanStiffnessOf<Number> k;
+      k.force_by_slope = force_by_gamma * transpose(end_axes);
+      k.force_by_spin =
+        k.force_by_slope * cross_product_tensor(point.end.slope) -
+        stiffness_factor * cross_product_tensor(end_axes * mean.force);
+      k.couple_by_slope = stiffness_factor * cross_product_tensor(n) -
+        slope_cross * k.force_by_slope;
+      k.couple_by_spin       = -1. * slope_cross * k.force_by_spin;
+      k.moment_by_spin_slope = moment_by_kappa * transpose(end_axes);
+      const TensorOf<Number> turn_by_spin =
+        cayley_change_by_spin(-1. * point.turn);
+      k.moment_by_spin = -stiffness_factor * point.determinant *
+        (cross_product_tensor(start_axes * mean.moment) + dyad(m, point.turn)) *
+        turn_by_spin;
+      return k;
+    }
+
+    /**
+     * Derivative of mean_force() by displacements and spins at the end but for
+     * that of A_a and B_a, row by row. Not symmetric: rows are those of the
+     * mean configuration, columns those of the end.
+     * @param stiffness_factor how mean strains follow those at the end
+     * @param material_factor how stresses over C do, without @p damping
+     */
+    template <int order,
+              class Number,
+              class HighFrequencyDamping = NoIncrementDamping>
+    inline void
+    mean_tangent(const BeamShape<order>                      &shape,
+                 const FrameOf<Number>                       *frames,
+                 const Number                                 jacobian,
+                 const StiffnessOf<Number>                   &stiffness,
+                 const StepStart<order, Number>              &start,
+                 const NodeOf<Number>                        *nodes,
+                 const Number                                 damping_rate,
+                 const double                                 stiffness_factor,
+                 Number                                       material_factor,
+                 Number                                      *matrix,
+                 [[maybe_unused]] const HighFrequencyDamping &damping = {})
+    {
+      if constexpr (HighFrequencyDamping::is_used)
+        material_factor += damping.in_tangent;
+      constexpr int                      n = n_components * (order + 1);
+      const StepElement<order, Number>   element(start, nodes);
+      const NodeOperators<order, Number> at_end(element.end);
+      std::fill_n(matrix, n * n, Number(0));
+      for (int g = 0; g < order; ++g)
+        {
+          const StepPointOf<Number>       point(shape,
+                                          g,
+                                          1 / jacobian,
+                                          frames[g],
+                                          start.sections[g],
+                                          nodes,
+                                          element);
+          const SpinShapes<order, Number> mean(shape,
+                                               g,
+                                               1 / jacobian,
+                                               point,
+                                               element);
+          const SpinShapes<order, Number> end(
+            shape,
+            g,
+            1 / jacobian,
+            RelativePointOf<Number>(shape, g, 1 / jacobian, element.end),
+            at_end);
+          StrainsOf<Number> strains = mean_strains(point, damping_rate);
+          if constexpr (HighFrequencyDamping::is_used)
+            add_damping(damping, g, point.increment, strains);
+          const MeanStiffnessOf<Number> k      = mean_stiffness(point,
+                                                           frames[g],
+                                                           stiffness,
+                                                           strains,
+                                                           stiffness_factor,
+                                                           material_factor);
+          const Number                  weight = shape.weight[g] * jacobian;
+          for (int b = 0; b <= order; ++b)
+            {
+              const Number           Db     = shape.derivative[g][b] / jacobian;
+              const TensorOf<Number> force  = k.force_by_spin * end.value[b],
+                                     couple = k.couple_by_spin * end.value[b],
+                                     moment = k.moment_by_spin * end.value[b] +
+                k.moment_by_spin_slope * end.slope[b];
+              for (int a = 0; a <= order; ++a)
+                {
+                  const double Da = shape.weight[g] * shape.derivative[g][a];
+                  const TensorOf<Number> A = transpose(mean.value[a]),
+                                         B = transpose(mean.slope[a]);
+                  Number *block = matrix + n_components * (a * n + b);
+                  add_block(Da * Db * k.force_by_slope, n, block);
+                  add_block(Da * force, n, block + 3);
+                  add_block(weight * Db * A * k.couple_by_slope,
+                            n,
+                            block + 3 * n);
+                  add_block(weight * (A * couple + B * moment),
+                            n,
+                            block + 3 * n + 3);
+                }
+            }
+        }
+    }
+  } // namespace Beam3D
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,273 @@
+#ifndef auxfem_struts_beam_3d_strains_h
+#define auxfem_struts_beam_3d_strains_h
+
+#include <auxfem/mathematics/rotation_operators.h>
+#include <auxfem/struts/beam_shape.h>
+
+#include <array>
+
+namespace auxfem
+{
+  /**
+   * The geometrically exact beam in space of Simo (1985) and Simo & Vu-Quoc
+   * (1986). Axis r(s); the section turns by P(s) from its axes R0 at rest to
+   * R = P R0, of which 1 is normal to the section, 2 and 3 are in it. In
+   * components along these axes,
+   *
+   *     Gamma = R^T r' - R0^T r0'       N = EA Gamma_1, Q_2 = kGA_2 Gamma_2,
+   *                                     Q_3 = kGA_3 Gamma_3
+   *     K     = R^T axial(P' P^T)       T = GJ K_1, M_2 = EI_2 K_2,
+   *                                     M_3 = EI_3 K_3
+   *
+   * K is the change of curvature and torsion, so any curved and twisted strut
+   * is free of stress at rest. M_3 bends the plane of axes 1 and 2, in which
+   * Q_2 acts: with axis 3 along z this is Beam2D.
+   *
+   * P is interpolated as Crisfield & Jelenic (1999, Proceedings of the Royal
+   * Society A 455, 1125-1147) do: relative to the middle rotation P_r of the
+   * element's ends,
+   *
+   *     P(s) = exp(psi(s)) P_r,   psi = sum N_a psi_a,   exp(psi_a) = P_a
+   * P_r^-1,
+   *
+   * for any order objective and a function of the state alone, in a plane the
+   * interpolation of the angle. P and not R is interpolated: R0 at the Gauss
+   * points can then be that of the exact axis, and small strains are not
+   * differences of numbers near one. The ends of an element must turn by less
+   * than two half turns relative to each other, neighbouring nodes by less than
+   * one.
+   *
+   * With T of rotation_operators.h the curvature is R K = exp(psi) T(psi) psi'.
+   * Spins theta_a (P_a <- exp(theta_a) P_a) turn P_r by
+   *
+   *     rho = V_0 theta_0 + V_1 theta_1,   V_0, V_1 = (I +- tau [chi]x) / 2,
+   *     tau = tan(|chi| / 2) / |chi|,      chi = psi_1 = -psi_0,
+   *
+   * and change psi_a, seen from a frame that turns with P_r, by
+   * T(-psi_a)^-1 (theta_a - rho).
+   *
+   * Unknowns of an element: displacement and spin node by node,
+   * u_x, u_y, u_z, theta_x, theta_y, theta_z. The tangent is the derivative of
+   * the residual by spins; it is symmetric where moments at nodes balance.
+   *
+   * @p Number is double or, of several elements at a time, Lanes.
+   */
+  namespace Beam3D
+  {
+    /** Undeformed axis at a Gauss point. */
+    template <class Number>
+    struct FrameOf
+    {
+      TensorOf<Number> axes;  ///< section axes 1, 2, 3 as columns
+      VectorOf<Number> slope; ///< r0', of unit length for a straight strut
+    };
+    using Frame = FrameOf<double>;
+
+    /** Section stiffness: EA, kGA_2, kGA_3 (N); GJ, EI_2, EI_3 (N m2). */
+    template <class Number>
+    struct StiffnessOf
+    {
+      Number axial, shear_2, shear_3;
+      Number torsion, bending_2, bending_3;
+    };
+    using Stiffness = StiffnessOf<double>;
+
+    /** Motion of a node since rest. */
+    template <class Number>
+    struct NodeOf
+    {
+      VectorOf<Number>     displacement; ///< m
+      QuaternionOf<Number> rotation;     ///< of unit norm
+    };
+    using Node = NodeOf<double>;
+
+    /** Strains in components along the section's axes. */
+    template <class Number>
+    struct StrainsOf
+    {
+      /** Axial strain, shear strains along axes 2 and 3. */
+      VectorOf<Number> gamma;
+      VectorOf<Number> kappa; ///< torsion, curvature about axes 2 and 3 (1/m)
+    };
+    using Strains = StrainsOf<double>;
+
+    /** Unknowns of a node. */
+    constexpr int n_components = 6;
+
+    /** psi and its derivative by s at a point. */
+    template <class Number>
+    struct RelativeRotationOf
+    {
+      VectorOf<Number> psi, gradient;
+    };
+
+    /** Rotations of the nodes relative to the middle of the element's ends. */
+    template <int order, class Number = double>
+    struct RelativeRotations
+    {
+      QuaternionOf<Number> middle;         ///< P_r
+      VectorOf<Number>     psi[order + 1]; ///< of the nodes (rad)
+
+      explicit RelativeRotations(const NodeOf<Number> *nodes)
+      {
+        // Signs such that neighbours along the axis lie in one hemisphere.
+        QuaternionOf<Number> rotations[order + 1];
+        rotations[0] = nodes[0].rotation;
+        int before   = 0;
+        for (int i = 1; i <= order; ++i)
+          {
+            // Both ends come before the inner nodes.
+            const int a    = i == order ? 1 : i + 1;
+            Number    sign = 1;
+            where(dot(nodes[a].rotation, rotations[before]) < 0, sign) = -1;
+            rotations[a] = sign * nodes[a].rotation;
+            before       = a;
+          }
+        middle = normalized(rotations[0] + rotations[1]);
+        const QuaternionOf<Number> inverse = conjugate(middle);
+        for (int a = 0; a <= order; ++a)
+          psi[a] = rotation_vector(rotations[a] * inverse);
+      }
+
+      /** At Gauss point @p g. */
+      RelativeRotationOf<Number> at_point(const BeamShape<order> &shape,
+                                          const int               g,
+                                          const Number inverse_jacobian) const
+      {
+        RelativeRotationOf<Number> point;
+        for (int a = 0; a <= order; ++a)
+          {
+            point.psi += shape.value[g][a] * psi[a];
+            point.gradient +=
+              shape.rotation_derivative[g][a] * inverse_jacobian * psi[a];
+          }
+        return point;
+      }
+
+      /** P at a point where the shape functions are @p values. */
+      QuaternionOf<Number> at(const double *values) const
+      {
+        VectorOf<Number> p;
+        for (int a = 0; a <= order; ++a)
+          p += values[a] * psi[a];
+        return exponential(p) * middle;
+      }
+    };
+
+    /** Kinematics at a Gauss point, in the notation above. */
+    template <class Number>
+    struct KinematicsOf
+    {
+      StrainsOf<Number> strains;
+      VectorOf<Number>  slope;         ///< r'
+      VectorOf<Number>  psi, gradient; ///< psi, psi'
+      TensorOf<Number>  axes;          ///< R
+      TensorOf<Number>  middle_axes;   ///< P_r R0
+      /** Of psi. */
+      RotationCoefficientsOf<Number> coefficients;
+    };
+    using Kinematics = KinematicsOf<double>;
+
+    /** u' at Gauss point @p g. */
+    template <int order, class Number>
+    inline VectorOf<Number> displacement_slope(const BeamShape<order> &shape,
+                                               const int               g,
+                                               const Number inverse_jacobian,
+                                               const NodeOf<Number> *nodes)
+    {
+      VectorOf<Number> slope;
+      for (int a = 0; a <= order; ++a)
+        slope +=
+          shape.derivative[g][a] * inverse_jacobian * nodes[a].displacement;
+      return slope;
+    }
+
+    template <int order, class Number>
+    inline KinematicsOf<Number>
+    kinematics(const BeamShape<order>                 &shape,
+               const int                               g,
+               const Number                            inverse_jacobian,
+               const FrameOf<Number>                  &frame,
+               const NodeOf<Number>                   *nodes,
+               const RelativeRotations<order, Number> &relative)
+    {
+      const VectorOf<Number> stretch =
+        displacement_slope(shape, g, inverse_jacobian, nodes);
+      const auto [psi, gradient] =
+        relative.at_point(shape, g, inverse_jacobian);
+      const RotationCoefficientsOf<Number> c(psi);
+      const QuaternionOf<Number>           turn     = exponential(psi);
+      const QuaternionOf<Number>           rotation = turn * relative.middle,
+                                 inverse            = conjugate(rotation);
+      KinematicsOf<Number> point{{},
+                                 frame.slope + stretch,
+                                 psi,
+                                 gradient,
+                                 rotated(rotation, frame.axes),
+                                 rotated(relative.middle, frame.axes),
+                                 c};
+      point.strains.gamma =
+        (rotated(inverse, stretch) + rotation_change(inverse, frame.slope)) *
+        frame.axes;
+      point.strains.kappa =
+        (tangent_operator(c, psi) * gradient) * point.middle_axes;
+      return point;
+    }
+
+    /** Kinematics of an element: what its forces and tangents start from. */
+    template <int order, class Number = double>
+    struct ElementKinematics
+    {
+      RelativeRotations<order, Number>        relative;
+      std::array<KinematicsOf<Number>, order> points; ///< Gauss points
+
+      /**
+       * @param frames order Gauss points
+       * @param jacobian half the element's length (m)
+       * @param nodes order + 1 nodes
+       */
+      ElementKinematics(const BeamShape<order> &shape,
+                        const FrameOf<Number>  *frames,
+                        const Number            jacobian,
+                        const NodeOf<Number>   *nodes)
+        : relative(nodes)
+      {
+        for (int g = 0; g < order; ++g)
+          points[g] =
+            kinematics(shape, g, 1 / jacobian, frames[g], nodes, relative);
+      }
+    };
+
+    /** Force N, Q_2, Q_3 (N) or moment T, M_2, M_3 (N m) from its strain. */
+    template <class Number>
+    inline VectorOf<Number> section_force(const StiffnessOf<Number> &stiffness,
+                                          const VectorOf<Number>    &gamma)
+    {
+      return VectorOf<Number>({stiffness.axial * gamma[0],
+                               stiffness.shear_2 * gamma[1],
+                               stiffness.shear_3 * gamma[2]});
+    }
+
+    /** @copydoc section_force */
+    template <class Number>
+    inline VectorOf<Number> section_moment(const StiffnessOf<Number> &stiffness,
+                                           const VectorOf<Number>    &kappa)
+    {
+      return VectorOf<Number>({stiffness.torsion * kappa[0],
+                               stiffness.bending_2 * kappa[1],
+                               stiffness.bending_3 * kappa[2]});
+    }
+
+    /** Strain energy per length (J/m). */
+    template <class Number>
+    inline Number energy_density(const StiffnessOf<Number> &stiffness,
+                                 const StrainsOf<Number>   &strains)
+    {
+      return (strains.gamma * section_force(stiffness, strains.gamma) +
+              strains.kappa * section_moment(stiffness, strains.kappa)) /
+        2;
+    }
+  } // namespace Beam3D
+} // namespace auxfem
+
+#endif

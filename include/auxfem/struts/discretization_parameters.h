@@ -1,0 +1,39 @@
+#ifndef auxfem_struts_discretization_parameters_h
+#define auxfem_struts_discretization_parameters_h
+
+#include <auxfem/mesh/strut_mesh.h>
+#include <auxfem/parameters/subsection_schema.h>
+
+#include <optional>
+
+namespace auxfem
+{
+  /** `Discretization`. */
+  struct DiscretizationParameters
+  {
+    unsigned int order = 3; ///< polynomial order 1..6, in space 1..4
+    /** Global refinements: 2^n elements a strut. */
+    unsigned int refinements = 0;
+    /** Error that elements are chosen for (1); nothing: they are those given
+     * here. */
+    std::optional<double> tolerance = {};
+
+    StrutDivision common_division() const
+    {
+      return {order, 1u << refinements};
+    }
+  };
+
+  /** `Discretization`. */
+  SubsectionSchema discretization_schema();
+
+  /**
+   * The values of that subsection.
+   * @param is_chosen_by_default whether `Order = default` is `auto` in the
+   *   scene's analysis
+   */
+  DiscretizationParameters read_discretization(const ParameterValues &values,
+                                               bool is_chosen_by_default);
+} // namespace auxfem
+
+#endif

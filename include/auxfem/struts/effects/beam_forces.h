@@ -1,0 +1,402 @@
+#ifndef auxfem_struts_effects_beam_forces_h
+#define auxfem_struts_effects_beam_forces_h
+
+#include <auxfem/struts/effects/beam_elements.h>
+#include <auxfem/struts/effects/beam_mean_forces.h>
+#include <auxfem/struts/effects/beam_samples.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+/**
+ * Before a function: everything it calls becomes one piece with it, which a
+ * compiler would find too large. Not with sanitizers, whose checks would make
+ * minutes of compiling of it.
+ */
+#ifdef AUXFEM_SANITIZERS
+#  define AUXFEM_ONE_PIECE
+#else
+#  define AUXFEM_ONE_PIECE [[gnu::flatten]]
+#endif
+
+namespace auxfem
+{
+  /**
+   * Internal forces of struts as beams of one kind. What depends on the
+   * dimension and on the theory is in @p Beam, a class of static functions:
+   * `order`, `n_components`, `is_linear`, `is_damped`; types `Undamped`, the
+   * same without damping, `AtRest`, which both have in common, and `Motion` (of
+   * an element's nodes) of double, `AtRestOf<Lanes>` and `MotionOf<Lanes>` of
+   * several elements; functions `frame`, `stiffness`, `hold_shear`,
+   * `least_bending`, `largest_stiffness` for the element at rest, `motion`,
+   * `internal_force`, `tangent_motion`, `tangent` for its forces,
+   * `geometric_tangent`, `elastic_forces`, `viscous_forces` (of several motions
+   * of the same positions) at its Gauss points, and `rotation`, `axes` for
+   * output, `strain_product` for energies. With large rotations it has a type
+   * `StepStart`, what the iterations of a step have in common of several
+   * elements, and functions `end_of_step`, `mean_force` and `mean_tangent`.
+   *
+   * Forces, their tangents and the work of damping are computed of several
+   * elements at a time.
+   */
+  template <class Beam>
+  class BeamForces : public BeamSamples<typename Beam::Undamped>
+  {
+    using Samples = BeamSamples<typename Beam::Undamped>;
+
+  public:
+    BeamForces(const Lattice              &lattice,
+               const DofNumbering         &numbering,
+               const DofNumbering::Group  &group,
+               const std::vector<Section> &sections,
+               const StrutModel           &model)
+      : Samples({lattice, numbering, group, sections, model.shear_flexibility})
+      , mean_forces(beams, model.high_frequency_damping)
+    {}
+
+    void register_in(StateLayout &layout) override
+    {
+      strain_entry = layout.energies.enter(strain_energy_entry());
+      mean_forces.register_in(layout);
+      if (mean_forces.damps_high_frequencies())
+        numerical_entry = layout.energies.enter(numerical_energy_entry());
+      if (!Beam::is_damped)
+        return;
+      layout.velocity = true;
+      damping_entry   = layout.energies.enter(
+        {EnergyKind::dissipated,
+           "strut_damping_dissipated",
+           "energy lost by stiffness-proportional damping of the struts since "
+             "the start"});
+      numerical_entry = layout.energies.enter(numerical_energy_entry());
+    }
+
+    std::unique_ptr<EffectResults> make_results() const override
+    {
+      return std::make_unique<Results>(beams.size());
+    }
+
+    void add_residual(const Evaluation &evaluation,
+                      double           *residual,
+                      EffectResults    *results) const override
+    {
+      auto &of_struts  = static_cast<Results &>(*results);
+      of_struts.energy = {};
+      if (evaluation.kind == Evaluation::Kind::between)
+        mean_forces.for_each_force(
+          evaluation,
+          of_struts.starts,
+          [&](const ElementBatch        &batch,
+              const BeamEnergyOf<Lanes> &energy,
+              const Lanes(&force)[n]) {
+            add_forces(batch, energy, force, residual, of_struts);
+          });
+      else
+        beams.for_each_batch([&](const ElementBatch &batch) {
+          Lanes      force[n];
+          const auto energy = Beam::internal_force(
+            beams.shape,
+            beams.at_rest(batch),
+            Beam::motion(beams.numbering, beams.unknowns(batch), evaluation.to),
+            force);
+          add_forces(batch, energy, force, residual, of_struts);
+        });
+    }
+
+    void add_tangent(const Evaluation                     &evaluation,
+                     [[maybe_unused]] const EffectResults *results,
+                     const TangentFactors                 &of_scheme,
+                     TangentMatrix &matrix) const override
+    {
+      TangentFactors factors = of_scheme;
+      if (factors.stiffness == 0 && factors.damping == 0)
+        return;
+      if (evaluation.kind == Evaluation::Kind::between)
+        {
+          if constexpr (Beam::is_linear)
+            factors.stiffness += mean_forces.stiffness_of_damping(evaluation);
+          else
+            {
+              mean_forces.add_tangent(
+                evaluation,
+                static_cast<const Results &>(*results).starts,
+                factors,
+                matrix);
+              return;
+            }
+        }
+      add_tangent_at_end(evaluation, factors, matrix);
+    }
+
+    void add_geometric_tangent(const ForceChange &change,
+                               const unsigned int /*effect*/,
+                               TangentMatrix &matrix) const override
+    {
+      if constexpr (!Beam::is_linear)
+        {
+          double        block[n * n];
+          SectionForces forces[order], before[order];
+          for (unsigned int e = 0; e < beams.size(); ++e)
+            {
+              this->elastic_forces(e, change.to, forces);
+              this->elastic_forces(e, change.from, before);
+              for (int g = 0; g < order; ++g)
+                for (unsigned int k = 0; k < 6; ++k)
+                  forces[g][k] = change.factor * (forces[g][k] - before[g][k]);
+              Beam::Undamped::geometric_tangent(beams.shape,
+                                                beams.at_rest(e),
+                                                beams.motion(e, change.state),
+                                                forces,
+                                                block);
+              matrix.add(beams.group.begin + e, block);
+            }
+        }
+    }
+
+    void account(const Evaluation & /*evaluation*/,
+                 const EffectResults *results,
+                 EnergyAccount       &account) const override
+    {
+      account.add(strain_entry, energy_of(results).strain);
+    }
+
+    void account_step(const Evaluation    &step,
+                      const EffectResults *results,
+                      EnergyAccount       &account) const override
+    {
+      if (mean_forces.damps_high_frequencies() &&
+          step.kind == Evaluation::Kind::between)
+        account.add_in_step(numerical_entry, energy_of(results).taken);
+      if constexpr (Beam::is_damped)
+        {
+          if (!account.takes_time())
+            return;
+          if (step.kind == Evaluation::Kind::between)
+            {
+              account.add_in_step(damping_entry,
+                                  energy_of(results).dissipation);
+              return;
+            }
+          const DampingWork damping =
+            damping_work<Beam>(beams, step, account.motion());
+          account.add_in_step(damping_entry, damping.lost);
+          account.add_in_step(numerical_entry,
+                              damping.of_forces - damping.lost);
+        }
+    }
+
+    void account_stage(const Evaluation & /*stage*/,
+                       const EffectResults *results,
+                       EnergyAccount       &account) const override
+    {
+      if (Beam::is_damped)
+        account.add_power(damping_entry, energy_of(results).dissipation);
+    }
+
+    StageTerms::StageNeeds stage_needs() const override
+    {
+      return Beam::is_damped ? StageTerms::StageNeeds::results
+                             : StageTerms::StageNeeds::state;
+    }
+
+    void raise_forces(const Evaluation & /*evaluation*/,
+                      const EffectResults *results,
+                      double              *forces) const override
+    {
+      const auto &of_struts = static_cast<const BeamResults &>(*results);
+      for (unsigned int e = 0; e < beams.size(); ++e)
+        raise_nodes(e, of_struts.forces[e], forces);
+    }
+
+    void raise_uncertain_forces(const Evaluation &evaluation,
+                                const EffectResults * /*results*/,
+                                const LargestMotion &largest,
+                                double              *forces) const override
+    {
+      // Mean forces take displacements relative to a node, which are those of
+      // an element that turns at most: twice its length.
+      const double most =
+        !Beam::is_linear && evaluation.kind == Evaluation::Kind::between
+        ? 4
+        : std::numeric_limits<double>::infinity();
+      for (unsigned int e = 0; e < beams.size(); ++e)
+        {
+          const typename Beam::AtRest at_rest = beams.at_rest(e);
+          const double                strain =
+            std::min(most, largest.displacement / at_rest.jacobian) +
+            std::min(1., largest.rotation);
+          double with_rate = strain;
+          if constexpr (Beam::is_damped)
+            with_rate += at_rest.stiffness.damping_time *
+              (evaluation.rates_are_differences()
+                 ? strain / evaluation.dt
+                 : largest.velocity / at_rest.jacobian + largest.spin);
+          raise_nodes(e,
+                      Beam::largest_stiffness(at_rest.stiffness) * with_rate,
+                      forces);
+        }
+    }
+
+  private:
+    using Samples::beams;
+    static constexpr int order        = Beam::order;
+    static constexpr int n_components = Beam::n_components;
+    static constexpr int n            = BeamMeanForces<Beam>::Elements::n;
+    /** Components of displacements, before those of rotations. */
+    static constexpr int n_translations = n_components == 3 ? 2 : 3;
+
+    struct Results : public BeamResults
+    {
+      using BeamResults::BeamResults;
+
+      typename BeamMeanForces<Beam>::Starts starts;
+    };
+
+    /** Strain energy (J) and power lost by damping (W), between two states the
+     * energy lost in the step (J). */
+    static const BeamEnergy &energy_of(const EffectResults *results)
+    {
+      return static_cast<const BeamResults &>(*results).energy;
+    }
+
+    void viscous_forces(
+      [[maybe_unused]] const unsigned int e,
+      [[maybe_unused]] const State       &state,
+      [[maybe_unused]] SectionForces (&of_points)[order]) const override
+    {
+      if constexpr (Beam::is_damped)
+        {
+          const typename Beam::Motion motions[] = {
+            Beam::motion(beams.numbering, beams.unknowns(e), state)};
+          SectionForces of_motions[1][order];
+          Beam::viscous_forces(beams.shape,
+                               beams.at_rest(e),
+                               motions,
+                               of_motions);
+          std::copy_n(of_motions[0], order, of_points);
+        }
+    }
+
+    /** Adds the @p force of several elements, and enters what they do. */
+    void add_forces(const ElementBatch        &batch,
+                    const BeamEnergyOf<Lanes> &energy,
+                    const Lanes (&force)[n],
+                    double      *residual,
+                    BeamResults &results) const
+    {
+      const Lanes largest =
+        largest_at_ends(force, batch.numbers([&](const unsigned int e) {
+          return beams[e].length;
+        }));
+      for (unsigned int lane = 0; lane < batch.size; ++lane)
+        {
+          const unsigned int e = batch.elements[lane];
+          add_lane(force, lane, beams.unknowns(e), residual);
+          if (beams[e].owned)
+            {
+              results.energy.strain += number_in(energy.strain, lane);
+              results.energy.dissipation += number_in(energy.dissipation, lane);
+              results.energy.taken += number_in(energy.taken, lane);
+            }
+          results.forces[e]          = number_in(largest, lane);
+          results.strain_energies[e] = number_in(energy.strain, lane);
+        }
+    }
+
+    /** Adds the tangent of the internal forces at the end of the step. */
+    void add_tangent_at_end(const Evaluation     &evaluation,
+                            const TangentFactors &factors,
+                            TangentMatrix        &matrix) const
+    {
+      beams.for_each_batch([&](const ElementBatch &batch) {
+        Lanes block[n * n];
+        Beam::tangent(beams.shape,
+                      beams.at_rest(batch),
+                      Beam::tangent_motion(beams.numbering,
+                                           beams.unknowns(batch),
+                                           evaluation,
+                                           factors),
+                      factors,
+                      block);
+        beams.add_blocks(batch, block, matrix);
+      });
+    }
+
+    /** As in BeamResults. */
+    static Lanes largest_at_ends(const Lanes (&force)[n], const Lanes &length)
+    {
+      using std::abs, std::max;
+      Lanes of_forces = 0, of_moments = 0;
+      // The first two nodes.
+      for (int a = 0; a < 2; ++a)
+        for (int c = 0; c < n_components; ++c)
+          {
+            Lanes &largest = c < n_translations ? of_forces : of_moments;
+            largest        = max(largest, abs(force[n_components * a + c]));
+          }
+      return max(of_forces, Lanes(of_moments / length));
+    }
+
+    /** Raises @p forces in the rows of element @p e to @p force (N). */
+    void
+    raise_nodes(const unsigned int e, const double force, double *forces) const
+    {
+      const int   *unknowns = beams.unknowns(e);
+      const double moment   = force * beams[e].length;
+      for (int a = 0; a <= order; ++a)
+        for (int c = 0; c < n_components; ++c)
+          {
+            double &row = forces[unknowns[n_components * a + c]];
+            row         = std::max(row, c < n_translations ? force : moment);
+          }
+    }
+
+    BeamMeanForces<Beam> mean_forces;
+    unsigned int strain_entry = 0, damping_entry = 0, numerical_entry = 0;
+  };
+
+  /** @name Struts of a polynomial order, all variants. */
+  ///@{
+  std::unique_ptr<StrutForces>
+  make_plane_struts(const Lattice              &lattice,
+                    const DofNumbering         &numbering,
+                    const DofNumbering::Group  &group,
+                    const std::vector<Section> &sections,
+                    const StrutModel           &model);
+
+  std::unique_ptr<StrutForces>
+  make_space_struts(const Lattice              &lattice,
+                    const DofNumbering         &numbering,
+                    const DofNumbering::Group  &group,
+                    const std::vector<Section> &sections,
+                    const StrutModel           &model);
+  ///@}
+
+  /** The variant of @p Beam <order, large_rotation, damped> that @p model asks for. */
+  template <template <int, bool, bool> class Beam, int order>
+  std::unique_ptr<StrutForces>
+  make_struts_of_order(const Lattice              &lattice,
+                       const DofNumbering         &numbering,
+                       const DofNumbering::Group  &group,
+                       const std::vector<Section> &sections,
+                       const StrutModel           &model)
+  {
+    const auto make = [&](auto large_rotation,
+                          auto damped) -> std::unique_ptr<StrutForces> {
+      return std::make_unique<BeamForces<Beam<order, large_rotation, damped>>>(
+        lattice,
+        numbering,
+        group,
+        sections,
+        model);
+    };
+    const std::true_type  yes;
+    const std::false_type no;
+    if (model.large_rotation)
+      return model.damping ? make(yes, yes) : make(yes, no);
+    return model.damping ? make(no, yes) : make(no, no);
+  }
+} // namespace auxfem
+
+#endif

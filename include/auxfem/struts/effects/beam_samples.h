@@ -1,0 +1,389 @@
+#ifndef auxfem_struts_effects_beam_samples_h
+#define auxfem_struts_effects_beam_samples_h
+
+#include <auxfem/struts/effects/beam_elements.h>
+#include <auxfem/struts/effects/struts.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace auxfem
+{
+  /**
+   * Strain energy (J) of an element and power lost in it (W); of mean forces
+   * over a step the energy lost in it and taken by the damping of high
+   * frequencies (J).
+   */
+  template <class Number>
+  struct BeamEnergyOf
+  {
+    Number strain = 0, dissipation = 0, taken = 0;
+  };
+  using BeamEnergy = BeamEnergyOf<double>;
+
+  /** What struts do in one evaluation. */
+  struct BeamResults : public EffectResults
+  {
+    explicit BeamResults(const unsigned int n_elements)
+      : forces(n_elements)
+      , strain_energies(n_elements)
+    {}
+
+    /** Of all that are counted by this rank. */
+    BeamEnergy energy;
+    /**
+     * Of every element, the largest force at its ends (N); moments divided by
+     * the length of the strut.
+     */
+    std::vector<double> forces;
+    /** Of every element (J). */
+    std::vector<double> strain_energies;
+  };
+
+  /** What output and watches ask of struts as beams of one kind. @p Beam is as in
+   * BeamForces, without damping. */
+  template <class Beam>
+  class BeamSamples : public StrutForces
+  {
+  public:
+    explicit BeamSamples(BeamElements<Beam> &&beams) : beams(std::move(beams))
+    {}
+
+    const DofNumbering::Group &elements() const override
+    {
+      return beams.group;
+    }
+
+    bool is_linear() const override
+    {
+      return Beam::is_linear;
+    }
+
+    std::vector<StrutPoint> sample(const State       &state,
+                                   const unsigned int of_numbering,
+                                   const unsigned int n_points) const override
+    {
+      const unsigned int          e       = index(of_numbering);
+      const typename Beam::AtRest at_rest = beams.at_rest(e);
+      const typename Beam::Motion motion  = beams.motion(e, state);
+      SectionForces               elastic[order], viscous[order] = {};
+      Beam::elastic_forces(beams.shape, at_rest, motion, elastic);
+      viscous_forces(e, state, viscous);
+      find_moments(elastic);
+      find_moments(viscous);
+
+      std::vector<StrutPoint> points(n_points);
+      for (unsigned int i = 0; i < n_points; ++i)
+        {
+          const double xi = -1 + 2. * i / (n_points - 1);
+          double       N[order + 1], H[order];
+          beams.shape.values_at(xi, N);
+          beams.shape.gauss_interpolation_at(xi, H);
+          StrutPoint          &point = points[i];
+          dealii::Tensor<1, 3> tangent;
+          axis_at(e, xi, point.position, tangent);
+          point.displacement = interpolated(N, e, state.displacement);
+          if (state.velocity)
+            point.velocity = interpolated(N, e, *state.velocity);
+          point.rotation = Beam::rotation(N, motion, beams.unknowns(e), state);
+          point.axes =
+            Beam::axes(tangent, beams.section(e).reference, point.rotation);
+          SectionForces E = {}, V = {};
+          for (int g = 0; g < order; ++g)
+            for (unsigned int k = 0; k < 6; ++k)
+              {
+                E[k] += H[g] * elastic[g][k];
+                V[k] += H[g] * viscous[g][k];
+              }
+          for (unsigned int k = 0; k < 3; ++k)
+            {
+              point.force[k]  = E[k] + V[k];
+              point.moment[k] = E[3 + k] + V[3 + k];
+            }
+          point.energy_density =
+            Beam::strain_product(at_rest.stiffness, E, E) / 2;
+        }
+      return points;
+    }
+
+    double energy_density(const unsigned int   of_numbering,
+                          const SectionForces &forces) const override
+    {
+      return Beam::strain_product(beams.at_rest(index(of_numbering)).stiffness,
+                                  forces,
+                                  forces) /
+        2;
+    }
+
+    std::vector<dealii::Point<3>>
+    axis(const Vector      &displacement,
+         const unsigned int of_numbering,
+         const unsigned int n_points) const override
+    {
+      const unsigned int            e = index(of_numbering);
+      std::vector<dealii::Point<3>> points(n_points);
+      for (unsigned int i = 0; i < n_points; ++i)
+        {
+          const double xi = -1 + 2. * i / (n_points - 1);
+          double       N[order + 1];
+          beams.shape.values_at(xi, N);
+          dealii::Tensor<1, 3> tangent;
+          axis_at(e, xi, points[i], tangent);
+          points[i] += interpolated(N, e, displacement);
+        }
+      return points;
+    }
+
+    ScaledMotion scaled_motion(const State       &state,
+                               const unsigned int of_numbering) const override
+    {
+      const unsigned int e = index(of_numbering);
+      SectionForces      elastic[order];
+      elastic_forces(e, state, elastic);
+      find_moments(elastic);
+      ScaledMotion motion;
+      for (const SectionForces &forces : elastic)
+        motion.strains.push_back(
+          scaled_strains(beams.at_rest(e).stiffness, forces));
+      if (!state.acceleration)
+        return motion;
+      const double scale = std::sqrt(beams.section(e).mass_per_length());
+      const dealii::QGauss<1> gauss(order + 1);
+      for (const dealii::Point<1> &point : gauss.get_points())
+        {
+          double N[order + 1];
+          beams.shape.values_at(2 * point[0] - 1, N);
+          const dealii::Tensor<1, 3> velocity =
+            scale * interpolated(N, e, *state.velocity);
+          motion.velocities.push_back(
+            {{velocity[0], velocity[1], velocity[2]}});
+        }
+      return motion;
+    }
+
+    double strain_energy(const EffectResults &results,
+                         const unsigned int   of_numbering) const override
+    {
+      return static_cast<const BeamResults &>(results)
+        .strain_energies[index(of_numbering)];
+    }
+
+    double axial_force(const State       &state,
+                       const unsigned int of_numbering) const override
+    {
+      const unsigned int e = index(of_numbering);
+      SectionForces      elastic[order];
+      elastic_forces(e, state, elastic);
+      double integral = 0;
+      for (int g = 0; g < order; ++g)
+        integral += beams.shape.weight[g] * elastic[g][0];
+      return integral / 2;
+    }
+
+    StrutStrain largest_strain(const State                    &state,
+                               const EffectResults            &results,
+                               const std::vector<StrainLimit> &limits,
+                               const double least) const override
+    {
+      const auto &energies =
+        static_cast<const BeamResults &>(results).strain_energies;
+      std::vector<double> bounds;
+      for (std::size_t s = 0; s < limits.size(); ++s)
+        bounds.push_back(
+          2 * square_at_points *
+          strain_per_energy(beams.sections[s], limits[s].distances));
+      StrutStrain largest{least, invalid_index};
+      for (unsigned int e = 0; e < beams.size(); ++e)
+        {
+          const unsigned int section    = beams.strut(e).section;
+          const double       of_section = limits[section].strain,
+                       least_strain     = largest.ratio * of_section;
+          if (!beams[e].owned ||
+              bounds[section] * energies[e] <=
+                least_strain * least_strain * beams.at_rest(e).jacobian)
+            continue;
+          const double ratio =
+            largest_strain(state, e, limits[section].distances) / of_section;
+          if (ratio > largest.ratio)
+            largest = {ratio, beams.interval(e).strut};
+        }
+      return largest;
+    }
+
+  protected:
+    static constexpr int order = Beam::order;
+
+    /** Section forces without damping at the Gauss points of element @p e,
+     * moments such that they do work on its curvatures. */
+    void elastic_forces(const unsigned int e,
+                        const State       &state,
+                        SectionForces (&of_points)[order]) const
+    {
+      Beam::elastic_forces(beams.shape,
+                           beams.at_rest(e),
+                           beams.motion(e, state),
+                           of_points);
+    }
+
+    const BeamElements<Beam> beams;
+
+  private:
+    /** Makes of moments that do work on curvatures those of the sections. */
+    void find_moments(SectionForces (&of_points)[order]) const
+    {
+      for (unsigned int k = 3; k < 6; ++k)
+        {
+          double on_curvatures[order];
+          for (int g = 0; g < order; ++g)
+            on_curvatures[g] = of_points[g][k];
+          for (int g = 0; g < order; ++g)
+            {
+              of_points[g][k] = 0;
+              for (int h = 0; h < order; ++h)
+                of_points[g][k] += beams.shape.moment[g][h] * on_curvatures[h];
+            }
+        }
+    }
+
+    /** Section forces of damping at the Gauss points of element @p e, which are zero
+     * before; none without damping. */
+    virtual void viscous_forces(const unsigned int /*e*/,
+                                const State & /*state*/,
+                                SectionForces (&/*of_points*/)[order]) const
+    {}
+
+    /** Number among the beams of an element of the numbering. */
+    unsigned int index(const unsigned int of_numbering) const
+    {
+      return of_numbering - beams.group.begin;
+    }
+
+    /** Of element @p e at @p xi in [-1, 1], at rest. */
+    void axis_at(const unsigned int    e,
+                 const double          xi,
+                 dealii::Point<3>     &position,
+                 dealii::Tensor<1, 3> &tangent) const
+    {
+      beams.lattice.axis(beams.strut(e),
+                         beams.interval(e).at(xi),
+                         position,
+                         tangent);
+    }
+
+    /** Of the translations among @p values of all local unknowns, at a point of
+     * element @p e with shape functions @p N. */
+    dealii::Tensor<1, 3> interpolated(const double (&N)[order + 1],
+                                      const unsigned int e,
+                                      const Vector      &values) const
+    {
+      const int           *unknowns = beams.unknowns(e);
+      dealii::Tensor<1, 3> result;
+      for (int a = 0; a <= order; ++a)
+        for (unsigned int d = 0; d < beams.lattice.dimension; ++d)
+          result[d] +=
+            N[a] * values[unknowns[BeamElements<Beam>::n_components * a + d]];
+      return result;
+    }
+
+    /** As in ScaledMotion. */
+    static SectionForces
+    scaled_strains(const typename Beam::Stiffness &stiffness,
+                   const SectionForces            &forces)
+    {
+      SectionForces strains = {};
+      for (unsigned int k = 0; k < strains.size(); ++k)
+        {
+          SectionForces unit = {};
+          unit[k]            = 1;
+          strains[k] =
+            forces[k] * std::sqrt(Beam::strain_product(stiffness, unit, unit));
+        }
+      return strains;
+    }
+
+    /**
+     * Square of the strain of outer fibres over twice the energy per length
+     * (1/N), at most: N / EA + M d / EI against N^2 / EA + M^2 / EI.
+     */
+    static double strain_per_energy(const Section               &section,
+                                    const std::array<double, 2> &distances)
+    {
+      const auto [d2, d3] = distances;
+      return 1 / section.axial_stiffness() +
+        d2 * d2 / section.bending_stiffness_2() +
+        d3 * d3 / section.bending_stiffness_3();
+    }
+
+    /** Intervals between the points at which strains are looked for. */
+    static constexpr int n_intervals = 4 * order;
+
+    static double strain_point(const int i)
+    {
+      return -1 + 2. * i / n_intervals;
+    }
+
+    /**
+     * The largest square of a section force at such a point over the integral
+     * of the squares of what does work along [-1, 1], by Cauchy and Schwarz.
+     */
+    static double largest_square(const BeamShape<order> &shape)
+    {
+      double largest = 0;
+      for (int i = 0; i <= n_intervals; ++i)
+        {
+          double H[order], of_forces = 0, of_moments = 0;
+          shape.gauss_interpolation_at(strain_point(i), H);
+          for (int g = 0; g < order; ++g)
+            {
+              double M = 0;
+              for (int h = 0; h < order; ++h)
+                M += H[h] * shape.moment[h][g];
+              of_forces += H[g] * H[g] / shape.weight[g];
+              of_moments += M * M / shape.weight[g];
+            }
+          largest = std::max({largest, of_forces, of_moments});
+        }
+      return largest;
+    }
+
+    /** Strain of outer fibres along element @p e. */
+    double largest_strain(const State                 &state,
+                          const unsigned int           e,
+                          const std::array<double, 2> &distances) const
+    {
+      const Section &section = beams.section(e);
+      SectionForces  elastic[order];
+      elastic_forces(e, state, elastic);
+      find_moments(elastic);
+      double strains[n_intervals + 1];
+      for (int i = 0; i <= n_intervals; ++i)
+        {
+          double H[order], N = 0, M_2 = 0, M_3 = 0;
+          beams.shape.gauss_interpolation_at(strain_point(i), H);
+          for (int g = 0; g < order; ++g)
+            {
+              N += H[g] * elastic[g][0];
+              M_2 += H[g] * elastic[g][4];
+              M_3 += H[g] * elastic[g][5];
+            }
+          strains[i] = std::abs(N) / section.axial_stiffness() +
+            std::abs(M_2) * distances[0] / section.bending_stiffness_2() +
+            std::abs(M_3) * distances[1] / section.bending_stiffness_3();
+        }
+      const double *const at =
+        std::max_element(std::begin(strains), std::end(strains));
+      if (at == strains || at == strains + n_intervals)
+        return *at;
+      // The vertex of the parabola through it and its neighbours.
+      const double slope = at[1] - at[-1], bend = 2 * at[0] - at[1] - at[-1];
+      return bend > 0 ? *at + slope * slope / (8 * bend) : *at;
+    }
+
+    const double square_at_points = largest_square(beams.shape);
+  };
+} // namespace auxfem
+
+#endif

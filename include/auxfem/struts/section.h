@@ -1,0 +1,133 @@
+#ifndef auxfem_struts_section_h
+#define auxfem_struts_section_h
+
+#include <auxfem/parameters/subsection_schema.h>
+
+#include <deal.II/base/tensor.h>
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+
+namespace auxfem
+{
+  /**
+   * Cross-section and material of a strut, reduced to what beams need (SI).
+   * Axis 1 is the strut's; axes 2 and 3 are the principal axes of the section.
+   * In the plane axis 2 lies in it and axis 3 is its normal.
+   */
+  struct Section
+  {
+    double youngs_modulus = 0; ///< E (Pa)
+    double shear_modulus  = 0; ///< G = E / (2 (1 + nu)) (Pa)
+    double density        = 0; ///< rho (kg/m3)
+    double area           = 0; ///< A (m2)
+    /** Shear areas k A along axes 2 and 3, shear correction included (m2). */
+    double shear_area_2 = 0, shear_area_3 = 0;
+    /** I about axes 2 and 3 (m4). */
+    double second_moment_2 = 0, second_moment_3 = 0;
+    /** J of Saint-Venant's torsion (m4). */
+    double torsion_constant = 0;
+    /**
+     * Rotary inertia per length about axes 1, 2, 3 (kg m); empty: density times
+     * I_2 + I_3, I_2, I_3.
+     */
+    std::optional<std::array<double, 3>> given_rotary_inertia;
+    /**
+     * Vector that axis 3 is as near to as can be; empty: default_reference().
+     */
+    std::optional<dealii::Tensor<1, 3>> reference;
+    /**
+     * Distance of the outer fibres from axes 2 and 3 (m); 0: not known, of a
+     * section that is given by its stiffnesses.
+     */
+    std::array<double, 2> fibre_distances = {{0., 0.}};
+    /**
+     * Half of the thickness across axes 2 and 3 that contact acts on (m); 0 of
+     * a section that is given by its stiffnesses: it has no shape.
+     */
+    std::array<double, 2> half_thicknesses = {{0., 0.}};
+    /** Strain of an outer fibre at which the material yields; empty: not given.
+     */
+    std::optional<double> yield_strain;
+    /** Radius of the tube drawn in ParaView (m). */
+    double radius = 0;
+    /** The time beta in stress = E (strain + beta strain rate) (s). */
+    double stiffness_proportional_damping = 0;
+    /** The rate alpha: damping force per mass and velocity (1/s). */
+    double mass_proportional_damping = 0;
+
+    /** EA (N). */
+    double axial_stiffness() const
+    {
+      return youngs_modulus * area;
+    }
+    /** k G A along axis 2 (N). */
+    double shear_stiffness_2() const
+    {
+      return shear_modulus * shear_area_2;
+    }
+    /** k G A along axis 3 (N). */
+    double shear_stiffness_3() const
+    {
+      return shear_modulus * shear_area_3;
+    }
+    /** G J (N m2). */
+    double torsion_stiffness() const
+    {
+      return shear_modulus * torsion_constant;
+    }
+    /** EI about axis 2 (N m2). */
+    double bending_stiffness_2() const
+    {
+      return youngs_modulus * second_moment_2;
+    }
+    /** EI about axis 3 (N m2). */
+    double bending_stiffness_3() const
+    {
+      return youngs_modulus * second_moment_3;
+    }
+    /** Radii of gyration about axes 2 and 3 (m). The outer fibres of any
+     * section are at least as far. */
+    std::array<double, 2> radii_of_gyration() const
+    {
+      return {
+        {std::sqrt(second_moment_2 / area), std::sqrt(second_moment_3 / area)}};
+    }
+    /** rho A (kg/m). */
+    double mass_per_length() const
+    {
+      return density * area;
+    }
+    /** About axes 1, 2, 3 (kg m). */
+    std::array<double, 3> rotary_inertia_per_length() const
+    {
+      if (given_rotary_inertia)
+        return *given_rotary_inertia;
+      return {{density * (second_moment_2 + second_moment_3),
+               density * second_moment_2,
+               density * second_moment_3}};
+    }
+  };
+
+  /** `Sections/NAME`: cross-section and material of a set of struts. */
+  struct SectionDefinition
+  {
+    std::string name;
+    std::string struts; ///< strut set
+    Section     section;
+    std::string path;
+    /** False: left out, which only a scene without inertia and weight may. */
+    bool has_density = true;
+  };
+
+  /** `Sections`. */
+  SubsectionSchema sections_schema();
+
+  /** The values of one such subsection. Throws InputError if they contradict
+   * each other. */
+  SectionDefinition read_section(ParameterValues &values);
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,110 @@
+#ifndef auxfem_time_equilibrium_jumps_h
+#define auxfem_time_equilibrium_jumps_h
+
+#include <auxfem/equations/node_rotations.h>
+#include <auxfem/time/watch.h>
+
+namespace auxfem
+{
+  /**
+   * Static steps that lead to another equilibrium than the one connected with
+   * their start: its motion differs by far from the first increment of Newton's
+   * method, which follows the tangent, and from the step before. TimeStepper
+   * repeats such steps in halves. On a connected path the motion shrinks with
+   * the step; if it does not, the path has a limit point, and the jump is
+   * reported.
+   */
+  class EquilibriumJumps : public Watch
+  {
+  public:
+    /** @p model must outlive the object. */
+    explicit EquilibriumJumps(const LatticeModel &model);
+
+    /** A step of the scene begins, which no attempt has been made at. */
+    void begin_step()
+    {
+      largest_attempt.reset();
+      last_attempt.reset();
+      beyond.reset();
+      allows_jumps = false;
+    }
+
+    /**
+     * Why a solved step must be repeated in shorter ones; empty if it may be
+     * accepted. Collective.
+     * @param predicted the first increment of Newton's method (m, rad)
+     * @param changes_stability the ends of the step have different numbers of
+     *   negative modes
+     */
+    std::string rejection_reason(const Evaluation &step,
+                                 const Vector     &predicted,
+                                 bool              changes_stability);
+
+    /**
+     * Shorter steps have failed. Returns whether longer ones were rejected for
+     * their jump alone; from now on these are accepted.
+     */
+    bool allow_jumps();
+
+    /** When the next step has to end on the way to @p time: at the end of the
+     * rejected one (s). */
+    double target(double time) const;
+
+    /**
+     * Whether @p step ends where a rejected one has jumped to; if so,
+     * @p increment leads there from step.to.
+     */
+    bool guess(const Evaluation    &step,
+               const NodeRotations &rotations,
+               Vector              &increment) const;
+
+    /** Whether the step last judged jumps. */
+    bool is_jump() const
+    {
+      return candidate.has_value();
+    }
+
+    /** The step last judged is accepted. */
+    void step(const Evaluation        &step,
+              const EvaluationResults &results,
+              TangentSolver           &solver) override;
+
+    std::vector<Finding> findings() const override;
+
+    void serialize(CheckpointArchive &archive) override;
+
+  private:
+    /** A jump that is to be reported once its step is accepted. */
+    struct Jump
+    {
+      double      time = 0, end = 0; ///< of its step (s)
+      double      size = 0;          ///< m
+      std::string location;
+    };
+
+    /** Length of a rejected step (s) and its largest translation (m). */
+    struct Motion
+    {
+      double dt, size;
+    };
+
+    /** A rejected step. */
+    struct Attempt
+    {
+      double time;      ///< at its start (s)
+      double predicted; ///< largest translation (m)
+    };
+
+    const LatticeModel &model;
+    /** The attempt at this step with the largest motion. */
+    std::optional<Motion>  largest_attempt;
+    std::optional<Attempt> last_attempt;
+    /** End of the last step that was rejected for a jump. */
+    std::optional<State> beyond;
+    bool                 allows_jumps = false;
+    std::optional<Jump>  candidate, first;
+    unsigned long        n_jumps = 0;
+  };
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,123 @@
+#ifndef auxfem_time_schemes_runge_kutta_h
+#define auxfem_time_schemes_runge_kutta_h
+
+#include <auxfem/time/schemes/time_scheme.h>
+
+#include <complex>
+#include <vector>
+
+namespace auxfem
+{
+  /**
+   * The coefficients of a Runge-Kutta scheme whose first stage is the start of
+   * the step, whose other stages are implicit with the same coefficient of
+   * their own, and whose last stage is the solution (ESDIRK, stiffly accurate):
+   * at stage i, at the time t_n + c_i dt,
+   *
+   * @code
+   * y_i = y_n + dt sum_{j < i} a_ij y'_j + gamma dt y'_i
+   * @endcode
+   */
+  struct ButcherTableau
+  {
+    std::vector<double>              times;   ///< c_i, in [0, 1]
+    std::vector<std::vector<double>> factors; ///< a_ij, j <= i
+    std::vector<double>              weights; ///< b_i = a_si
+    /** b_i less those of the embedded scheme of the order below. */
+    std::vector<double> embedded_difference;
+    double              diagonal; ///< gamma
+    unsigned int        order;
+
+    unsigned int n_stages() const
+    {
+      return times.size();
+    }
+
+    /**
+     * b_i a_ij + b_j a_ji - b_i b_j (K. Burrage & J. C. Butcher, SIAM J. Numer.
+     * Anal. 16 (1979) 46-57), by which the scheme misses the growth of a
+     * quadratic form: with the power y'.M y at the stages,
+     *
+     * @code
+     * dt sum_i b_i y_i.M y'_i = (y_{n+1}.M y_{n+1} - y_n.M y_n) / 2
+     *                           + dt^2 / 2 sum_ij m_ij y'_i.M y'_j
+     * @endcode
+     */
+    double missed_growth(unsigned int i, unsigned int j) const;
+
+    /** The oscillation exp(iz) at the stages of a step in which it turns by z =
+     * @p angle (rad). */
+    std::vector<std::complex<double>> oscillation(double angle) const;
+  };
+
+  /**
+   * The tableau of order 3, 4 or 5: ESDIRK3(2)5L[2]SA and ESDIRK5(4)7L[2]SA2 of
+   * C. A. Kennedy & M. H. Carpenter, Appl. Numer. Math. 146 (2019) 221-244, and
+   * ARK4(3)6L[2]SA of the same, Appl. Numer. Math. 44 (2003) 139-181. All are
+   * L-stable, of stage order 2, and have no stage beyond the step's end. From
+   * SUNDIALS.
+   */
+  ButcherTableau esdirk_tableau(unsigned int order);
+
+  /**
+   * An implicit Runge-Kutta scheme, seen from one of its stages: with what
+   * earlier stages contribute as the base, a stage is Euler's backward rule
+   * over gamma dt,
+   *
+   * @code
+   * v = v_base + gamma dt a,   u = u_base + gamma dt v
+   * @endcode
+   *
+   * so here `from` is the base, with a guess of the acceleration, and the
+   * length of the step is gamma dt.
+   */
+  class RungeKutta : public ImplicitScheme
+  {
+  public:
+    RungeKutta(const std::string &name, const ButcherTableau &tableau);
+
+    void predict(const State &from, double dt, State &to) const override;
+
+    TangentFactors factors(const State & /*from*/,
+                           const double dt) const override
+    {
+      return {1., 1 / dt, 1 / (dt * dt)};
+    }
+
+    void correct(const State  &from,
+                 const Vector &increment,
+                 double        dt,
+                 State        &trial) const override;
+
+    /** Their positions are constraints. */
+    std::optional<std::string> note_on_rigid_parts() const override;
+
+    const ButcherTableau *stages() const override
+    {
+      return &tableau;
+    }
+
+    unsigned int order() const override
+    {
+      return tableau.order;
+    }
+
+    double amplification(double angle) const override;
+
+    /**
+     * Of an oscillation that turns by z in a step the differences give 4
+     * sin^2(z/2) / 12 of its way; it misses |R(iz) - exp(iz)| / z.
+     */
+    double missed_way(double by_trapezoidal_rule) const override;
+
+    double error_by_difference(double angle) const override;
+
+    /** Of orders up to 4. */
+    bool estimates_errors() const override;
+
+  private:
+    const ButcherTableau tableau;
+  };
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,464 @@
+#include <auxfem/analysis/discretization/order_choice.h>
+#include <auxfem/analysis/simulation/lattice_run.h>
+#include <auxfem/output/history.h>
+#include <auxfem/output/summary.h>
+#include <auxfem/output/verdict_limits.h>
+#include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/numerical_limits.h>
+#include <auxfem/struts/beam_dispatch.h>
+#include <auxfem/struts/effects/struts.h>
+#include <auxfem/time/schemes/runge_kutta.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace auxfem
+{
+  namespace
+  {
+    std::vector<StrutDivision> finer_than(const LatticeModel        &model,
+                                          std::vector<StrutDivision> divisions)
+    {
+      for (StrutDivision &division : divisions)
+        division = {std::min(division.order + 1,
+                             highest_strut_order(model.lattice.dimension)),
+                    2 * division.n_elements};
+      return divisions;
+    }
+
+    /** Errors (J) of the struts of @p coarse in @p motions, not finite where
+     * they cannot be found. What is out of balance still counts. */
+    std::vector<double> errors_of(HeldStruts                     &coarse,
+                                  HeldStruts                     &finer,
+                                  const std::vector<StrutMotion> &motions)
+    {
+      const std::vector<unsigned int> &struts = coarse.struts();
+      std::vector<double>              errors(struts.size(),
+                                 std::numeric_limits<double>::infinity());
+      for (unsigned int i = 0; i < struts.size(); ++i)
+        coarse.move(struts[i], motions[i]);
+      if (!coarse.settle())
+        return errors;
+      for (const unsigned int strut : struts)
+        finer.move(strut, coarse.motion(strut));
+      if (!finer.settle())
+        return errors;
+      for (unsigned int i = 0; i < struts.size(); ++i)
+        if (const double error = finer.difference(struts[i], coarse) +
+              coarse.out_of_balance(struts[i]) +
+              finer.out_of_balance(struts[i]);
+            std::isfinite(error))
+          errors[i] = error;
+      return errors;
+    }
+  } // namespace
+
+  MeshError::MeshError(const LatticeModel &model)
+    : model(model)
+    , same(model, model.numbering.divisions(), owned_struts(model.numbering))
+    , finer(model,
+            finer_than(model, model.numbering.divisions()),
+            owned_struts(model.numbering))
+    , largest(same.struts().size(), -1.)
+    , motions(same.struts().size())
+  {
+    const auto &elements = model.numbering.elements();
+    for (unsigned int e = 0; e < elements.size(); ++e)
+      if (elements[e].is_owned && elements[e].interval.begin == 0)
+        first_elements.push_back(e);
+  }
+
+  void MeshError::look(const State &state)
+  {
+    std::vector<StrutMotion> now;
+    now.reserve(first_elements.size());
+    for (const unsigned int element : first_elements)
+      now.push_back(motion_of_strut(model.numbering, state, element));
+    const std::vector<double> errors = errors_of(same, finer, now);
+    double                    sum    = 0;
+    for (unsigned int i = 0; i < errors.size(); ++i)
+      {
+        sum += errors[i];
+        if (errors[i] > largest[i])
+          {
+            largest[i] = errors[i];
+            motions[i] = std::move(now[i]);
+          }
+      }
+    error  = std::max(error, model.numbering.layout().sum(sum));
+    energy = std::max(energy, 2 * state.energies.strain());
+  }
+
+  double MeshError::relative() const
+  {
+    return energy > 0 ? std::sqrt(error / energy) : 0.;
+  }
+
+  void MeshError::serialize(CheckpointArchive &archive)
+  {
+    archive.values("mesh error: energies of error and motion", error, energy);
+  }
+
+  std::vector<double> errors_of_division(const LatticeModel              &model,
+                                         const MeshError                 &seen,
+                                         const std::vector<unsigned int> &which,
+                                         const StrutDivision division)
+  {
+    if (which.empty())
+      return {};
+    std::vector<unsigned int> struts;
+    std::vector<StrutMotion>  motions;
+    for (const unsigned int i : which)
+      {
+        struts.push_back(seen.struts()[i]);
+        motions.push_back(seen.most_demanding()[i]);
+      }
+    const std::vector<StrutDivision> divisions(model.lattice.struts.size(),
+                                               division);
+    HeldStruts                       divided(model, divisions, struts),
+      finer(model, finer_than(model, divisions), struts);
+    return errors_of(divided, finer, motions);
+  }
+
+  namespace
+  {
+    /** A run whose elements are not good enough. */
+    Finding missed_tolerance(const OrderReport &report, const double time)
+    {
+      std::ostringstream text;
+      text.precision(2);
+      text << "The elements make an error of " << *report.estimated_error
+           << " in the motion of the joints, by estimate, more than "
+              "Discretization/Tolerance = "
+           << report.tolerance
+           << ": the motion is not that of the search run, or no elements are "
+              "good enough for some struts. Lower the tolerance by as much, or "
+              "raise it to that error if it may stay.";
+      return {Verdict::doubtful, text.str(), time, ""};
+    }
+
+    unsigned int n_stages(const TimeParameters &time)
+    {
+      const ButcherTableau *const stages = time.implicit_scheme().stages();
+      return stages == nullptr ? 1 : stages->n_stages() - 1;
+    }
+
+    Finding own_vibrations(const unsigned int n_struts)
+    {
+      return {Verdict::doubtful,
+              "Steps are short enough to resolve vibrations of " +
+                std::to_string(n_struts) +
+                (n_struts == 1 ? " strut" : " struts") +
+                " between the joints. Errors of these add up over the time and "
+                "are not in the estimated error of the elements: where such "
+                "vibrations matter, give Discretization/Order a number and "
+                "compare it with the next, or ask Analysis = study.",
+              0.,
+              ""};
+    }
+  } // namespace
+
+  std::vector<double> own_frequencies(const Lattice              &lattice,
+                                      const std::vector<Section> &sections)
+  {
+    std::vector<double> frequencies;
+    for (unsigned int i = 0; i < lattice.struts.size(); ++i)
+      {
+        const Strut &strut = lattice.struts[i];
+        if (strut.is_rigid())
+          continue;
+        const Section &section     = sections[strut.section];
+        const double   mass        = section.mass_per_length();
+        const double   stiffness   = std::min(section.bending_stiffness_2(),
+                                          section.bending_stiffness_3());
+        const double   wave_number = clamped_phase / lattice.length(strut);
+        if (mass > 0)
+          frequencies.push_back(wave_number * wave_number *
+                                std::sqrt(stiffness / mass));
+      }
+    return frequencies;
+  }
+
+  MeshErrorObserver::MeshErrorObserver(const LatticeModel &model,
+                                       const OrderReport  &report)
+    : distance(model.plan.time.end_time / n_instants_of_mesh_error)
+    , parts_of_step(n_stages(model.plan.time))
+    , report(report)
+    , estimate(model)
+    , communicator(model.numbering.layout().communicator())
+  {
+    if (model.plan.simulated.inertia)
+      frequencies = own_frequencies(model.lattice, model.sections);
+  }
+
+  void MeshErrorObserver::start(const State &state)
+  {
+    const double before = cpu_seconds();
+    estimate.look(state);
+    next = (std::floor(state.time / distance * (1 + 1e-12)) + 1) * distance;
+    seconds += cpu_seconds() - before;
+  }
+
+  void MeshErrorObserver::step(const State      &state,
+                               const StepReport &step_report)
+  {
+    n_parts += step_report.substeps * parts_of_step;
+    if (state.time >= next)
+      start(state);
+  }
+
+  void MeshErrorObserver::add_to(RunResult &result) const
+  {
+    OrderReport final_report     = report;
+    final_report.estimated_error = estimate.relative();
+    final_report.cpu_seconds_of_estimates =
+      dealii::Utilities::MPI::sum(seconds, communicator);
+    // Estimates are good to a factor.
+    if (*final_report.estimated_error > 2 * final_report.tolerance)
+      result.findings.push_back(missed_tolerance(final_report, result.time));
+    if (const unsigned int n = n_vibrating(result.time); n > 0)
+      result.findings.push_back(own_vibrations(n));
+    result.orders = final_report;
+  }
+
+  unsigned int MeshErrorObserver::n_vibrating(const double time) const
+  {
+    return std::count_if(frequencies.begin(),
+                         frequencies.end(),
+                         [&](const double frequency) {
+                           return frequency * time < n_parts;
+                         });
+  }
+
+  void MeshErrorObserver::serialize(CheckpointArchive &archive)
+  {
+    estimate.serialize(archive);
+    archive.values("mesh error: next sample, number of parts", next, n_parts);
+  }
+
+  namespace
+  {
+    namespace mpi = dealii::Utilities::MPI;
+
+    /**
+     * Steps of a search run over those of the run: it finds which instants
+     * ask for the highest orders.
+     * @tuned judgement
+     */
+    constexpr double longer_steps = 4;
+
+    /** Search runs with elements of their own. */
+    constexpr unsigned int most_searches = 6;
+
+    /** Tells a recorder how far a search run has come. */
+    class SearchProgress : public Recorder
+    {
+    public:
+      SearchProgress(const RunPlan &search, Recorder &told)
+        : search(search)
+        , told(told)
+      {}
+
+      void step(const Solution &solution, const StepReport &report) override
+      {
+        told.search_step(search, solution.state, report);
+      }
+
+    private:
+      const RunPlan &search;
+      Recorder      &told;
+    };
+
+    /** The run with fewer steps. */
+    RunPlan search_plan(const RunPlan &plan)
+    {
+      RunPlan search        = plan;
+      search.division.order = lowest_chosen_order;
+      TimeParameters &time  = search.time;
+      if (time.relative_tolerance)
+        time.relative_tolerance =
+          std::max(*time.relative_tolerance, noticeable_part);
+      else
+        time.step =
+          std::min(longer_steps * time.step,
+                   std::max(time.step,
+                            time.end_time / n_instants_of_mesh_error));
+      return search;
+    }
+
+    /** By what the number of elements that all struts have may be multiplied.
+     */
+    constexpr unsigned int multiples[] =
+      {1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64};
+
+    /** Numbers of elements that may gain nothing, one after the other. */
+    constexpr unsigned int most_in_vain = 2;
+
+    /** Elements of a strut: the fewest nodes with which its error is allowed,
+     * else the smallest error. */
+    struct BestElements
+    {
+      StrutDivision division{lowest_chosen_order, 1};
+      double        error = std::numeric_limits<double>::infinity(); ///< J
+      bool          is_good_enough = false;
+      unsigned int  n_in_vain      = 0;
+    };
+
+    /** Tries elements for struts in the motion in which each needs them most.
+     */
+    class ElementSearch
+    {
+    public:
+      /** @param allowed error (J) of one strut */
+      ElementSearch(const LatticeModel &model,
+                    const MeshError    &seen,
+                    const double        allowed)
+        : model(model)
+        , seen(seen)
+        , allowed(allowed)
+        , best(seen.struts().size())
+      {}
+
+      /** By MeshError::struts(). */
+      const std::vector<BestElements> &find()
+      {
+        for (const unsigned int multiple : multiples)
+          {
+            const std::vector<BestElements> before = best;
+            for (unsigned int order = lowest_chosen_order;
+                 order <= highest_strut_order(model.lattice.dimension);
+                 ++order)
+              try_division({order, multiple * model.plan.division.n_elements});
+            for (std::size_t i = 0; i < best.size(); ++i)
+              best[i].n_in_vain =
+                best[i].error < before[i].error ? 0 : best[i].n_in_vain + 1;
+          }
+        return best;
+      }
+
+    private:
+      void try_division(const StrutDivision &division)
+      {
+        std::vector<unsigned int> tried;
+        for (unsigned int i = 0; i < best.size(); ++i)
+          if (best[i].is_good_enough
+                ? division.n_inner_nodes() < best[i].division.n_inner_nodes()
+                : best[i].n_in_vain < most_in_vain)
+            tried.push_back(i);
+        const std::vector<double> errors =
+          errors_of_division(model, seen, tried, division);
+        for (std::size_t k = 0; k < tried.size(); ++k)
+          {
+            BestElements &best_of_strut = best[tried[k]];
+            const bool    is_good       = errors[k] <= allowed;
+            // Half the error is no gain: it may be of round-off.
+            if (is_good || errors[k] <= best_of_strut.error / 4)
+              best_of_strut = {division,
+                               errors[k],
+                               is_good,
+                               best_of_strut.n_in_vain};
+          }
+      }
+
+      const LatticeModel       &model;
+      const MeshError          &seen;
+      const double              allowed;
+      std::vector<BestElements> best;
+    };
+
+    /** Takes the elements that the motion found in @p run asks for, of which
+     * each strut has an equal share in the error. */
+    void take_divisions(const LatticeRun &run,
+                        const MeshError  &error,
+                        ChosenElements   &chosen)
+    {
+      const MPI_Comm communicator = run.model.numbering.layout().communicator();
+      const double   n_struts =
+                     mpi::sum(double(error.struts().size()), communicator),
+                   wanted = std::pow(part_of_tolerance_for_elements *
+                                       chosen.report.tolerance,
+                                     2) *
+        error.largest_energy();
+      ElementSearch find(run.model, error, wanted / n_struts);
+      const std::vector<BestElements> &found = find.find();
+      // Each is counted by one rank, the others have none.
+      std::vector<unsigned int> numbers(2 * chosen.divisions.size(), 0);
+      double                    sum = 0;
+      for (std::size_t i = 0; i < found.size(); ++i)
+        {
+          const unsigned int strut = error.struts()[i];
+          numbers[2 * strut]       = found[i].division.order;
+          numbers[2 * strut + 1]   = found[i].division.n_elements;
+          sum += found[i].error;
+        }
+      mpi::max(numbers, communicator, numbers);
+      for (unsigned int s = 0; s < chosen.divisions.size(); ++s)
+        if (numbers[2 * s] > 0)
+          chosen.divisions[s] = {numbers[2 * s], numbers[2 * s + 1]};
+      chosen.report.predicted_error =
+        std::sqrt(mpi::sum(sum, communicator) / error.largest_energy());
+    }
+
+    /**
+     * A search run and the elements that it asks for. Returns whether its own
+     * are good enough for that.
+     */
+    bool search_elements(RunPlan         search,
+                         const MPI_Comm  communicator,
+                         Recorder       &told,
+                         ChosenElements &chosen)
+    {
+      search.elements = chosen;
+      LatticeRun run(search, communicator);
+      // What ends the run at its begin may not cost a search.
+      refuse_columns_of_nothing(search.scene, run.lattice);
+      SearchProgress progress(search, told);
+      try
+        {
+          run.run(progress);
+        }
+      catch (const ComputationError &)
+        {
+          // What it has seen until then has to do; the run itself will tell.
+        }
+      const MeshError *const error = run.mesh_error();
+      chosen.divisions.assign(run.lattice.struts.size(),
+                              {lowest_chosen_order,
+                               search.division.n_elements});
+      // Nothing moves, or nothing that could be judged.
+      if (error != nullptr && error->largest_energy() > 0)
+        take_divisions(run, *error, chosen);
+      OrderReport &report = chosen.report;
+      report.unknowns     = run.model.numbering.layout().n_global();
+      report.steps += run.work().steps;
+      report.iterations += run.work().iterations;
+      report.reached = run.solution.state.time;
+      return error == nullptr || error->relative() <= unusable_error;
+    }
+  } // namespace
+
+  ChosenElements choose_elements(const RunPlan &plan,
+                                 const MPI_Comm communicator,
+                                 Recorder      &recorder)
+  {
+    const double   cpu_before = cpu_seconds();
+    const RunPlan  search     = search_plan(plan);
+    ChosenElements chosen;
+    chosen.report.tolerance = *plan.scene.discretization.tolerance;
+    for (unsigned int i = 0; i < most_searches; ++i)
+      {
+        // A motion with large errors asks for the right struts at least.
+        const std::vector<StrutDivision> former = chosen.divisions;
+        if (search_elements(search, communicator, recorder, chosen) ||
+            chosen.divisions == former)
+          break;
+      }
+    chosen.report.cpu_seconds =
+      mpi::sum(cpu_seconds() - cpu_before, communicator);
+    return chosen;
+  }
+} // namespace auxfem

@@ -1,0 +1,424 @@
+#include <auxfem/analysis/analysis.h>
+#include <auxfem/analysis/paths/path_stepper.h>
+#include <auxfem/analysis/paths/singular_points.h>
+#include <auxfem/analysis/simulation/lattice_run.h>
+#include <auxfem/output/run_output.h>
+#include <auxfem/output/singular_point_files.h>
+#include <auxfem/parameters/errors.h>
+#include <auxfem/state/interruption.h>
+#include <auxfem/time/schemes/static.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+namespace auxfem
+{
+  namespace
+  {
+    /** Viscous processes have come to rest on paths of equilibria. */
+    RunPlan plan_of_path(const Scene &scene)
+    {
+      RunPlan plan(scene);
+      plan.time.scheme             = std::make_shared<QuasiStatic>();
+      plan.time.relative_tolerance = std::nullopt;
+      // Few iterations a point are what lets steps be long.
+      plan.newton.keep_factorization = false;
+      plan.solver.needs_inertia      = true;
+      plan.effects.inertia           = Switch::automatic;
+      plan.effects.large_rotation    = Switch::on;
+      plan.has_initial_velocities    = false;
+      return plan;
+    }
+
+    /** Follows the equilibria of a run that has started. */
+    class EquilibriumPath
+    {
+    public:
+      /** At the start; throws as PathStepper::start(). */
+      explicit EquilibriumPath(LatticeRun &run)
+        : run(run)
+        , path(run.scene.path)
+        , stepper(run.solver(), run.model.plan.newton)
+        , point(stepper.start(run.solution, path.reversed_loads))
+        // A straight cable has a tangent of hardly any load.
+        , lengths(path.resolution,
+                  std::min(path.first_increment /
+                             std::abs(point.tangent.load_rate),
+                           run.model.mean_strut_length))
+      {}
+
+      /** Goes on with a run that has been resumed from @p checkpoint. */
+      EquilibriumPath(LatticeRun &run, const Records &checkpoint)
+        : run(run)
+        , path(run.scene.path)
+        , stepper(run.solver(), run.model.plan.newton)
+        , point{{run.solution.state, run.equations.make_results()}, {}}
+        , lengths(path.resolution, 0)
+      {
+        CheckpointArchive archive =
+          CheckpointArchive::restoring(checkpoint,
+                                       run.model.numbering.layout());
+        serialize(archive);
+      }
+
+      /** To where the scene says that the path ends; after a signal throws
+       * Interrupted. */
+      void follow(Recorder &recorder)
+      {
+        const MPI_Comm communicator =
+          run.model.numbering.layout().communicator();
+        while (!has_ended())
+          {
+            if (const int signal = noted_signal(communicator); signal != 0)
+              {
+                recorder.keep_checkpoint();
+                throw Interrupted(signal);
+              }
+            // Also before the last step, which an end cuts short: a longer path
+            // does it again, and is as if there had been no end.
+            if (run.scene.output.checkpoints > 0)
+              recorder.take(checkpoint(recorder));
+            advance(recorder);
+          }
+        recorder.keep_checkpoint();
+      }
+
+      /** What is to be said of where it has ended. */
+      std::vector<Finding> findings() const
+      {
+        std::vector<Finding> all;
+        if (unstable_branch != 0)
+          {
+            std::ostringstream text;
+            text
+              << "Path/Branch = stable: the branch that the path went to at "
+                 "load factor "
+              << unstable_branch
+              << " is unstable, too, as several directions become free there "
+                 "at once. Disturb the lattice by an imperfection, which "
+                 "chooses one of its branches.";
+            all.push_back(
+              {Verdict::doubtful, text.str(), point.arc_length(), ""});
+          }
+        if (has_reached_end())
+          return all;
+        std::ostringstream text;
+        text << "The path ended after Path/Points = " << path.most_points
+             << " points, at load factor " << point.load_factor()
+             << ", before it came to Largest load factor"
+             << (path.largest_displacement ? " or Largest displacement" : "")
+             << ".";
+        all.push_back({Verdict::doubtful, text.str(), point.arc_length(), ""});
+        return all;
+      }
+
+    private:
+      void serialize(CheckpointArchive &archive)
+      {
+        point.tangent.serialize(run.model.numbering, archive);
+        lengths.serialize(archive);
+        archive.values("path: bifurcations so far, load factor of an unstable "
+                       "branch",
+                       n_bifurcations,
+                       unstable_branch);
+      }
+
+      Records checkpoint(Recorder &recorder)
+      {
+        Records           taken = run.checkpoint(recorder);
+        CheckpointArchive archive =
+          CheckpointArchive::saving(taken, run.model.numbering.layout());
+        serialize(archive);
+        stepper.restart();
+        // It may have gained ghosts.
+        point.solution.state = run.solution.state;
+        return taken;
+      }
+
+      /** One point further, past all singular points on the way, or on to
+       * another branch at one of them. */
+      void advance(Recorder &recorder)
+      {
+        StepReport report;
+        PathPoint  next = next_point(report);
+        for (LocatedPoint &located :
+             find_singular_points(stepper, point, next, report.dt))
+          {
+            if (is_beyond_end(located.point))
+              break;
+            recorder.singular_point(located.point.solution, located.singular);
+            if (!leaves_branch_at(located.singular))
+              continue;
+            point = std::move(located.point);
+            // The work of a path is that of its bend; here it has a kink.
+            point.solution.state.before.reset();
+            accept(branch_off(located.singular, report), report, recorder);
+            return;
+          }
+        if (is_beyond_end(next))
+          end_at_largest_load(report.dt, next);
+        accept(std::move(next), report, recorder);
+      }
+
+      /** The sign of a determinant does not tell of two changes in one step,
+       * which must not be long then. */
+      void keep_pairs_apart()
+      {
+        const PathPosition &at = point.position();
+        if (at.determinant_sign && !at.n_negative)
+          lengths.limit(path.resolution * path.largest_load_factor /
+                        std::abs(point.tangent.load_rate));
+      }
+
+      /** The next one that is near enough to the tangent. */
+      PathPoint next_point(StepReport &report)
+      {
+        keep_pairs_apart();
+        while (true)
+          {
+            report.dt     = lengths.length();
+            PathStep step = stepper.step(point, point.tangent, report.dt);
+            count(step, report);
+            if (is_near_enough(step))
+              return std::move(*step.point);
+            ++report.retries;
+            ++run.work().retries;
+            if (lengths.is_exhausted())
+              give_up(report.dt, step.why_failed);
+          }
+      }
+
+      void count(const PathStep &step, StepReport &report)
+      {
+        report.iterations += step.iterations;
+        run.work().iterations += step.iterations;
+        report.relative_residual = step.relative_residual;
+      }
+
+      /** Sets the next length either way. */
+      bool is_near_enough(const PathStep &step)
+      {
+        if (!step.point)
+          {
+            lengths.failed();
+            return false;
+          }
+        const PathMetric &metric = stepper.metric();
+        return lengths.judge(step,
+                             metric.length(
+                               step.point->solution.state.displacement),
+                             metric.product(point.tangent.direction,
+                                            step.point->tangent.direction));
+      }
+
+      [[noreturn]] void give_up(const double       length,
+                                const std::string &why) const
+      {
+        std::ostringstream message;
+        message << "The path of equilibria is lost at load factor "
+                << point.load_factor() << ", arc length " << point.arc_length()
+                << " m: no point was found even " << length << " m from there"
+                << (why.empty() ? ", where the path turns too sharply"
+                                : ": " + why)
+                << ".\nAll points until then are in the output folder. Finer "
+                   "elements, another Path/Branch or an imperfection may "
+                   "carry it further.";
+        throw ComputationError(message.str());
+      }
+
+      bool is_beyond_end(const PathPoint &reached) const
+      {
+        return std::abs(reached.load_factor()) > path.largest_load_factor;
+      }
+
+      /** Replaces @p next, @p length (m) from here, by the point with the
+       * largest load factor, where that is found. */
+      void end_at_largest_load(const double length, PathPoint &next)
+      {
+        const double target =
+          std::copysign(path.largest_load_factor, next.load_factor());
+        const double part = (target - point.load_factor()) /
+          (next.load_factor() - point.load_factor());
+        PathStep last = stepper.step_to_load(point, part * length, target);
+        if (last.point)
+          next = std::move(*last.point);
+      }
+
+      bool leaves_branch_at(const SingularPoint &singular)
+      {
+        if (singular.kind != SingularPoint::Kind::bifurcation ||
+            singular.null_vector.empty())
+          return false;
+        ++n_bifurcations;
+        using Branch = PathDefinition::Branch;
+        return path.branch == Branch::numbered
+          ? n_bifurcations == path.branch_number
+          : path.branch == Branch::stable && singular.destabilizes();
+      }
+
+      /** A point on the branch that crosses here. */
+      PathPoint branch_off(const SingularPoint &singular, StepReport &report)
+      {
+        PathTangent across{singular.null_vector, 0.};
+        if (path.opposite_side)
+          scale(-1., across.direction);
+        // Shorter ways would be lost in the round-off of a soft direction.
+        constexpr double       least_part = 1e-3;
+        constexpr unsigned int n_attempts = 8;
+        std::string            why;
+        report.dt =
+          std::max(report.dt, least_part * run.model.mean_strut_length);
+        for (unsigned int i = 0; i < n_attempts; ++i, report.dt /= 2)
+          {
+            PathStep step = stepper.step(point, across, report.dt);
+            count(step, report);
+            if (step.point)
+              {
+                lengths.begin_anew(report.dt);
+                leave_unstable_branches(singular, *step.point, report);
+                return std::move(*step.point);
+              }
+            why = step.why_failed;
+          }
+        throw ComputationError(
+          "No other branch was found at a bifurcation: " + why +
+          ".\nAll points until then are in the output folder. Choose another "
+          "Path/Branch, or disturb the lattice by an imperfection.");
+      }
+
+      /** Where several directions become free at once, the branch along one of
+       * them may be unstable in another: from @p reached along that, too. */
+      void leave_unstable_branches(const SingularPoint &singular,
+                                   PathPoint           &reached,
+                                   StepReport          &report)
+      {
+        const auto is_unstable = [&]() {
+          return path.branch == PathDefinition::Branch::stable &&
+            SingularPoint{singular.kind,
+                          singular.before,
+                          reached.position(),
+                          {}}
+              .destabilizes();
+        };
+        for (unsigned long i = 1; i < singular.multiplicity() && is_unstable();
+             ++i)
+          {
+            auto softest = stepper.softest();
+            if (!softest)
+              break;
+            PathStep further =
+              stepper.step(reached,
+                           PathTangent{std::move(softest->first), 0.},
+                           report.dt);
+            count(further, report);
+            if (!further.point)
+              break;
+            reached = std::move(*further.point);
+          }
+        if (unstable_branch == 0 && is_unstable() && !stepper.is_neutral())
+          unstable_branch = point.load_factor();
+      }
+
+      /** The step from here to @p next is done. */
+      void
+      accept(PathPoint &&next, const StepReport &report, Recorder &recorder)
+      {
+        State           &reached = next.solution.state;
+        const Evaluation step =
+          Evaluation::static_step(point.solution.state,
+                                  reached,
+                                  reached.time - point.arc_length());
+        run.watches().step(step, next.solution.results, run.solver());
+        reached.step = run.solution.state.step + 1;
+        run.equations.update_couplings(reached);
+        lengths.reached(stepper.metric().length(reached.displacement),
+                        next.load_factor());
+        point              = std::move(next);
+        run.solution.state = point.solution.state;
+        std::swap(run.solution.results, point.solution.results);
+        ++run.work().steps;
+        recorder.step(run.solution, report);
+      }
+
+      bool has_ended() const
+      {
+        return has_reached_end() ||
+          point.solution.state.step >= path.most_points;
+      }
+
+      /** Whether the last point is where the path is to lead. */
+      bool has_reached_end() const
+      {
+        const State &state = point.solution.state;
+        return std::abs(point.load_factor()) >= path.largest_load_factor ||
+          (path.largest_displacement &&
+           largest_motion(run.model, state.displacement).first >=
+             *path.largest_displacement);
+      }
+
+      LatticeRun           &run;
+      const PathDefinition &path;
+      PathStepper           stepper;
+      PathPoint             point; ///< the last one
+      PathStepLength        lengths;
+      unsigned int          n_bifurcations = 0;
+      /** Load factor at which the path went to a branch that is less stable
+       * than the one before; 0: nowhere. */
+      double unstable_branch = 0;
+    };
+
+    RunResult run_path(const Scene   &scene,
+                       const MPI_Comm communicator,
+                       Recorder      &recorder)
+    {
+      LatticeRun run(plan_of_path(scene), communicator);
+      // What is no mechanism is stable at rest.
+      if (!scene.time.static_start)
+        {
+          run.solution.state.path->n_negative       = 0;
+          run.solution.state.path->determinant_sign = 1;
+        }
+      // The recorder has it until the run goes on from it.
+      const Records *const   given_checkpoint = recorder.goes_on_from();
+      std::optional<Records> checkpoint;
+      if (given_checkpoint != nullptr)
+        checkpoint = *given_checkpoint;
+      return run.run(recorder, [&](Recorder &of_run) {
+        EquilibriumPath path =
+          checkpoint ? EquilibriumPath(run, *checkpoint) : EquilibriumPath(run);
+        path.follow(of_run);
+        return path.findings();
+      });
+    }
+
+    void check_path(const Scene &scene, const MPI_Comm communicator)
+    {
+      LatticeRun run(plan_of_path(scene), communicator);
+      run.prepare();
+      refuse_columns_of_nothing(scene, run.lattice);
+      print_overview(scene, run.equations);
+    }
+  } // namespace
+
+  AnalysisEntry static_path_entry()
+  {
+    return {"static path",
+            "Equilibria of a lattice by arc length, through limit points and "
+            "bifurcations.",
+            [](const Scene &scene) {
+              return scene.analysis == Analysis::static_path;
+            },
+            [](const Scene         &scene,
+               const MPI_Comm       communicator,
+               const FolderOptions &options) {
+              return run_path(scene,
+                              communicator,
+                              *make_run_output(scene, communicator, options));
+            },
+            run_path,
+            check_path,
+            path_contents().names()};
+  }
+} // namespace auxfem

@@ -1,0 +1,180 @@
+#include <auxfem/connectors/effects/connector_lines.h>
+#include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/numerical_limits.h>
+#include <auxfem/time/schemes/static.h>
+
+#include <algorithm>
+#include <limits>
+#include <sstream>
+
+namespace auxfem
+{
+  namespace
+  {
+    /** Unknowns and geometry of a pair at rest. */
+    ConnectorEnds ends_of(const ConnectorDefinition &definition,
+                          const JointPair           &pair,
+                          const Lattice             &lattice,
+                          const DofNumbering        &numbering)
+    {
+      using Geometry = ConnectorDefinition::Geometry;
+      ConnectorEnds ends;
+      ends.first_joint  = pair.first;
+      ends.second_joint = pair.second;
+      ends.cell         = pair.cell;
+      for (unsigned int i = 0; i < 6; ++i)
+        {
+          const unsigned int joint = i < 3 ? pair.first : pair.second;
+          ends.unknowns[i] =
+            joint == invalid_index ? -1 : numbering.joint_unknown(joint, i % 3);
+        }
+      ends.owned       = numbering.layout().is_owned(ends.unknowns[0]);
+      ends.span        = pair.second == invalid_index
+               ? definition.ground_offset
+               : lattice.joints[pair.second] - lattice.joints[pair.first];
+      ends.rest_length = ends.span.norm();
+      if (ends.rest_length == 0 && definition.geometry == Geometry::line)
+        throw InputError(
+          definition.path + ": the connector at joint " +
+          std::to_string(pair.first) +
+          " has length zero, so no line leads along it. Give `Geometry = "
+          "direction` with a `Direction`, or a `Ground offset`.");
+      ends.direction = definition.geometry == Geometry::direction
+        ? definition.direction
+        : ends.span / ends.rest_length;
+      return ends;
+    }
+  } // namespace
+
+  dealii::Tensor<1, 3> ConnectorEnds::difference(const double *values) const
+  {
+    dealii::Tensor<1, 3> result;
+    for (unsigned int c = 0; c < 3; ++c)
+      result[c] = (unknowns[3 + c] >= 0 ? values[unknowns[3 + c]] : 0.) -
+        (unknowns[c] >= 0 ? values[unknowns[c]] : 0.);
+    return result;
+  }
+
+  ConnectorLines::ConnectorLines(const ConnectorDefinition    &definition,
+                                 const std::vector<JointPair> &pairs,
+                                 const Lattice                &lattice,
+                                 const DofNumbering           &numbering,
+                                 const bool                    large_rotation)
+    : follow_ends(definition.geometry == ConnectorDefinition::Geometry::line &&
+                  large_rotation)
+  {
+    for (unsigned int number = 0; number < pairs.size(); ++number)
+      {
+        ConnectorEnds of_pair =
+          ends_of(definition, pairs[number], lattice, numbering);
+        of_pair.number = number;
+        if (std::any_of(of_pair.unknowns.begin(),
+                        of_pair.unknowns.end(),
+                        [&](const int u) {
+                          return numbering.layout().is_owned(u);
+                        }))
+          ends.push_back(of_pair);
+      }
+  }
+
+  double ConnectorLines::extension(const ConnectorEnds &ends,
+                                   const Vector        &displacement) const
+  {
+    const dealii::Tensor<1, 3> du = ends.difference(displacement.data());
+    if (!follow_ends)
+      return ends.direction * du;
+    // L^2 - L0^2 = du.(2 span + du): no difference of nearly equal lengths.
+    return du * (2. * ends.span + du) /
+      ((ends.span + du).norm() + ends.rest_length);
+  }
+
+  bool ConnectorLines::meet(const ConnectorEnds &ends,
+                            const double         length) const
+  {
+    // Of a shorter line the direction is round-off.
+    return follow_ends && length <= round_off * ends.rest_length;
+  }
+
+  std::string
+  ConnectorLines::why_not_finite(const std::string      &group,
+                                 const double            time,
+                                 const ConnectorResults &results) const
+  {
+    for (unsigned int i = 0; i < ends.size(); ++i)
+      if (meet(ends[i], results.current_length[i]))
+        {
+          const unsigned int second = ends[i].second_joint;
+          std::ostringstream words;
+          words << "the ends of the connector \"" << group
+                << "\" between joint " << ends[i].first_joint << " and "
+                << (second == invalid_index ? "the ground"
+                                            : "joint " + std::to_string(second))
+                << " meet at t = " << time << " s, so no line leads along it";
+          return words.str();
+        }
+    return "";
+  }
+
+  void ConnectorLines::find_motion(const Evaluation &evaluation,
+                                   ConnectorResults &results) const
+  {
+    const State &from = evaluation.from, &to = evaluation.to;
+    for (unsigned int i = 0; i < ends.size(); ++i)
+      {
+        const ConnectorEnds       &of_one    = ends[i];
+        const dealii::Tensor<1, 3> line      = of_one.line(to.displacement);
+        dealii::Tensor<1, 3>      &direction = results.direction[i];
+        double                    &length    = results.current_length[i];
+        ConnectorMotion           &motion    = results.motion[i];
+        motion.previous_extension = extension(of_one, from.displacement);
+        motion.extension          = extension(of_one, to.displacement);
+        motion.dt                 = evaluation.dt;
+        length                    = line.norm();
+        direction                 = of_one.direction;
+        if (follow_ends)
+          direction = line / length;
+        // L1^2 - L0^2 over L0 + L1: the extension in the step is the product of
+        // this with the relative motion.
+        if (follow_ends && evaluation.kind == Evaluation::Kind::between)
+          {
+            const dealii::Tensor<1, 3> before = of_one.line(from.displacement);
+            direction = (before + line) / (before.norm() + length);
+          }
+        if (meet(of_one, length))
+          for (unsigned int c = 0; c < 3; ++c)
+            direction[c] = std::numeric_limits<double>::quiet_NaN();
+        if (to.velocity)
+          results.velocity_difference[i] =
+            of_one.difference(to.velocity->data());
+        motion.rate = rate(i, evaluation, results);
+      }
+  }
+
+  double ConnectorLines::rate(const unsigned int      i,
+                              const Evaluation       &evaluation,
+                              const ConnectorResults &results) const
+  {
+    const ConnectorMotion &motion = results.motion[i];
+    const double increment = motion.extension - motion.previous_extension;
+    if (evaluation.kind == Evaluation::Kind::between)
+      return increment / evaluation.dt;
+    if (evaluation.kind != Evaluation::Kind::static_step)
+      return results.direction[i] * results.velocity_difference[i];
+    // Without inertia velocities are differences over steps in which the line
+    // turns; those of the extension do not see the rotation.
+    const BackwardDifference difference_in(evaluation.from, evaluation.dt);
+    double                   rate = difference_in.now * increment;
+    if (const auto &before = evaluation.from.before)
+      rate -= difference_in.before *
+        (motion.previous_extension - extension(ends[i], before->displacement));
+    return rate;
+  }
+
+  double ConnectorLines::rate_at(const ConnectorEnds &ends,
+                                 const State         &state) const
+  {
+    const dealii::Tensor<1, 3> line = ends.line(state.displacement);
+    return (follow_ends ? line / line.norm() : ends.direction) *
+      ends.difference(state.velocity->data());
+  }
+} // namespace auxfem

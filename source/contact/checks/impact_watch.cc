@@ -1,0 +1,316 @@
+#include <auxfem/algebra/rank_exchange.h>
+#include <auxfem/contact/effects/contact.h>
+#include <auxfem/equations/node_masses.h>
+#include <auxfem/parameters/text.h>
+#include <auxfem/time/watch.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <sstream>
+
+namespace auxfem
+{
+  namespace
+  {
+    /**
+     * Part of the largest momentum that contact of few steps may pass on.
+     * @tuned judgement: struts that brush each other pass on less
+     */
+    constexpr double doubtful_momentum = 2e-4;
+
+    /**
+     * Part of the impulse of all contact that contact of few steps may pass
+     * on.
+     * @tuned judgement: long contact decides what comes after it
+     */
+    constexpr double doubtful_share = 0.1;
+
+    /**
+     * Part of the momentum and of all impulses that contact of few steps may
+     * pass on, whatever else lasts.
+     * @tuned judgement
+     */
+    constexpr double doubtful_anyway = 0.02;
+
+    /** The mean of three steps over the largest force of one, below which steps
+     * do not resolve its peak: six steps of half a sine have 0.91. */
+    constexpr double resolved_peak = 0.9;
+
+    /** A strut, what it touches, and whether that is a plate. */
+    using TouchingPair = std::array<unsigned int, 3>;
+
+    /** Contact of a pair, as long as it lasts. */
+    struct Impact
+    {
+      double       impulse = 0; ///< N s
+      unsigned int n_steps = 0;
+      double       begin   = 0; ///< end of its first step (s)
+
+      /** Part of the impulse that depends on the steps: contact in a single one
+       * has a force for as long as that is, longer contact is found to second
+       * order. */
+      double unresolved() const
+      {
+        return impulse / (double(n_steps) * n_steps);
+      }
+    };
+
+    /** The largest force on a plate in a step, and in the mean of three. */
+    class ForcePeak
+    {
+    public:
+      ForcePeak(const std::string &name, RunStatistics &statistics)
+        : largest(statistics.largest(name + ", largest force (N)"))
+        , largest_mean(statistics.number(name + ", mean of three steps (N)"))
+        , before(statistics.list(name + ", forces (N) and steps (s) before"))
+      {
+        before.assign(4, 0.);
+      }
+
+      void add(const double force, const double dt, const double time)
+      {
+        double impulse = force * dt, length = dt;
+        for (unsigned int i = 0; i < before.size(); i += 2)
+          {
+            impulse += before[i] * before[i + 1];
+            // There was no force before the first step.
+            length += before[i + 1] > 0 ? before[i + 1] : dt;
+          }
+        largest.add(force, time);
+        largest_mean = std::max(largest_mean, impulse / length);
+        before       = {before[2], before[3], force, dt};
+      }
+
+      bool is_resolved() const
+      {
+        return largest_mean >= resolved_peak * largest.value;
+      }
+
+      LargestInTime &largest;
+      double        &largest_mean; ///< N
+
+    private:
+      /** Force (N) and length (s) of each of the last two steps. */
+      std::vector<double> &before;
+    };
+
+    /**
+     * Of contact that begins and ends within few steps. Its impulse, and so the
+     * motion after it, depends on the length of these. A peak of the force
+     * may depend on it where the impulse does not.
+     */
+    class ImpactWatch : public Watch
+    {
+    public:
+      explicit ImpactWatch(const WatchedRun &run)
+        : time(run.plan.time)
+        , equations(run.equations)
+        , mass(total_mass(run.equations))
+        , kinetic(run.statistics.number("impacts: largest kinetic energy (J)"))
+        , unresolved(
+            run.statistics.number("impacts: impulse not resolved (N s)"))
+        , impulse(run.statistics.number("impacts: impulse (N s)"))
+        , n_steps_of_worst(run.statistics.number("impacts: steps of the worst"))
+        , on_plates(run.statistics.occurrences("impacts on plates"))
+        , on_struts(run.statistics.occurrences("impacts on struts"))
+        , going_on(run.statistics.list("impacts: contacts that last"))
+      {
+        const unsigned int n_plates =
+          run.equations.reporting().plates != nullptr
+          ? run.equations.reporting().plates->n_plates()
+          : 0;
+        for (unsigned int i = 0; i < n_plates; ++i)
+          peaks.emplace_back("impacts: plate " + std::to_string(i),
+                             run.statistics);
+      }
+
+      void step(const Evaluation        &step,
+                const EvaluationResults &results,
+                TangentSolver & /*solver*/) override
+      {
+        kinetic = std::max(kinetic, step.to.energies.kinetic());
+        std::map<TouchingPair, Impact>    now;
+        std::vector<dealii::Tensor<1, 3>> of_plates(peaks.size());
+        for (const ContactForce &force : forces_of_all(step.to, results))
+          {
+            const dealii::Tensor<1, 3> vector(force.components);
+            if (force.pair[2] != 0)
+              of_plates[force.pair[1]] += vector;
+            Impact &impact = now.try_emplace(force.pair).first->second;
+            impact.impulse += vector.norm() * step.dt;
+            impact.n_steps = 1;
+            impact.begin   = step.to.time;
+          }
+        for (auto i = going_on.begin(); i < going_on.end(); i += n_values)
+          {
+            const TouchingPair pair = {
+              {number(i[0]), number(i[1]), number(i[2])}};
+            const Impact before = {i[3], number(i[4]), i[5]};
+            if (const auto same = now.find(pair); same != now.end())
+              same->second = {before.impulse + same->second.impulse,
+                              before.n_steps + 1,
+                              before.begin};
+            else
+              end(pair, before);
+          }
+        going_on.clear();
+        for (const auto &[pair, impact] : now)
+          {
+            going_on.insert(going_on.end(), pair.begin(), pair.end());
+            going_on.insert(going_on.end(),
+                            {impact.impulse,
+                             double(impact.n_steps),
+                             impact.begin});
+          }
+        for (unsigned int i = 0; i < peaks.size(); ++i)
+          peaks[i].add(of_plates[i].norm(), step.dt, step.to.time);
+      }
+
+      std::vector<Finding> findings() const override
+      {
+        std::vector<Finding> all = findings_on_impulse();
+        for (unsigned int i = 0; i < peaks.size(); ++i)
+          if (!peaks[i].is_resolved())
+            all.push_back(note_on_peak(i));
+        return all;
+      }
+
+    private:
+      std::vector<Finding> findings_on_impulse() const
+      {
+        // The momentum of a body as heavy as all, with the largest kinetic
+        // energy.
+        const double largest = std::sqrt(2 * mass * kinetic);
+        const bool   counts  = unresolved > doubtful_momentum * largest &&
+          unresolved > doubtful_share * impulse;
+        if (!counts && unresolved <= doubtful_anyway * (largest + impulse))
+          return {};
+        const auto plate = on_plates.largest(), strut = on_struts.largest();
+        const bool is_plate = plate && (!strut || plate->size >= strut->size);
+        const Occurrence  &worst    = is_plate ? *plate : *strut;
+        const std::string  location = "strut " + std::to_string(worst.number);
+        std::ostringstream text;
+        text.precision(3);
+        text << "At t = " << worst.time << " s " << location << " hits "
+             << (is_plate ? touched_plate(
+                              equations.reporting().plates->name(worst.group))
+                          : touched_strut(worst.number, worst.group))
+             << " for " << n_steps_of_worst
+             << (n_steps_of_worst == 1 ? " step" : " steps")
+             << " only: the impulse, and what comes after it, depend on how "
+                "long steps are. Contact as short as that leaves open ";
+        text.precision(2);
+        text << percentage_text(unresolved / largest)
+             << " of the largest momentum; answers may err by ten times as "
+                "much. "
+             << advice();
+        return {{Verdict::doubtful, text.str(), worst.time, location}};
+      }
+
+      Finding note_on_peak(const unsigned int plate) const
+      {
+        const ForcePeak   &peak = peaks[plate];
+        std::ostringstream text;
+        text.precision(3);
+        text << "The largest force on "
+             << touched_plate(equations.reporting().plates->name(plate)) << ", "
+             << peak.largest.value << " N at t = " << peak.largest.time
+             << " s, lasts for few steps: in the mean of three it is at most "
+             << peak.largest_mean
+             << " N. Shorter steps may find a higher peak: compare impulses, "
+                "or forces filtered over a time of several steps.";
+        return {Verdict::sound, text.str(), peak.largest.time, ""};
+      }
+
+      struct ContactForce
+      {
+        TouchingPair pair;
+        double       components[3]; ///< on the strut (N)
+      };
+
+      static void add(const std::vector<ContactReport> &points,
+                      const bool                        is_plate,
+                      std::vector<ContactForce>        &forces)
+      {
+        for (const ContactReport &point : points)
+          forces.push_back({{{point.strut, point.other, is_plate}},
+                            {point.force[0], point.force[1], point.force[2]}});
+      }
+
+      /** At all points that touch. Collective. */
+      std::vector<ContactForce>
+      forces_of_all(const State &state, const EvaluationResults &results) const
+      {
+        const ReportingEffects   &effects = equations.reporting();
+        std::vector<ContactForce> mine;
+        if (effects.plates != nullptr)
+          add(effects.plates->contacts(equations.plate_results(results), state),
+              true,
+              mine);
+        if (effects.strut_contact != nullptr)
+          add(effects.strut_contact->contacts(equations.strut_contact_results(
+                                                results),
+                                              state),
+              false,
+              mine);
+        return of_all_ranks(mine, equations.unknowns().layout.communicator());
+      }
+
+      void end(const TouchingPair &pair, const Impact &impact)
+      {
+        unresolved += impact.unresolved();
+        impulse += impact.impulse;
+        const auto size = [](const Occurrences &occurrences) {
+          const auto &largest = occurrences.largest_here();
+          return largest ? largest->size : 0.;
+        };
+        if (impact.unresolved() > std::max(size(on_plates), size(on_struts)))
+          n_steps_of_worst = impact.n_steps;
+        (pair[2] != 0 ? on_plates : on_struts)
+          .add({impact.unresolved(), impact.begin, pair[0], pair[1]});
+      }
+
+      std::string advice() const
+      {
+        std::ostringstream text;
+        if (time.relative_tolerance)
+          text << "Reduce Time/Relative tolerance.";
+        else if (time.implicit_scheme().estimates_errors())
+          text
+            << "Set Time/Relative tolerance = 5e-3: steps become as short as "
+               "the contact asks for, there alone.";
+        else
+          text << "Shorten Time/Time step = " << time.step << " s.";
+        return text.str();
+      }
+
+      /** Of a contact in `going_on`. */
+      static constexpr unsigned int n_values = 6;
+
+      static unsigned int number(const double value)
+      {
+        return static_cast<unsigned int>(value);
+      }
+
+      const TimeParameters  &time;
+      const Equations       &equations;
+      const double           mass;    ///< kg
+      std::vector<ForcePeak> peaks;   ///< by plate
+      double                &kinetic; ///< J
+      /** Of contact that has ended (N s). */
+      double &unresolved, &impulse;
+      double &n_steps_of_worst;
+      /** By Impact::unresolved(); the same on all ranks. */
+      Occurrences &on_plates, &on_struts;
+      /** Of each contact that lasts the pair and what an Impact has. */
+      std::vector<double> &going_on;
+    };
+  } // namespace
+
+  std::unique_ptr<Watch> make_impact_watch(const WatchedRun &run)
+  {
+    return std::make_unique<ImpactWatch>(run);
+  }
+} // namespace auxfem

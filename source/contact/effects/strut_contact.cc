@@ -1,0 +1,419 @@
+#include <auxfem/algebra/rank_exchange.h>
+#include <auxfem/contact/effects/strut_touch.h>
+
+#include <set>
+#include <sstream>
+
+namespace auxfem
+{
+  namespace
+  {
+    /** See StrutContact. */
+    class StrutTouches
+      : public ContactEffect<StrutContact, AxisPair, StrutTouch>
+    {
+    public:
+      explicit StrutTouches(const LatticeModel &model)
+        : ContactEffect(model)
+        , points_of_axes(curves, dimension)
+        , proximity(model, curves)
+      {}
+
+      void register_in(StateLayout &layout) override
+      {
+        ContactEffect::register_in(layout);
+        numerical_entry = layout.acceleration
+          ? layout.energies.enter(numerical_energy_entry())
+          : 0;
+      }
+
+      void register_blocks(TangentPattern &pattern) override
+      {
+        ContactEffect::register_blocks(pattern);
+        std::vector<AxisPair> pairs;
+        local_unknowns.clear();
+        for (const Coupled &of_pair : coupled)
+          {
+            pairs.push_back(of_pair.pair);
+            auto first = of_pair.unknowns.begin();
+            for (const unsigned int axis : of_pair.pair)
+              {
+                if (first == of_pair.unknowns.end())
+                  break; // An axis with itself.
+                const auto end = first + axes[axis].unknowns.size();
+                local_unknowns.try_emplace(axis, first, end);
+                first = end;
+              }
+          }
+        facing = points_of_axes.facing_struts(pairs);
+      }
+
+      void add_residual(const Evaluation &evaluation,
+                        double           *residual,
+                        EffectResults    *results) const override
+      {
+        auto &points = static_cast<Results &>(*results).points;
+        points       = touching(evaluation);
+        for (const StrutTouch &touch : points)
+          {
+            const StrutTouchMotion motion = motion_of(touch);
+            for (const StrutTouch::Opposite &opposite : touch.opposites)
+              motion.add_force(opposite.parameter,
+                               -touch.force / touch.opposites.size() *
+                                 opposite.direction,
+                               residual);
+            if (touch.friction.scale > 0)
+              motion.add_force(touch.opposites.back().parameter,
+                               -touch.friction.force,
+                               residual);
+          }
+      }
+
+      void add_tangent(const Evaluation     &evaluation,
+                       const EffectResults  *results,
+                       const TangentFactors &factors,
+                       TangentMatrix        &matrix) const override
+      {
+        const std::vector<StrutTouch> &points = points_of(results);
+        if (points.empty() || (factors.stiffness == 0 && factors.damping == 0))
+          return;
+        const bool is_between   = evaluation.kind == Evaluation::Kind::between;
+        const NearCurves    now = curves_at(evaluation.to);
+        std::vector<double> block;
+        for (const StrutTouch &touch : points)
+          {
+            const StrutTouchMotion motion = motion_of(touch);
+            const AxisCurve       &other  = now.at(touch.other);
+            const std::size_t      n      = coupled[touch.pair].unknowns.size();
+            block.assign(n * n, 0.);
+            if (is_between)
+              motion.add_mean_block(block);
+            else
+              motion.add_instant_block(other, factors.stiffness, block);
+            if (touch.friction.scale > 0)
+              motion.add_friction_block(
+                friction,
+                other,
+                evaluation,
+                is_between ? TangentFactors{1., 1 / evaluation.dt, 0.}
+                           : factors,
+                block);
+            matrix.add(first_block + touch.pair, block.data());
+          }
+      }
+      void account_step(const Evaluation    &step,
+                        const EffectResults *results,
+                        EnergyAccount       &account) const override
+      {
+        ContactEffect::account_step(step, results, account);
+        if (step.kind == Evaluation::Kind::between && account.takes_time())
+          for (const StrutTouch &touch : points_of(results))
+            if (is_owned(touch))
+              account.add_in_step(numerical_entry, touch.missed);
+      }
+
+      void raise_forces(const Evaluation & /*evaluation*/,
+                        const EffectResults *results,
+                        double              *forces) const override
+      {
+        for (const StrutTouch &touch : points_of(results))
+          for (const int unknown : coupled[touch.pair].unknowns)
+            raise(forces, unknown, touch.force);
+      }
+
+      void raise_uncertain_forces(const Evaluation & /*evaluation*/,
+                                  const EffectResults *results,
+                                  const LargestMotion &largest,
+                                  double              *forces) const override
+      {
+        for (const StrutTouch &touch : points_of(results))
+          for (const int unknown : coupled[touch.pair].unknowns)
+            raise(forces,
+                  unknown,
+                  touch.force + touch.slope * largest.displacement);
+      }
+
+      bool may_touch() const override
+      {
+        return proximity.may_touch();
+      }
+
+      std::string why_not_acceptable(const Evaluation &step) const override
+      {
+        const UnknownLayout &layout = model.numbering.layout();
+        std::vector<double>  before, after;
+        const auto           found = proximity.first_too_near(
+          by_global_number(step.from.displacement, layout, before),
+          by_global_number(step.to.displacement, layout, after),
+          parameters.largest_penetration);
+        if (!found)
+          return "";
+        std::ostringstream why;
+        why
+          << "strut " << axes[(*found)[0]].strut << " and strut "
+          << axes[(*found)[1]].strut
+          << " would go into each other deeper than Contact/Largest penetration "
+             "allows";
+        return why.str();
+      }
+
+      std::unique_ptr<FirstContactDetector>
+      first_contact_detector() const override
+      {
+        return std::make_unique<FirstContactDetector>(model, curves, proximity);
+      }
+
+      const std::vector<StrutOverlap> &overlaps() const override
+      {
+        return proximity.overlaps();
+      }
+
+      std::vector<ContactReport> contacts(const EffectResults &results,
+                                          const State &state) const override
+      {
+        std::vector<ContactReport> all;
+        for (const StrutTouch &touch : points_of(&results))
+          {
+            if (!is_owned(touch) || (touch.depth <= 0 && touch.force == 0))
+              continue;
+            SpaceVector force = touch.friction.force;
+            for (const StrutTouch::Opposite &opposite : touch.opposites)
+              force +=
+                touch.force / touch.opposites.size() * opposite.direction;
+            const SpaceVector now =
+              curves
+                .curve(touch.axis,
+                       local_unknowns.at(touch.axis).data(),
+                       state.displacement.data())
+                .at(touch.parameter);
+            const SpaceVector rest =
+              curves.at_rest(touch.axis).at(touch.parameter);
+            all.push_back(
+              {axes[touch.axis].strut,
+               axes[touch.other].strut,
+               dealii::Point<3>(rest),
+               now - rest,
+               axes[touch.axis].half_thickness * touch.opposites.back().normal,
+               force,
+               touch.depth});
+          }
+        return all;
+      }
+
+    private:
+      using SpaceVector = dealii::Tensor<1, 3>;
+
+      bool follow(const State &accepted) override
+      {
+        std::vector<double> room;
+        return proximity.follow(by_global_number(accepted.displacement,
+                                                 model.numbering.layout(),
+                                                 room));
+      }
+
+      bool restart(const State &accepted) override
+      {
+        std::vector<double> room;
+        return proximity.restart(by_global_number(accepted.displacement,
+                                                  model.numbering.layout(),
+                                                  room));
+      }
+
+      const std::vector<AxisPair> &near() const override
+      {
+        return proximity.near();
+      }
+
+      std::vector<int> unknowns_of(const AxisPair &pair) const override
+      {
+        std::vector<int> unknowns = axes[pair[0]].unknowns;
+        if (pair[1] != pair[0])
+          unknowns.insert(unknowns.end(),
+                          axes[pair[1]].unknowns.begin(),
+                          axes[pair[1]].unknowns.end());
+        return unknowns;
+      }
+
+      std::vector<StrutTouch>
+      touching(const Evaluation &evaluation) const override
+      {
+        std::vector<StrutTouch> points;
+        if (facing.empty())
+          return points;
+        const NearCurves now = curves_at(evaluation.to);
+        if (evaluation.kind == Evaluation::Kind::between)
+          {
+            const NearCurves before = curves_at(evaluation.from);
+            for (const FacingStrut &of_axis : facing)
+              touch_between(of_axis, before, now, evaluation, points);
+          }
+        else
+          for (const FacingStrut &of_axis : facing)
+            touch(of_axis, now, evaluation, points);
+        return points;
+      }
+
+      ContactLaw law_at(const StrutTouch &touch) const override
+      {
+        const double one   = axes[touch.axis].stiffness,
+                     other = axes[touch.other].stiffness;
+        // The points of the other strut do the other half.
+        return {touch.weight / 2 * one * other / (one + other),
+                parameters.smoothing *
+                  curves.thickness(touch.axis, touch.other)};
+      }
+
+      /** Over the mean thickness of both. */
+      Penetration penetration(const StrutTouch &touch) const override
+      {
+        return {touch.depth / curves.thickness(touch.axis, touch.other),
+                axes[touch.axis].strut,
+                axes[touch.other].strut};
+      }
+
+      SpaceVector difference(const StrutTouch &touch,
+                             const Vector     &values) const override
+      {
+        return motion_of(touch).difference(values);
+      }
+
+      NearCurves curves_at(const State &state) const
+      {
+        NearCurves now;
+        for (const auto &[axis, unknowns] : local_unknowns)
+          now.emplace(axis,
+                      curves.curve(axis,
+                                   unknowns.data(),
+                                   state.displacement.data()));
+        return now;
+      }
+
+      StrutTouchMotion motion_of(const StrutTouch &touch) const
+      {
+        const Coupled &of_pair = coupled[touch.pair];
+        return {curves, dimension, touch, of_pair.pair, of_pair.unknowns};
+      }
+
+      /** A point that touches, without forces. */
+      StrutTouch touch_of(const FacingStrut    &of_axis,
+                          const NearestOfStrut &found,
+                          const unsigned int    point) const
+      {
+        const unsigned int axis = of_axis.axis, other = found.target.axis;
+        const double       depth =
+          curves.thickness(axis, other) - found.point.distance;
+        return {{found.target.pair, axis, depth},
+                other,
+                points_of_axes.parameter(axis, point),
+                points_of_axes.weight(axis, point),
+                found.point.distance,
+                found.point.is_inside};
+      }
+
+      /** Adds the points that touch at an instant. */
+      void touch(const FacingStrut       &of_axis,
+                 const NearCurves        &now,
+                 const Evaluation        &evaluation,
+                 std::vector<StrutTouch> &points) const
+      {
+        for (const auto &[i, found] : points_of_axes.touching(of_axis, now))
+          {
+            const SpaceVector point =
+              now.at(of_axis.axis)
+                .at(points_of_axes.parameter(of_axis.axis, i));
+            StrutTouch       touch = touch_of(of_axis, found, i);
+            const ContactLaw law   = law_at(touch);
+            touch.force            = law.force(touch.depth);
+            touch.slope            = law.slope(touch.depth);
+            const SpaceVector away =
+              point - now.at(touch.other).at(found.point.parameter);
+            const SpaceVector normal = away / found.point.distance;
+            touch.opposites          = {
+                       {found.point.parameter, normal, normal, found.point.distance}};
+            if (friction.coefficient > 0 &&
+                evaluation.kind != Evaluation::Kind::equilibrium)
+              rub(evaluation, touch);
+            points.push_back(touch);
+          }
+      }
+
+      /** Adds those that touch at an end of a step between two states. */
+      void touch_between(const FacingStrut       &of_axis,
+                         const NearCurves        &before,
+                         const NearCurves        &now,
+                         const Evaluation        &step,
+                         std::vector<StrutTouch> &points) const
+      {
+        std::set<unsigned int> touching;
+        for (const NearCurves *const curves_then : {&before, &now})
+          for (const TouchingPoint &point :
+               points_of_axes.touching(of_axis, *curves_then))
+            touching.insert(point.point);
+        for (const unsigned int i : touching)
+          {
+            const double      at   = points_of_axes.parameter(of_axis.axis, i);
+            const SpaceVector from = before.at(of_axis.axis).at(at),
+                              to   = now.at(of_axis.axis).at(at);
+            const NearestOfStrut first = points_of_axes.nearest(of_axis,
+                                                                before,
+                                                                from,
+                                                                at),
+                                 last =
+                                   points_of_axes.nearest(of_axis, now, to, at);
+            StrutTouch       touch = touch_of(of_axis, last, i);
+            const ContactLaw law   = law_at(touch);
+            const double     depth_before =
+              curves.thickness(touch.axis, touch.other) - first.point.distance;
+            touch.force   = law.mean_force(depth_before, touch.depth);
+            touch.slope   = law.mean_slope(depth_before, touch.depth);
+            double gained = 0;
+            for (const NearestOfStrut &nearest : {first, last})
+              {
+                // The nearest points of both states may lie on two elements:
+                // then that of the end stands for both.
+                const double      parameter = nearest.target.axis == touch.other
+                       ? nearest.point.parameter
+                       : last.point.parameter;
+                const SpaceVector q0 =
+                                    from - before.at(touch.other).at(parameter),
+                                  q1 = to - now.at(touch.other).at(parameter);
+                const double sum     = q0.norm() + q1.norm();
+                touch.opposites.push_back(
+                  {parameter, (q0 + q1) / sum, q1 / q1.norm(), sum});
+                gained += (q1.norm() - q0.norm()) / 2;
+              }
+            touch.missed = -touch.force *
+              (gained - (last.point.distance - first.point.distance));
+            if (friction.coefficient > 0)
+              rub(step, touch);
+            points.push_back(touch);
+          }
+      }
+
+      /** Finds the friction at a point that has all else. */
+      void rub(const Evaluation &evaluation, StrutTouch &touch) const
+      {
+        touch.friction =
+          friction.force(sliding_velocity(evaluation,
+                                          [&](const Vector &u) {
+                                            return difference(touch, u);
+                                          }),
+                         touch.opposites.back().normal,
+                         touch.force);
+      }
+
+      const StrutContactPoints points_of_axes;
+      StrutProximity           proximity;
+      std::vector<FacingStrut> facing;
+      /** Local unknowns of the axes among `coupled`. */
+      std::map<unsigned int, std::vector<int>> local_unknowns;
+      unsigned int                             numerical_entry = 0;
+    };
+  } // namespace
+
+
+  std::unique_ptr<StrutContact> make_strut_contact(const LatticeModel &model)
+  {
+    return std::make_unique<StrutTouches>(model);
+  }
+} // namespace auxfem

@@ -1,0 +1,473 @@
+#include <auxfem/contact/effects/strut_curves.h>
+#include <auxfem/mesh/lattice.h>
+#include <auxfem/parameters/numerical_limits.h>
+
+#include <deal.II/base/numbers.h>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_q.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numeric>
+
+namespace auxfem
+{
+  namespace
+  {
+    /** Half the thickness of a strut (m): in the plane that in it, in space the
+     * smaller one. */
+    double half_thickness(const Section &section, const unsigned int dimension)
+    {
+      const auto &halves = section.half_thicknesses;
+      return dimension == 2 ? halves[1] : std::min(halves[0], halves[1]);
+    }
+
+    /** What sections are to contact, and what rigid struts are. */
+    class ContactSections
+    {
+    public:
+      ContactSections(const LatticeModel &model, const double factor)
+        : model(model)
+        , factor(factor)
+      {
+        for (const Section &section : model.sections)
+          if (const double h = half_thickness(section, model.lattice.dimension);
+              h > 0)
+            stiffest = std::max(stiffest, stiffness(section, h));
+      }
+
+      /** Writes half the thickness and the stiffness. */
+      void set(ContactAxis &axis) const
+      {
+        const Strut &strut  = model.lattice.struts[axis.strut];
+        axis.half_thickness = 0;
+        axis.stiffness      = stiffest;
+        if (strut.section == invalid_index)
+          return;
+        const Section &section = model.sections[strut.section];
+        axis.half_thickness = half_thickness(section, model.lattice.dimension);
+        if (!strut.is_rigid())
+          axis.stiffness = axis.half_thickness > 0
+            ? stiffness(section, axis.half_thickness)
+            : 0.;
+      }
+
+    private:
+      /** Of the half of a strut between its axis and its face. */
+      double stiffness(const Section &section, const double h) const
+      {
+        return factor * section.axial_stiffness() / (2 * h * h);
+      }
+
+      const LatticeModel &model;
+      const double        factor;
+      double              stiffest = 0;
+    };
+
+    /** Of an element, or of a rigid strut as a whole; without what its section
+     * is to contact.
+     * @param unknowns room for those of its nodes */
+    ContactAxis axis_of(const DofNumbering  &numbering,
+                        const StrutInterval &element,
+                        const unsigned int   order,
+                        std::vector<int>    &unknowns)
+    {
+      const Lattice &lattice = numbering.lattice();
+      const Strut   &strut   = lattice.struts[element.strut];
+      ContactAxis    axis;
+      axis.strut  = element.strut;
+      axis.begin  = element.begin;
+      axis.end    = element.end;
+      axis.order  = order;
+      axis.length = (element.end - element.begin) * lattice.length(strut);
+      dealii::Tensor<1, 3> tangent;
+      lattice.axis(strut, axis.begin, axis.ends[0], tangent);
+      lattice.axis(strut, axis.end, axis.ends[1], tangent);
+
+      unknowns.clear();
+      axis.unknowns.reserve(std::size_t(order + 1) * lattice.dimension);
+      numbering.global().add_element(lattice, element, order, unknowns);
+      for (std::size_t i = 0; i < unknowns.size(); ++i)
+        if (i % numbering.n_components() < lattice.dimension)
+          axis.unknowns.push_back(unknowns[i]);
+      axis.is_owned = numbering.layout().owner(axis.unknowns.back()) ==
+        numbering.layout().rank();
+      return axis;
+    }
+  } // namespace
+
+  std::vector<ContactAxis> make_contact_axes(const LatticeModel &model,
+                                             const double stiffness_factor)
+  {
+    const std::vector<Strut> &struts = model.lattice.struts;
+    const ContactSections     sections(model, stiffness_factor);
+    const auto                division_of = [&](const unsigned int s) {
+      return struts[s].is_rigid() ? StrutDivision{1, 1}
+                                                 : model.numbering.divisions()[s];
+    };
+    std::size_t n_axes = 0;
+    for (unsigned int s = 0; s < struts.size(); ++s)
+      n_axes += division_of(s).n_elements;
+    std::vector<int>         unknowns;
+    std::vector<ContactAxis> axes;
+    axes.reserve(n_axes);
+    for (unsigned int s = 0; s < struts.size(); ++s)
+      {
+        const StrutDivision division = division_of(s);
+        const double        n        = division.n_elements;
+        for (unsigned int e = 0; e < division.n_elements; ++e)
+          {
+            axes.push_back(axis_of(model.numbering,
+                                   {s, e / n, (e + 1) / n},
+                                   division.order,
+                                   unknowns));
+            sections.set(axes.back());
+          }
+      }
+    return axes;
+  }
+
+  namespace
+  {
+    /** Coefficients of Lagrange polynomials through points of [0, 1], point
+     * after point. */
+    std::vector<double>
+    lagrange_coefficients(const std::vector<dealii::Point<1>> &points)
+    {
+      std::vector<double> coefficients;
+      for (unsigned int i = 0; i < points.size(); ++i)
+        {
+          std::vector<double> powers = {1.};
+          for (unsigned int j = 0; j < points.size(); ++j)
+            if (j != i)
+              {
+                const double width = points[i][0] - points[j][0];
+                powers.push_back(0.);
+                for (std::size_t k = powers.size(); k-- > 0;)
+                  powers[k] =
+                    ((k > 0 ? powers[k - 1] : 0.) - points[j][0] * powers[k]) /
+                    width;
+              }
+          coefficients.insert(coefficients.end(), powers.begin(), powers.end());
+        }
+      return coefficients;
+    }
+
+    /** Whether a point is as far from all curves as @p least (m). */
+    bool is_apart(const AxisCurve::Vector      &point,
+                  const std::vector<AxisCurve> &curves,
+                  const double                  least)
+    {
+      return std::all_of(curves.begin(),
+                         curves.end(),
+                         [&](const AxisCurve &curve) {
+                           return nearest_point(curve, point).distance >= least;
+                         });
+    }
+
+    /** The parameter between two where a curve comes apart from others. */
+    double free_end(const AxisCurve              &curve,
+                    const std::vector<AxisCurve> &others,
+                    const double                  least,
+                    double                        occupied,
+                    double                        free)
+    {
+      while (std::abs(free - occupied) > accuracy_of_places)
+        {
+          const double middle = (free + occupied) / 2;
+          (is_apart(curve.at(middle), others, least) ? free : occupied) =
+            middle;
+        }
+      return free;
+    }
+  } // namespace
+
+  StrutCurves::StrutCurves(const LatticeModel             &model,
+                           const std::vector<ContactAxis> &axes)
+    : model(model)
+    , axes(axes)
+    , axes_of_struts(model.lattice.struts.size())
+  {
+    basis_of.reserve(axes.size());
+    for (unsigned int a = 0; a < axes.size(); ++a)
+      {
+        const unsigned int order = axes[a].n_nodes() - 1;
+        Basis             &basis = bases[order];
+        if (basis.coefficients.empty())
+          basis = make_basis(order);
+        basis_of.push_back(&basis);
+        std::array<unsigned int, 2> &of_strut = axes_of_struts[axes[a].strut];
+        if (of_strut[0] == of_strut[1])
+          of_strut[0] = a;
+        of_strut[1] = a + 1;
+        if (model.lattice.struts[axes[a].strut].sagitta != 0)
+          arcs.emplace(a, arc_at_rest(axes[a]));
+      }
+    find_connected();
+  }
+
+  StrutCurves::Basis StrutCurves::make_basis(const unsigned int order)
+  {
+    Basis               basis{order,
+                lagrange_coefficients(
+                  dealii::FE_Q<1>(order).get_unit_support_points()),
+                {},
+                0};
+    std::vector<double> values(order + 1), slopes(order + 1);
+    for (unsigned int i = 0; i <= order; ++i)
+      {
+        basis.values_at(double(i) / order, values.data(), slopes.data());
+        basis.slopes.insert(basis.slopes.end(), slopes.begin(), slopes.end());
+        double sum = 0;
+        for (const double slope : slopes)
+          sum += std::abs(slope);
+        basis.steepest = std::max(basis.steepest, sum);
+      }
+    return basis;
+  }
+
+  void StrutCurves::Basis::values_at(const double parameter,
+                                     double      *values,
+                                     double      *derivatives) const
+  {
+    const unsigned int n = degree + 1;
+    for (unsigned int node = 0; node < n; ++node)
+      {
+        const double *c     = coefficients.data() + node * n;
+        double        value = c[n - 1], slope = 0;
+        for (unsigned int k = n - 1; k-- > 0;)
+          {
+            slope = value + parameter * slope;
+            value = c[k] + parameter * value;
+          }
+        values[node] = value;
+        if (derivatives != nullptr)
+          derivatives[node] = slope;
+      }
+  }
+
+  template <unsigned int dimension>
+  double StrutCurves::Basis::largest_slope(const double *const motion) const
+  {
+    const unsigned int n       = degree + 1;
+    const double      *slope   = slopes.data();
+    double             largest = 0;
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        std::array<double, dimension> sum{};
+        for (unsigned int node = 0; node < n; ++node, ++slope)
+          for (unsigned int c = 0; c < dimension; ++c)
+            sum[c] += *slope * motion[node * dimension + c];
+        double square = 0;
+        for (const double component : sum)
+          square += component * component;
+        largest = std::max(largest, square);
+      }
+    return std::sqrt(largest);
+  }
+
+  double StrutCurves::turning(const unsigned int  axis,
+                              const double *const motion) const
+  {
+    const Basis &basis = *basis_of[axis];
+    return (model.lattice.dimension == 2 ? basis.largest_slope<2>(motion)
+                                         : basis.largest_slope<3>(motion)) /
+      axes[axis].length;
+  }
+
+  double StrutCurves::largest_turning(const unsigned int axis,
+                                      const double       motion) const
+  {
+    return basis_of[axis]->steepest * motion / axes[axis].length;
+  }
+
+  AxisCurve StrutCurves::arc_at_rest(const ContactAxis &axis) const
+  {
+    constexpr unsigned int         n = 11;
+    const dealii::QGaussLobatto<1> points(n);
+    const std::vector<double>      powers =
+      lagrange_coefficients(points.get_points());
+    AxisCurve curve;
+    curve.degree = n - 1;
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        dealii::Point<3>     position;
+        dealii::Tensor<1, 3> tangent;
+        model.lattice.axis(model.lattice.struts[axis.strut],
+                           axis.begin +
+                             (axis.end - axis.begin) * points.point(i)[0],
+                           position,
+                           tangent);
+        for (unsigned int k = 0; k < n; ++k)
+          curve.coefficients[k] += powers[i * n + k] * position;
+      }
+    return curve;
+  }
+
+  AxisCurve StrutCurves::at_rest(const unsigned int axis) const
+  {
+    if (const auto arc = arcs.find(axis); arc != arcs.end())
+      return arc->second;
+    AxisCurve line;
+    line.degree          = 1;
+    line.coefficients[0] = axes[axis].ends[0];
+    line.coefficients[1] = axes[axis].ends[1] - axes[axis].ends[0];
+    return line;
+  }
+
+  AxisCurve StrutCurves::curve(const unsigned int  a,
+                               const int *const    unknowns,
+                               const double *const values) const
+  {
+    const Basis       &basis     = *basis_of[a];
+    const unsigned int dimension = model.lattice.dimension,
+                       n         = basis.degree + 1;
+    AxisCurve curve              = at_rest(a);
+    curve.degree                 = std::max(curve.degree, basis.degree);
+    for (unsigned int node = 0; node < n; ++node)
+      for (unsigned int c = 0; c < dimension; ++c)
+        {
+          const double u = values[unknowns[node * dimension + c]];
+          for (unsigned int k = 0; k < n; ++k)
+            curve.coefficients[k][c] += basis.coefficients[node * n + k] * u;
+        }
+    // Lines, as most are at the start of a run, are quickly dealt with.
+    while (curve.degree > 1 &&
+           curve.coefficients[curve.degree] == AxisCurve::Vector())
+      --curve.degree;
+    return curve;
+  }
+
+  bool StrutCurves::are_neighbours(const unsigned int one,
+                                   const unsigned int other) const
+  {
+    const auto &first  = model.lattice.struts[axes[one].strut].joints,
+               &second = model.lattice.struts[axes[other].strut].joints;
+    return axes[one].strut == axes[other].strut || first[0] == second[0] ||
+      first[0] == second[1] || first[1] == second[0] || first[1] == second[1];
+  }
+
+  bool StrutCurves::never_touch(const unsigned int one,
+                                const unsigned int other) const
+  {
+    const Strut &first  = model.lattice.struts[axes[one].strut],
+                &second = model.lattice.struts[axes[other].strut];
+    return (first.is_rigid() && first.rigid_part == second.rigid_part) ||
+      !(thickness(one, other) > 0) || axes[one].stiffness == 0 ||
+      axes[other].stiffness == 0 || (first.is_rigid() && first.sagitta != 0) ||
+      (second.is_rigid() && second.sagitta != 0);
+  }
+
+  std::vector<CommonNode>
+  StrutCurves::common_nodes(const unsigned int one,
+                            const unsigned int other) const
+  {
+    // Nodes at the ends are the first ones.
+    const unsigned int      dimension = model.lattice.dimension;
+    std::vector<CommonNode> nodes;
+    for (unsigned int i = 0; i < 2; ++i)
+      for (unsigned int j = 0; j < 2; ++j)
+        if (axes[one].unknowns[i * dimension] ==
+            axes[other].unknowns[j * dimension])
+          nodes.push_back({{{double(i), double(j)}}});
+    return nodes;
+  }
+
+  void StrutCurves::find_connected()
+  {
+    // By the first unknown of a node.
+    const unsigned int dimension = model.lattice.dimension;
+    const auto node = [&](const ContactAxis &axis, const unsigned int end) {
+      return axis.unknowns[end * dimension];
+    };
+    const IndexLists          at_nodes(model.numbering.layout().n_global(),
+                              [&](const auto &add) {
+                                for (unsigned int a = 0; a < axes.size(); ++a)
+                                  for (unsigned int end = 0; end < 2; ++end)
+                                    add(node(axes[a], end), a);
+                              });
+    std::vector<unsigned int> others;
+    for (unsigned int a = 0; a < axes.size(); ++a)
+      {
+        others.clear();
+        for (unsigned int end = 0; end < 2; ++end)
+          for (const unsigned int other : at_nodes[node(axes[a], end)])
+            if (other > a)
+              others.push_back(other);
+        std::sort(others.begin(), others.end());
+        others.erase(std::unique(others.begin(), others.end()), others.end());
+        // A straight element cannot reach itself.
+        if (basis_of[a]->degree > 2)
+          others.insert(others.begin(), a);
+        for (const unsigned int other : others)
+          if (!never_touch(a, other))
+            connected_pairs.push_back({{a, other}});
+      }
+  }
+
+  const ParameterRanges &
+  StrutCurves::free_ranges(const unsigned int axis,
+                           const unsigned int other) const
+  {
+    const std::array<unsigned int, 2> key{{axis, axes[other].strut}};
+    const auto                        known = known_ranges.find(key);
+    if (known != known_ranges.end())
+      return known->second;
+    return known_ranges.emplace(key, find_free_ranges(axis, other))
+      .first->second;
+  }
+
+  ParameterRanges StrutCurves::find_free_ranges(const unsigned int axis,
+                                                const unsigned int other) const
+  {
+    if (axes[axis].strut == axes[other].strut)
+      return {{{0., 1.}}};
+    const double           least = free_distance(axis, other);
+    std::vector<AxisCurve> others;
+    const auto [first, last] = axes_of(axes[other].strut);
+    for (unsigned int b = first; b < last; ++b)
+      others.push_back(at_rest(b));
+    const AxisCurve    curve = at_rest(axis);
+    const unsigned int n     = 8 + 2 * curve.degree;
+    ParameterRanges    ranges;
+    double             begin = -1, before = 0;
+    bool               was_free = false;
+    for (unsigned int i = 0; i <= n; ++i)
+      {
+        const double at      = double(i) / n;
+        const bool   is_free = is_apart(curve.at(at), others, least);
+        if (is_free && !was_free)
+          begin = i == 0 ? 0. : free_end(curve, others, least, before, at);
+        if (!is_free && was_free)
+          ranges.push_back(
+            {{begin, free_end(curve, others, least, at, before)}});
+        was_free = is_free;
+        before   = at;
+      }
+    if (was_free)
+      ranges.push_back({{begin, 1.}});
+    return ranges;
+  }
+
+  ParameterRanges StrutCurves::parts_apart(const unsigned int axis,
+                                           const double       parameter,
+                                           const unsigned int other) const
+  {
+    const ContactAxis &one = axes[axis], &target = axes[other];
+    const double       length = one.length / (one.end - one.begin),
+                 apart = dealii::numbers::PI * thickness(axis, other) / length,
+                 here  = one.begin + (one.end - one.begin) * parameter;
+    const auto parameter_at = [&target](const double fraction) {
+      return std::clamp((fraction - target.begin) / (target.end - target.begin),
+                        0.,
+                        1.);
+    };
+    ParameterRanges parts;
+    if (const double end = parameter_at(here - apart); end > 0)
+      parts.push_back({{0., end}});
+    if (const double begin = parameter_at(here + apart); begin < 1)
+      parts.push_back({{begin, 1.}});
+    return parts;
+  }
+} // namespace auxfem

@@ -1,0 +1,406 @@
+#include <auxfem/algebra/rank_exchange.h>
+#include <auxfem/contact/effects/strut_proximity.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace auxfem
+{
+  namespace
+  {
+    /**
+     * Searches within which a pair that comes nearer touches if it counts as
+     * near.
+     * @tuned judgement
+     */
+    constexpr double looks_ahead = 4;
+
+    /** By how much more than its nodes a point of an axis may move. */
+    constexpr double safety_of_motion = 2;
+  } // namespace
+
+  StrutProximity::StrutProximity(const LatticeModel &model,
+                                 const StrutCurves  &curves)
+    : model(model)
+    , curves(curves)
+    , gap_of(curves)
+    , reach(model.mean_strut_length / 4)
+    , connected_of_axis(curves.list().size(),
+                        [&curves](const auto &add) {
+                          const std::vector<AxisPair> &pairs =
+                            curves.connected();
+                          for (unsigned int i = 0; i < pairs.size(); ++i)
+                            for (const unsigned int axis : pairs[i])
+                              add(axis, i);
+                        })
+    , connected(curves.connected().size())
+    , allowed_turning(curves.list().size(), 0.)
+    , turning_due(curves.list().size(), std::numeric_limits<double>::infinity())
+  {
+    thinnest             = std::numeric_limits<double>::infinity();
+    std::size_t n_values = 0;
+    for (const ContactAxis &axis : curves.list())
+      {
+        thickest = std::max(thickest, axis.half_thickness);
+        if (axis.half_thickness > 0)
+          thinnest = std::min(thinnest, axis.half_thickness);
+        first_of_axis.push_back(n_values);
+        n_values += axis.unknowns.size();
+      }
+    turned_at.assign(n_values, 0.);
+    find_nodes();
+    forget_turning();
+    find_near_at_rest();
+  }
+
+  void StrutProximity::find_near_at_rest()
+  {
+    std::vector<dealii::BoundingBox<3>> boxes;
+    boxes.reserve(curves.list().size());
+    for (unsigned int a = 0; a < curves.list().size(); ++a)
+      boxes.push_back(box_around(curves.at_rest(a),
+                                 curves.list()[a].half_thickness + reach / 2));
+    std::vector<AxisPair> pairs = pairs_in(boxes);
+    overlaps_at_rest = find_overlaps(curves, pairs, model.numbering.layout());
+    for (const StrutOverlap &overlap : overlaps_at_rest)
+      if (overlap.is_passing)
+        passing.insert(overlap.struts);
+    pairs.erase(std::remove_if(pairs.begin(),
+                               pairs.end(),
+                               [this](const AxisPair &pair) {
+                                 return never_touch(pair);
+                               }),
+                pairs.end());
+    set_pairs_in_reach(pairs);
+  }
+
+  void StrutProximity::find_nodes()
+  {
+    const unsigned int dimension = model.lattice.dimension;
+    std::vector<bool>  is_known(model.numbering.layout().n_global(), false);
+    for (const ContactAxis &axis : curves.list())
+      for (std::size_t i = 0; i < axis.unknowns.size(); i += dimension)
+        {
+          const auto first = axis.unknowns.begin() + i;
+          if (is_known[*first])
+            continue;
+          is_known[*first] = true;
+          std::array<int, 3> node{};
+          std::copy_n(first, dimension, node.begin());
+          nodes.push_back(node);
+        }
+    nodes.shrink_to_fit();
+  }
+
+  double StrutProximity::relative_motion(const AxisPair            &pair,
+                                         const std::vector<double> &from,
+                                         const std::vector<double> &to) const
+  {
+    const unsigned int    dimension = model.lattice.dimension;
+    std::array<double, 3> least, most;
+    least.fill(std::numeric_limits<double>::infinity());
+    most.fill(-least[0]);
+    for (const unsigned int axis : pair)
+      {
+        const std::vector<int> &unknowns = curves.list()[axis].unknowns;
+        for (std::size_t i = 0; i < unknowns.size(); ++i)
+          {
+            const double       way = to[unknowns[i]] - from[unknowns[i]];
+            const unsigned int c   = i % dimension;
+            least[c]               = std::min(least[c], way);
+            most[c]                = std::max(most[c], way);
+          }
+      }
+    double square = 0;
+    for (unsigned int c = 0; c < dimension; ++c)
+      square += std::pow(most[c] - least[c], 2);
+    return std::sqrt(square);
+  }
+
+  double StrutProximity::near_gap(const AxisPair &pair) const
+  {
+    return near_part * curves.thickness(pair[0], pair[1]);
+  }
+
+  bool StrutProximity::comes_near(const AxisPair            &pair,
+                                  const double               gap,
+                                  const std::vector<double> &u,
+                                  const double               least) const
+  {
+    // The motion of its nodes tells what need not be looked at.
+    if (gap <= least)
+      return true;
+    return gap <= least + looks_ahead * relative_motion(pair, looked, u) &&
+      gap <= least + looks_ahead * (this->gap(pair, looked) - gap);
+  }
+
+  template <unsigned int dimension>
+  double StrutProximity::largest_motion(const std::vector<double> &from,
+                                        const std::vector<double> &to) const
+  {
+    double largest = 0;
+    for (const std::array<int, 3> &node : nodes)
+      {
+        double square = 0;
+        for (unsigned int c = 0; c < dimension; ++c)
+          square +=
+            (to[node[c]] - from[node[c]]) * (to[node[c]] - from[node[c]]);
+        largest = std::max(largest, square);
+      }
+    return std::sqrt(largest);
+  }
+
+  double StrutProximity::motion(const std::vector<double> &from,
+                                const std::vector<double> &to) const
+  {
+    return model.lattice.dimension == 2 ? largest_motion<2>(from, to)
+                                        : largest_motion<3>(from, to);
+  }
+
+  double StrutProximity::motion(const unsigned int         axis,
+                                const std::vector<double> &from,
+                                const std::vector<double> &to) const
+  {
+    double square = 0;
+    for (const int number : curves.list()[axis].unknowns)
+      square += (to[number] - from[number]) * (to[number] - from[number]);
+    return std::sqrt(square);
+  }
+
+  std::vector<AxisPair>
+  StrutProximity::pairs_in_boxes(const std::vector<double> &from,
+                                 const std::vector<double> &to,
+                                 const double               margin) const
+  {
+    std::vector<dealii::BoundingBox<3>> boxes;
+    boxes.reserve(curves.list().size());
+    for (unsigned int a = 0; a < curves.list().size(); ++a)
+      {
+        const double around = curves.list()[a].half_thickness + margin;
+        boxes.push_back(box_around(curve(a, to), around));
+        if (&from != &to)
+          boxes.back().merge_with(box_around(curve(a, from), around));
+      }
+    return pairs_in(boxes);
+  }
+
+  std::vector<AxisPair> StrutProximity::pairs_in(
+    const std::vector<dealii::BoundingBox<3>> &boxes) const
+  {
+    const UnknownLayout      &layout = model.numbering.layout();
+    std::vector<unsigned int> axes;
+    for (const AxisPair &pair :
+         pairs_that_meet(boxes, share_of_rank(layout, boxes.size())))
+      if (curves.common_nodes(pair[0], pair[1]).empty() && !never_touch(pair))
+        axes.insert(axes.end(), pair.begin(), pair.end());
+    axes = of_all_ranks(axes, layout.communicator());
+    std::vector<AxisPair> pairs;
+    for (std::size_t i = 0; i < axes.size(); i += 2)
+      pairs.push_back({{axes[i], axes[i + 1]}});
+    return pairs;
+  }
+
+  bool StrutProximity::never_touch(const AxisPair &pair) const
+  {
+    const auto struts =
+      std::minmax(curves.list()[pair[0]].strut, curves.list()[pair[1]].strut);
+    return curves.never_touch(pair[0], pair[1]) ||
+      passing.count({{struts.first, struts.second}}) > 0;
+  }
+
+  void StrutProximity::set_pairs_in_reach(const std::vector<AxisPair> &pairs)
+  {
+    in_reach.clear();
+    for (const AxisPair &pair : pairs)
+      in_reach.push_back({pair, 0., false});
+    // What is not among them is more than the reach apart, and comes nearer by
+    // twice of what the nodes travel; a quarter is left for one step.
+    list_due = travelled + 3 * reach / 8;
+  }
+
+  void StrutProximity::look_at_pairs(const std::vector<double> &u)
+  {
+    struct Look
+    {
+      double due;
+      bool   is_near;
+    };
+    std::vector<unsigned int> looked_at;
+    for (unsigned int i = 0; i < in_reach.size(); ++i)
+      if (travelled >= in_reach[i].due || in_reach[i].is_near)
+        looked_at.push_back(i);
+    const auto looks =
+      shared_results(looked_at.size(),
+                     model.numbering.layout(),
+                     [&](const std::size_t k) {
+                       const AxisPair &pair = in_reach[looked_at[k]].pair;
+                       const double    gap  = this->gap(pair, u),
+                                    least   = near_gap(pair);
+                       return Look{travelled + std::max(gap - least, 0.) / 2,
+                                   comes_near(pair, gap, u, least)};
+                     });
+    for (std::size_t k = 0; k < looks.size(); ++k)
+      {
+        in_reach[looked_at[k]].due     = looks[k].due;
+        in_reach[looked_at[k]].is_near = looks[k].is_near;
+      }
+  }
+
+  double StrutProximity::unseen_motion() const
+  {
+    // Pairs that are not near may lose nine tenths of what is left by it.
+    return 0.9 * near_part * thinnest / 2;
+  }
+
+  bool StrutProximity::collect_near(const std::vector<double> &u)
+  {
+    std::vector<AxisPair> now;
+    for (const Reach &pair : in_reach)
+      if (pair.is_near)
+        now.push_back(pair.pair);
+    for (unsigned int i = 0; i < connected.size(); ++i)
+      if (connected[i].is_near)
+        now.push_back(curves.connected()[i]);
+    std::sort(now.begin(), now.end());
+    near_gaps.clear();
+    for (const AxisPair &pair : now)
+      near_gaps.push_back(gap(pair, u));
+    if (now == near_pairs)
+      return false;
+    near_pairs = std::move(now);
+    return true;
+  }
+
+  bool StrutProximity::some_may_touch(const std::vector<double> &u) const
+  {
+    for (std::size_t i = 0; i < near_pairs.size(); ++i)
+      if (comes_near(near_pairs[i], near_gaps[i], u, 2 * unseen_motion()))
+        return true;
+    return false;
+  }
+
+  double StrutProximity::way_to(const std::vector<double> &u) const
+  {
+    if (!(thickest > 0))
+      return 0;
+    // At first that is at rest.
+    return looked.empty() ? motion(std::vector<double>(u.size(), 0.), u)
+                          : motion(looked, u);
+  }
+
+  bool StrutProximity::follow(const std::vector<double> &u, const double way)
+  {
+    if (!(thickest > 0))
+      return false;
+    const bool is_first = looked.empty();
+    if (is_first)
+      looked = std::vector<double>(u.size(), 0.);
+    else if (way < unseen_motion())
+      return false;
+    travelled += way;
+    if (travelled >= list_due)
+      set_pairs_in_reach(pairs_in_boxes(u, u, reach / 2));
+    return look(u);
+  }
+
+  bool StrutProximity::look(const std::vector<double> &u)
+  {
+    look_at_pairs(u);
+    look_at_connected(u);
+    const bool has_changed = collect_near(u);
+    touches_soon           = some_may_touch(u);
+    looked                 = u;
+    return has_changed;
+  }
+
+  bool StrutProximity::restart(const std::vector<double> &u)
+  {
+    if (!(thickest > 0))
+      return false;
+    travelled = 0;
+    looked    = u;
+    connected.assign(connected.size(), {});
+    forget_turning();
+    set_pairs_in_reach(pairs_in_boxes(u, u, reach / 2));
+    return look(u);
+  }
+
+  bool StrutProximity::comes_too_near(const AxisPair            &pair,
+                                      const std::vector<double> &from,
+                                      const std::vector<double> &to,
+                                      const double               least) const
+  {
+    return gap_of.comes_below(pair,
+                              {{curve(pair[0], from), curve(pair[1], from)}},
+                              {{curve(pair[0], to), curve(pair[1], to)}},
+                              least);
+  }
+
+  std::optional<AxisPair>
+  StrutProximity::first_too_near(const std::vector<double> &from,
+                                 const std::vector<double> &to,
+                                 const double               allowed,
+                                 const double               way) const
+  {
+    // Without a state to start from nothing is known.
+    if (!(thickest > 0) || looked.empty())
+      return {};
+    for (std::size_t i = 0; i < near_pairs.size(); ++i)
+      {
+        const AxisPair &pair  = near_pairs[i];
+        const double    least = -allowed * curves.thickness(pair[0], pair[1]);
+        // No distance changes by more than nodes move against each other.
+        if (near_gaps[i] - least < safety_of_motion *
+                std::max(relative_motion(pair, looked, from),
+                         relative_motion(pair, looked, to)) &&
+            comes_too_near(pair, from, to, least))
+          return pair;
+      }
+    if (way < unseen_motion())
+      return {};
+    const auto is_bad = [&](const AxisPair &pair) {
+      return !std::binary_search(near_pairs.begin(), near_pairs.end(), pair) &&
+        comes_too_near(pair, from, to, 0.);
+    };
+    if (travelled + way >= list_due + reach / 8)
+      {
+        for (const AxisPair &pair : pairs_in_boxes(from, to, 0.))
+          if (is_bad(pair))
+            return pair;
+      }
+    else
+      for (const Reach &pair : in_reach)
+        if (travelled + way >= pair.due && is_bad(pair.pair))
+          return pair.pair;
+    for (unsigned int axis = 0; axis < turning_due.size(); ++axis)
+      if (travelled + way >= turning_due[axis] &&
+          motion(axis, looked, to) >= unseen_motion() &&
+          turning(axis, to) >= allowed_turning[axis])
+        for (const unsigned int i : connected_of_axis[axis])
+          if (is_bad(curves.connected()[i]))
+            return curves.connected()[i];
+    return {};
+  }
+
+  std::optional<std::array<unsigned int, 2>>
+  FirstContactDetector::find(const State &from, const State &to)
+  {
+    const UnknownLayout &layout = model.numbering.layout();
+    if (!is_following)
+      proximity.follow(by_global_number(from.displacement, layout, room));
+    is_following = true;
+    const std::vector<double> &end =
+      by_global_number(to.displacement, layout, room);
+    const double way   = proximity.way_to(end);
+    const auto   found = proximity.first_too_near(proximity.last_look(),
+                                                end,
+                                                /*allowed=*/0,
+                                                way);
+    proximity.follow(end, way);
+    if (!found)
+      return {};
+    const std::vector<ContactAxis> &axes = curves.list();
+    return {{{axes[(*found)[0]].strut, axes[(*found)[1]].strut}}};
+  }
+} // namespace auxfem

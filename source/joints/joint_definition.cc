@@ -1,0 +1,79 @@
+#include <auxfem/joints/joint_definition.h>
+#include <auxfem/mesh/lattice_definition.h>
+
+namespace auxfem
+{
+  namespace
+  {
+    const Text released_struts =
+      {"Struts", "all", "Set of struts whose ends are released there."};
+    const Choice       joint_type = {"Type",
+                                     "hinge",
+                                     {"hinge", "revolute", "rotational spring"},
+                                     "How the struts are connected."};
+    const QuantityList joint_axis = {
+      "Axis",
+      "",
+      "1",
+      Range::any(),
+      3,
+      3,
+      "Components x, y and z at rest of the axis about which struts turn, of "
+      "any length but zero."};
+    const Quantity joint_stiffness = {
+      "Stiffness",
+      "",
+      "N m/rad",
+      Range::non_negative(),
+      "Stiffness between a released strut and the unreleased ones of the "
+      "joint, else the first released one; a strut alone: the ground."};
+  } // namespace
+
+
+
+  SubsectionSchema joints_schema()
+  {
+    return {
+      "Joints",
+      SubsectionSchema::Form::named_groups,
+      "Joints at which struts are not rigidly connected.",
+      {set_of_joints, released_struts, joint_type},
+      "Type",
+      {{"hinge",
+        "Struts turn freely, in space about every axis (a spherical joint).",
+        {}},
+       {"revolute",
+        "Struts turn freely about one axis only; with Dimension = 3.",
+        {joint_axis}},
+       {"rotational spring",
+        "A spring resists the relative rotation, in space about every "
+        "axis alike.",
+        {joint_stiffness}}}};
+  }
+
+
+
+  JointDefinition read_joint(ParameterValues &values)
+  {
+    JointDefinition joint;
+    joint.name             = values.name();
+    joint.path             = values.context.path;
+    joint.joints           = values[set_of_joints];
+    joint.struts           = values[released_struts];
+    const std::string type = values[joint_type];
+    if (type == "revolute")
+      {
+        require_space(values,
+                      joint_type,
+                      "In the plane that is Type = hinge; set it");
+        joint.type = JointDefinition::Type::revolute;
+        joint.axis = unit_vector_of(values, joint_axis);
+      }
+    if (type == "rotational spring")
+      {
+        joint.type      = JointDefinition::Type::rotational_spring;
+        joint.stiffness = values[joint_stiffness];
+      }
+    return joint;
+  }
+} // namespace auxfem

@@ -1,0 +1,207 @@
+#include <auxfem/equations/node_masses.h>
+#include <auxfem/output/verdict_limits.h>
+#include <auxfem/parameters/numerical_limits.h>
+#include <auxfem/parameters/text.h>
+#include <auxfem/time/watch.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+
+namespace auxfem
+{
+  namespace
+  {
+    /** A shorter part of a time step is one in which loads are there at once.
+     */
+    constexpr double sudden_part = 1e-4;
+
+    /**
+     * Of loads too fast for an analysis without inertia in which time is more
+     * than a parameter, since something is viscous: by the kinetic energy that
+     * its motion has with the masses that are left out.
+     */
+    class LoadSpeedWatch : public Watch
+    {
+    public:
+      explicit LoadSpeedWatch(const WatchedRun &run)
+        : layout(run.equations.unknowns().layout)
+        , masses(all_masses(run.equations))
+        , scene_step(run.plan.time.step)
+        , kinetic(run.statistics.largest("speed of loads: kinetic energy (J)"))
+        , work(run.statistics.number("speed of loads: work (J)"))
+        , dissipated(run.statistics.number("speed of loads: dissipated (J)"))
+      {}
+
+      void step(const Evaluation &step,
+                const EvaluationResults & /*results*/,
+                TangentSolver & /*solver*/) override
+      {
+        work       = std::max(work, std::abs(step.to.energies.external()));
+        dissipated = std::max(dissipated, step.to.energies.dissipated());
+        if (step.dt < sudden_part * scene_step)
+          return;
+        double sum = 0;
+        for (const NodeMass &node : masses)
+          sum += node.mass *
+            std::pow(step.to.displacement[node.unknown] -
+                       step.from.displacement[node.unknown],
+                     2);
+        kinetic.add(layout.sum(sum) / (2 * step.dt * step.dt), step.to.time);
+      }
+
+      std::vector<Finding> findings() const override
+      {
+        if (kinetic.value <= noticeable_part * work ||
+            dissipated <= noticeable_part * work)
+          return {};
+        std::ostringstream text;
+        text.precision(2);
+        text << "The loads are too fast to leave inertia out: at t = "
+             << kinetic.time
+             << " s the masses that move would have a kinetic energy of "
+             << percentage_text(kinetic.value / work)
+             << " of the work of the loads. Displacements and forces may err "
+                "by "
+             << percentage_text(2 * std::sqrt(kinetic.value / work))
+             << " by vibrations. Set a Time/Scheme with inertia, newmark say, "
+                "or load more slowly.";
+        return {{Verdict::doubtful, text.str(), kinetic.time, ""}};
+      }
+
+    private:
+      const UnknownLayout        &layout;
+      const std::vector<NodeMass> masses;
+      const double                scene_step;        ///< s
+      LargestInTime              &kinetic;           ///< J
+      double                     &work, &dissipated; ///< the largest so far (J)
+    };
+  } // namespace
+
+  std::unique_ptr<Watch> make_load_speed_watch(const WatchedRun &run)
+  {
+    return std::make_unique<LoadSpeedWatch>(run);
+  }
+
+  namespace
+  {
+    /**
+     * Part of a load that steps miss from which on stages within steps miss
+     * it, too.
+     * @tuned theory: loads with less than two steps a period show so much
+     */
+    constexpr double unresolved = 0.75;
+
+    /** The time integral of one load, as steps take it and as it is. */
+    struct Impulse
+    {
+      const TimeFunction *load;
+      double             &missed, &whole; ///< sums of amounts (N s)
+    };
+
+    /**
+     * Loads that change within steps: their distance from the straight line
+     * between the ends of a step, by Gauss' rule. Amounts are summed, as the
+     * impulse of a whole period within a step is zero. What another scheme
+     * misses is that of the vibration of which the trapezoidal rule would miss
+     * so much.
+     */
+    class LoadStepWatch : public Watch
+    {
+    public:
+      explicit LoadStepWatch(const WatchedRun &run)
+        : scene_step(run.plan.time.step)
+        , scheme(run.plan.time.implicit_scheme())
+        , time(run.statistics.number("loads within steps: time (s)"))
+      {
+        for (const auto &loads : run.plan.joint_loads())
+          add(loads.components, run.statistics);
+        for (const auto &loads : run.plan.scene.line_loads)
+          add(loads.components, run.statistics);
+        add(run.plan.scene.gravity.acceleration, run.statistics);
+      }
+
+      void step(const Evaluation &step,
+                const EvaluationResults & /*results*/,
+                TangentSolver & /*solver*/) override
+      {
+        const double             begin = step.from.time, end = step.to.time;
+        const dealii::QGauss<1> &points = rules[step.from.step % rules.size()];
+        for (Impulse &impulse : impulses)
+          {
+            const TimeFunction &load  = *impulse.load;
+            const double        first = load.value_after(begin),
+                         last         = load.value_before(end);
+            for (unsigned int q = 0; q < points.size(); ++q)
+              {
+                const double part  = points.point(q)[0],
+                             dt    = (end - begin) * points.weight(q),
+                             value = load.value(begin + (end - begin) * part);
+                impulse.missed +=
+                  dt * std::abs(value - first - part * (last - first));
+                impulse.whole += dt * std::abs(value);
+              }
+          }
+        time = end;
+      }
+
+      std::vector<Finding> findings() const override
+      {
+        std::vector<Finding> found;
+        for (const Impulse &impulse : impulses)
+          if (impulse.whole > 0)
+            {
+              const double part = impulse.missed / impulse.whole,
+                           missed =
+                             part > unresolved ? part : scheme.missed_way(part);
+              if (!(missed <= doubtful_error))
+                found.push_back(finding(impulse.load->origin(), missed));
+            }
+        return found;
+      }
+
+    private:
+      /** Of those that are there. */
+      template <class Components>
+      void add(const Components &components, RunStatistics &statistics)
+      {
+        for (const TimeFunction &load : components)
+          if (!load.is_zero())
+            {
+              const std::string name =
+                "loads within steps: " + std::to_string(impulses.size());
+              impulses.push_back({&load,
+                                  statistics.number(name + ", missed (N s)"),
+                                  statistics.number(name + ", whole (N s)")});
+            }
+      }
+
+      Finding finding(const std::string &load, const double missed) const
+      {
+        std::ostringstream text;
+        // Never 1e+02 %.
+        text.precision(missed < 0.995 ? 2 : 3);
+        text << load << " changes within steps, which miss "
+             << percentage_text(missed) << " of its impulse"
+             << shorter_step_text(scene_step, scheme, missed);
+        return {Verdict::doubtful, text.str(), time, ""};
+      }
+
+      const double          scene_step; ///< s
+      const ImplicitScheme &scheme;
+      std::vector<Impulse>  impulses;
+      double               &time; ///< s
+      /** In turn, so that no periodic load hides between their points. */
+      const std::array<dealii::QGauss<1>, 3> rules = {
+        {dealii::QGauss<1>(3), dealii::QGauss<1>(4), dealii::QGauss<1>(5)}};
+    };
+  } // namespace
+
+  std::unique_ptr<Watch> make_load_step_watch(const WatchedRun &run)
+  {
+    return std::make_unique<LoadStepWatch>(run);
+  }
+} // namespace auxfem

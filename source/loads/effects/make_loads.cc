@@ -1,0 +1,262 @@
+#include <auxfem/equations/make_effects.h>
+#include <auxfem/loads/effects/applied_loads.h>
+#include <auxfem/loads/effects/follower_loads.h>
+#include <auxfem/mesh/sets.h>
+#include <auxfem/model/load_history.h>
+#include <auxfem/model/unknown_records.h>
+#include <auxfem/parameters/errors.h>
+
+#include <algorithm>
+
+namespace auxfem
+{
+  namespace
+  {
+    /** Entry of the energy ledger for the work of the load @p name. */
+    EnergyEntry work_of(const std::string &name)
+    {
+      return {EnergyKind::work,
+              name + ".load_work",
+              "work of the load since the start"};
+    }
+
+    /** Adds @p force, by its @p shares. */
+    void
+    add_shares(const ForceShares &shares, const double force, AppliedLoad &load)
+    {
+      for (const auto &[unknown, share] : shares)
+        load.weights.push_back({unknown, force * share});
+    }
+
+    /** The loads of a scene. */
+    struct Loads
+    {
+      void add_dead(const JointLoadDefinition &definition)
+      {
+        const std::vector<unsigned int> joints =
+          joints_of(definition, lattice, scene.context);
+        for (const unsigned int c : numbering.components())
+          {
+            if (definition.components[c].is_zero())
+              continue;
+            AppliedLoad load{proportional(definition.components[c], plan),
+                             work_of(definition.name),
+                             {}};
+            for (const unsigned int joint : joints)
+              {
+                if (!numbering.joint_has(joint, c))
+                  throw InputError(definition.path + "/Moment " +
+                                   "xyz"[c - first_rotation] + ": " +
+                                   why_no_rotation(numbering, joint));
+                const int unknown = numbering.joint_unknown(joint, c);
+                if (unknown >= 0)
+                  load.weights.push_back({unknown, 1.});
+              }
+            dead.push_back(std::move(load));
+          }
+      }
+
+      void add_following(const JointLoadDefinition &definition)
+      {
+        auto components = definition.components;
+        for (TimeFunction &component : components)
+          component = proportional(component, plan);
+        FollowerLoad load{components, work_of(definition.name), {}};
+        for (const unsigned int joint :
+             joints_of(definition, lattice, scene.context))
+          {
+            if (!numbering.joint_has(joint, rotation_z))
+              throw InputError(definition.path +
+                               "/Direction = follows the joint: " +
+                               why_no_rotation(numbering, joint));
+            if (numbering.joint_unknown(joint, rotation_z) >= 0)
+              load.joints.push_back(joint);
+          }
+        following.push_back(std::move(load));
+      }
+
+      void add_line_loads()
+      {
+        for (const LineLoadDefinition &definition : scene.line_loads)
+          {
+            std::vector<bool> chosen(lattice.struts.size(), false);
+            for (const unsigned int strut :
+                 struts_of(definition, lattice, scene.context))
+              chosen[strut] = true;
+            for (const RigidPart &part : lattice.rigid_parts)
+              for (const unsigned int strut : part.struts)
+                if (chosen[strut])
+                  refuse_point_beside(part,
+                                      lattice,
+                                      lattice.centroid(lattice.struts[strut]));
+            for (unsigned int c = 0; c < lattice.dimension; ++c)
+              {
+                if (definition.components[c].is_zero())
+                  continue;
+                AppliedLoad load{proportional(definition.components[c], plan),
+                                 work_of(definition.name),
+                                 {}};
+                add_along_struts(
+                  c,
+                  chosen,
+                  [](const Strut &) { return 1.; },
+                  load);
+                add_along_rigid_struts(c, chosen, load);
+                dead.push_back(std::move(load));
+              }
+          }
+      }
+
+      /** @param counts_masses whether point masses have weight */
+      void add_gravity(const bool counts_masses)
+      {
+        const std::vector<bool> all(lattice.struts.size(), true);
+        for (unsigned int c = 0; c < lattice.dimension; ++c)
+          {
+            const TimeFunction &acceleration = scene.gravity.acceleration[c];
+            if (acceleration.is_zero())
+              continue;
+            AppliedLoad load{proportional(acceleration, plan),
+                             {EnergyKind::work,
+                              "gravity_work",
+                              "work of the weight since the start"},
+                             {}};
+            add_along_struts(
+              c,
+              all,
+              [&](const Strut &strut) {
+                return model.sections[strut.section].mass_per_length();
+              },
+              load);
+            for_each_body([&](const auto &body) {
+              const RigidPart &part = lattice.rigid_parts[body.part];
+              add_shares(
+                force_shares(body, lattice, numbering, part.centre_of_mass, c),
+                part.mass,
+                load);
+            });
+            if (counts_masses)
+              for (const MassDefinition &mass : scene.masses)
+                for (const unsigned int joint :
+                     joints_of(mass, lattice, scene.context))
+                  if (numbering.joint_unknown(joint, c) >= 0)
+                    load.weights.push_back(
+                      {numbering.joint_unknown(joint, c), mass.mass});
+            dead.push_back(std::move(load));
+          }
+      }
+
+      const LatticeModel &model;
+      const Lattice      &lattice;
+      const DofNumbering &numbering;
+      const RigidBodies  &bodies;
+
+      const RunPlan &plan  = model.plan;
+      const Scene   &scene = plan.scene;
+
+      std::vector<std::unique_ptr<Effect>> make_effects() const
+      {
+        const bool raised_from_zero =
+          !plan.time.scheme->is_dynamic() && !plan.time.static_start;
+        std::vector<std::unique_ptr<Effect>> effects;
+        if (!dead.empty())
+          effects.push_back(
+            make_applied_loads(numbering, raised_from_zero, dead));
+        if (!following.empty())
+          effects.push_back(make_follower_loads(lattice,
+                                                numbering,
+                                                raised_from_zero,
+                                                following));
+        return effects;
+      }
+
+      std::vector<AppliedLoad>  dead      = {};
+      std::vector<FollowerLoad> following = {};
+
+      /** Adds a force per length of @p per_length(strut) along component @p c on all chosen struts. */
+      template <class PerLength>
+      void add_along_struts(const unsigned int       c,
+                            const std::vector<bool> &chosen,
+                            const PerLength         &per_length,
+                            AppliedLoad             &load) const
+      {
+        const unsigned int n = numbering.n_components();
+        for (const DofNumbering::Group &group : numbering.groups())
+          {
+            const LineRule rule(group.order);
+            for (unsigned int e = group.begin; e < group.end; ++e)
+              {
+                const StrutInterval &interval =
+                  numbering.elements()[e].interval;
+                if (!chosen[interval.strut])
+                  continue;
+                const Strut &strut = lattice.struts[interval.strut];
+                const double force = per_length(strut) * lattice.length(strut) *
+                  (interval.end - interval.begin) / 2;
+                for (unsigned int a = 0; a < rule.integrals.size(); ++a)
+                  load.weights.push_back(
+                    {numbering.element_unknowns(e)[n * a + c],
+                     force * rule.integrals[a]});
+              }
+          }
+      }
+
+      /** Calls @p action for the rigid parts of all kinds. */
+      template <class Action>
+      void for_each_body(const Action &action) const
+      {
+        std::for_each(bodies.in_plane.begin(), bodies.in_plane.end(), action);
+        std::for_each(bodies.bars.begin(), bodies.bars.end(), action);
+        std::for_each(bodies.rotating.begin(), bodies.rotating.end(), action);
+      }
+
+      /** Adds a unit force per length along component @p c of the chosen rigid struts. */
+      void add_along_rigid_struts(const unsigned int       c,
+                                  const std::vector<bool> &chosen,
+                                  AppliedLoad             &load) const
+      {
+        for_each_body([&](const auto &body) {
+          for (const unsigned int number :
+               lattice.rigid_parts[body.part].struts)
+            if (const Strut &strut = lattice.struts[number]; chosen[number])
+              add_shares(force_shares(body,
+                                      lattice,
+                                      numbering,
+                                      lattice.centroid(strut),
+                                      c),
+                         lattice.length(strut),
+                         load);
+        });
+      }
+    };
+
+  } // namespace
+
+  std::vector<std::unique_ptr<Effect>> make_loads(const LatticeModel &model)
+  {
+    Loads loads{model, model.lattice, model.numbering, model.bodies};
+    for (const JointLoadDefinition &load : model.plan.joint_loads())
+      // Without large rotations nothing turns.
+      if (load.follows_joint && model.plan.simulated.large_rotation)
+        loads.add_following(load);
+      else
+        loads.add_dead(load);
+    loads.add_line_loads();
+    if (model.plan.simulated.gravity)
+      loads.add_gravity(/*counts_masses=*/true);
+    return loads.make_effects();
+  }
+
+  std::vector<std::unique_ptr<Effect>>
+  make_strut_loads(const LatticeModel &model,
+                   const Lattice      &lattice,
+                   const DofNumbering &numbering)
+  {
+    const RigidBodies bodies = rigid_bodies(lattice, numbering);
+    Loads             loads{model, lattice, numbering, bodies};
+    loads.add_line_loads();
+    if (model.plan.simulated.gravity)
+      loads.add_gravity(/*counts_masses=*/false);
+    return loads.make_effects();
+  }
+} // namespace auxfem

@@ -1,0 +1,184 @@
+#include <auxfem/model/load_history.h>
+#include <auxfem/parameters/errors.h>
+#include <auxfem/scene/step_ends.h>
+#include <auxfem/struts/beam_dispatch.h>
+#include <auxfem/struts/beam_shape.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace auxfem
+{
+  namespace
+  {
+    /** Loads and motions are looked at this many times at most. */
+    constexpr unsigned long most_looks = 4096;
+
+    unsigned long n_looks(const RunPlan &plan)
+    {
+      return std::min(plan.time.n_steps(), most_looks);
+    }
+
+    /** All courses in time of the scene that are not zero. */
+    std::vector<TimeFunction> courses_of(const RunPlan &plan)
+    {
+      std::vector<TimeFunction> courses = functions_of_time(plan);
+      courses.erase(std::remove_if(courses.begin(),
+                                   courses.end(),
+                                   [](const TimeFunction &course) {
+                                     return course.is_zero();
+                                   }),
+                    courses.end());
+      return courses;
+    }
+
+    bool jumps(const TimeFunction &course, const RunPlan &plan)
+    {
+      if (!plan.time.static_start && course.value(0) != 0)
+        return true;
+      const std::vector<TimeEvent> events =
+        course.events(0, plan.time.end_time);
+      return std::any_of(events.begin(),
+                         events.end(),
+                         [](const TimeEvent &event) {
+                           return event.kind == TimeEvent::Kind::jump;
+                         });
+    }
+
+    double relative_rate(const TimeFunction &course, const RunPlan &plan)
+    {
+      const unsigned long n        = n_looks(plan);
+      const double        interval = plan.time.end_time / n;
+      double previous = course.value(0), largest = std::abs(previous), rate = 0;
+      for (unsigned long i = 1; i <= n; ++i)
+        {
+          const double value = course.value_before(i * interval);
+          largest            = std::max(largest, std::abs(value));
+          rate     = std::max(rate, std::abs(value - previous) / interval);
+          previous = value;
+        }
+      return largest > 0 ? rate / largest : 0;
+    }
+
+    /** See uncommanded_motion(); of one course, which does not jump. */
+    double uncommanded_part(const TimeFunction &course,
+                            const RunPlan      &plan,
+                            const double        frequency)
+    {
+      const double        end      = plan.time.end_time;
+      const unsigned long n        = n_looks(plan);
+      const auto          at_start = course.jet(0);
+      double largest = std::abs(at_start[0]), worst = std::abs(at_start[1]);
+      for (const TimeEvent &event : course.events(0, end))
+        worst = std::max(worst,
+                         std::abs(course.jet(event.time, TimeSide::after)[1] -
+                                  course.jet(event.time, TimeSide::before)[1]));
+      for (unsigned long i = 1; i <= n; ++i)
+        {
+          const auto now = course.jet(end * i / n, TimeSide::before);
+          largest        = std::max(largest, std::abs(now[0]));
+          worst          = std::max(worst, std::abs(now[2]) / frequency);
+        }
+      return largest > 0 ? worst / frequency / largest : 0;
+    }
+  } // namespace
+
+  double uncommanded_motion(const RunPlan &plan, const double frequency)
+  {
+    if (load_course(plan).is_sudden)
+      return 1;
+    double largest = 0;
+    try
+      {
+        for (const TimeFunction &course : courses_of(plan))
+          largest =
+            std::max(largest, uncommanded_part(course, plan, frequency));
+      }
+    catch (const ComputationError &)
+      {
+        // A slope may be infinite where the load is a number all the same.
+        return 1;
+      }
+    return std::min(1., largest);
+  }
+
+  double resolved_frequency(const RunPlan &plan)
+  {
+    // The trapezoidal rule then errs by 0.8 %, which is not noticed.
+    constexpr double steps_of_a_period = 20;
+    return 2 * std::acos(-1.) / (steps_of_a_period * plan.time.step);
+  }
+
+  LoadCourse load_course(const RunPlan &plan)
+  {
+    const std::vector<TimeFunction> courses  = courses_of(plan);
+    const double                    resolved = resolved_frequency(plan);
+    const bool falls = courses.empty() && !plan.scene.gravity.is_zero() &&
+      !plan.time.static_start;
+    if (falls || !plan.initial_velocities().empty())
+      return {resolved, true};
+    double rate = 0;
+    try
+      {
+        for (const TimeFunction &course : courses)
+          {
+            if (jumps(course, plan))
+              return {resolved, true};
+            rate = std::max(rate, relative_rate(course, plan));
+          }
+      }
+    catch (const ComputationError &)
+      {
+        // What is no number stops the run when it gets there.
+        return {resolved, true};
+      }
+    return {std::min(rate, resolved), false};
+  }
+
+  double LoadCourse::lost(const RunPlan &plan, const double per_radian) const
+  {
+    const double radians = is_sudden && plan.time.scheme->is_dynamic()
+      ? std::max(1., rate * plan.time.end_time / 2)
+      : 1.;
+    return std::min(1., per_radian * radians);
+  }
+
+  namespace
+  {
+    /** When loads are those of the load factor 1; nothing: there is none. */
+    std::optional<double> time_of_reference(const RunPlan &plan)
+    {
+      if (plan.analysis == Analysis::static_path)
+        return plan.scene.path.load_time.value_or(plan.time.end_time);
+      if (plan.analysis == Analysis::frequency_response)
+        return plan.scene.frequency_response.load_time.value_or(
+          plan.time.end_time);
+      return std::nullopt;
+    }
+  } // namespace
+
+  bool has_load_factor(const RunPlan &plan)
+  {
+    return time_of_reference(plan).has_value();
+  }
+
+  TimeFunction proportional(const TimeFunction &history, const RunPlan &plan)
+  {
+    const std::optional<double> reference = time_of_reference(plan);
+    if (!reference)
+      return history;
+    return TimeFunction::line(plan.time.static_start ? history.value(0) : 0.,
+                              history.value_before(*reference),
+                              history.origin());
+  }
+
+  LineRule::LineRule(const unsigned int order)
+  {
+    dispatch_order(order, [this](auto p) {
+      const BeamShape<p> shape;
+      integrals.assign(shape.integral, shape.integral + p + 1);
+      nodes.assign(shape.node, shape.node + p + 1);
+    });
+  }
+} // namespace auxfem

@@ -1,0 +1,127 @@
+#include <auxfem/rigid/effects/rigid_part_group.h>
+
+#include <algorithm>
+
+namespace auxfem
+{
+  namespace
+  {
+    /** The constraints that keep rigid parts rigid, of all kinds there are. */
+    class RigidPartConstraints : public RigidPartGroup
+    {
+    public:
+      RigidPartConstraints(const RigidBodies      &bodies,
+                           const RigidPartSetting &setting)
+        : large_rotation(setting.large_rotation)
+      {
+        if (!bodies.in_plane.empty())
+          groups.push_back(make_natural_parts(bodies.in_plane, setting));
+        if (!bodies.bars.empty())
+          groups.push_back(make_natural_parts(bodies.bars, setting));
+        if (!bodies.rotating.empty())
+          groups.push_back(make_rotating_parts(bodies.rotating, setting));
+        for (const auto &group : groups)
+          for (unsigned int i = 0; i < group->n_reported(); ++i)
+            reported.emplace_back(group.get(), i);
+        std::sort(reported.begin(),
+                  reported.end(),
+                  [](const auto &one, const auto &other) {
+                    return one.first->part(one.second) <
+                      other.first->part(other.second);
+                  });
+      }
+
+      bool is_linear() const override
+      {
+        return !large_rotation;
+      }
+
+      void register_blocks(TangentPattern &pattern) override
+      {
+        for (const auto &group : groups)
+          group->register_blocks(pattern);
+      }
+
+      void add_residual(const Evaluation &evaluation,
+                        double           *residual,
+                        EffectResults * /*results*/) const override
+      {
+        for (const auto &group : groups)
+          group->add_residual(evaluation, residual, nullptr);
+      }
+
+      void add_tangent(const Evaluation &evaluation,
+                       const EffectResults * /*results*/,
+                       const TangentFactors &factors,
+                       TangentMatrix        &matrix) const override
+      {
+        for (const auto &group : groups)
+          group->add_tangent(evaluation, nullptr, factors, matrix);
+      }
+
+      void raise_forces(const Evaluation &evaluation,
+                        const EffectResults * /*results*/,
+                        double *forces) const override
+      {
+        for (const auto &group : groups)
+          group->raise_forces(evaluation, nullptr, forces);
+      }
+
+      void find_rates(const State &state, double *rates) const override
+      {
+        for (const auto &group : groups)
+          group->find_rates(state, rates);
+      }
+
+      double length() const override
+      {
+        double result = 0;
+        for (const auto &group : groups)
+          result = std::max(result, group->length());
+        return result;
+      }
+
+      unsigned int n_reported() const override
+      {
+        return reported.size();
+      }
+
+      unsigned int part(const unsigned int i) const override
+      {
+        return reported[i].first->part(reported[i].second);
+      }
+
+      SpaceVector rotation(const unsigned int i,
+                           const State       &state) const override
+      {
+        return reported[i].first->rotation(reported[i].second, state);
+      }
+
+      PointMotion motion(const unsigned int      i,
+                         const dealii::Point<3> &point,
+                         const State            &state) const override
+      {
+        return reported[i].first->motion(reported[i].second, point, state);
+      }
+
+      RigidPartReport report(const unsigned int i,
+                             const State       &state) const override
+      {
+        return reported[i].first->report(reported[i].second, state);
+      }
+
+    private:
+      const bool                                   large_rotation;
+      std::vector<std::unique_ptr<RigidPartGroup>> groups;
+      /** Of each part reported on: its group, its number there. */
+      std::vector<std::pair<const RigidPartGroup *, unsigned int>> reported;
+    };
+  } // namespace
+
+  std::unique_ptr<RigidPartGroup>
+  make_rigid_part_constraints(const RigidBodies      &bodies,
+                              const RigidPartSetting &setting)
+  {
+    return std::make_unique<RigidPartConstraints>(bodies, setting);
+  }
+} // namespace auxfem

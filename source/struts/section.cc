@@ -1,0 +1,362 @@
+#include <auxfem/struts/section.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace auxfem
+{
+  namespace
+  {
+    using dealii::numbers::PI;
+
+    const Text   section_struts = {"Struts",
+                                   "all",
+                                   "Set of struts with this section."};
+    const Choice section_shape  = {"Shape",
+                                   "",
+                                   {"rectangle", "circle", "tube", "given"},
+                                   "Shape of the cross-section."};
+
+    const Quantity width = {
+      "Width",
+      "",
+      "m",
+      Range::positive(),
+      "Side of the rectangle along axis 3, normal to the plane."};
+    const Quantity height = {
+      "Height",
+      "",
+      "m",
+      Range::positive(),
+      "Side of the rectangle along axis 2, in the plane."};
+    const Quantity radius         = {"Radius",
+                                     "",
+                                     "m",
+                                     Range::positive(),
+                                     "Radius of the circle."};
+    const Quantity outer_radius   = {"Outer radius",
+                                     "",
+                                     "m",
+                                     Range::positive(),
+                                     "Outer radius of the tube."};
+    const Quantity wall_thickness = {
+      "Wall thickness",
+      "",
+      "m",
+      Range::positive(),
+      "Thickness of the tube's wall, at most the outer radius."};
+    const Quantity area       = {"Area", "", "m2", Range::positive(), "Area."};
+    const Quantity shear_area = {
+      "Shear area",
+      "",
+      "m2",
+      Range::positive(),
+      "Area that carries shear along axis 2, shear correction included."};
+    const Quantity shear_area_3 = {
+      "Shear area 3",
+      "auto",
+      "m2",
+      Range::positive(),
+      "The same along axis 3, unused in the plane; auto: Shear area.",
+      {"auto"}};
+    const Quantity second_moment = {
+      "Second moment of area",
+      "",
+      "m4",
+      Range::positive(),
+      "Second moment of area about axis 3, for bending in the plane."};
+    const Quantity second_moment_2 = {
+      "Second moment of area 2",
+      "auto",
+      "m4",
+      Range::positive(),
+      "The same about axis 2, unused in the plane; auto: Second moment of area.",
+      {"auto"}};
+    const Quantity extreme_fibre = {
+      "Extreme fibre",
+      "none",
+      "m",
+      Range::positive(),
+      "Distance of the outermost fibre from axis 3, for strains by bending in "
+      "the plane; none: not known, the Yield strain is then compared with the "
+      "least strain there can be, that of the radius of gyration.",
+      {"none"}};
+    const Quantity extreme_fibre_2 = {
+      "Extreme fibre 2",
+      "auto",
+      "m",
+      Range::positive(),
+      "The same from axis 2, unused in the plane; auto: Extreme fibre.",
+      {"auto"}};
+    const Quantity torsion_of_rectangle = {
+      "Torsion constant",
+      "auto",
+      "m4",
+      Range::positive(),
+      "Torsion constant J, unused in the plane; auto: Saint-Venant's.",
+      {"auto"}};
+    const Quantity given_torsion = {
+      "Torsion constant",
+      "auto",
+      "m4",
+      Range::positive(),
+      "Torsion constant J, unused in the plane; auto: sum of the second moments of area.",
+      {"auto"}};
+    const QuantityList given_rotary_inertia = {
+      "Rotary inertia",
+      "auto",
+      "kg m",
+      Range::non_negative(),
+      3,
+      3,
+      "Rotary inertia per length about axes 1, 2 and 3, of which the plane uses the last; auto: density times the second moments of area, about axis 1 their sum.",
+      {"auto"}};
+    const QuantityList reference = {
+      "Reference vector",
+      "auto",
+      "1",
+      Range::any(),
+      3,
+      3,
+      "Vector x, y, z that axis 3 is as near to as can be, at rest; it may not lie along a strut; unused in the plane; auto: z, or x for struts within 5 degrees of z.",
+      {"auto"}};
+    const Quantity drawing_radius = {
+      "Drawing radius",
+      "auto",
+      "m",
+      Range::positive(),
+      "Radius of the tube drawn in ParaView; auto: half the height of the "
+      "rectangle of equal area and second moment.",
+      {"auto"}};
+    const Quantity shear_correction = {
+      "Shear correction",
+      "auto",
+      "1",
+      {0, 1, true, false},
+      "Shear area over area; auto: 5/6 for a rectangle, 0.9 for a circle, 0.5 "
+      "for a tube.",
+      {"auto"}};
+
+    const Quantity youngs_modulus = {"Young's modulus",
+                                     "",
+                                     "Pa",
+                                     Range::positive(),
+                                     "Young's modulus."};
+    const Quantity poissons_ratio = {"Poisson's ratio",
+                                     "0.3",
+                                     "1",
+                                     {-1, 0.5, true, false},
+                                     "Poisson's ratio, for the shear modulus."};
+    const Quantity density        = {
+             "Density",
+             "none",
+             "kg/m3",
+             Range::non_negative(),
+             "Mass per volume; none will do for statics without weight only.",
+             {"none"}};
+    const Quantity yield_strain = {
+      "Yield strain",
+      "none",
+      "1",
+      Range::positive(),
+      "Strain of an outer fibre, in tension or compression, up to which the "
+      "material is linear elastic; beyond it the verdict on the run is "
+      "doubtful; of Shape = given see Extreme fibre.",
+      {"none"}};
+    const Quantity stiffness_damping = {
+      "Stiffness-proportional damping",
+      "0 s",
+      "s",
+      Range::non_negative(),
+      "Time b of the damping stress = E b strain rate."};
+    const Quantity mass_damping = {
+      "Mass-proportional damping",
+      "0 1/s",
+      "1/s",
+      Range::non_negative(),
+      "Rate a of the damping force = a mass velocity."};
+
+    void set_shear_areas(const ParameterValues &values,
+                         const double           automatic,
+                         Section               &section)
+    {
+      section.shear_area_2 = section.shear_area_3 =
+        section.area * values.value_or(shear_correction, automatic);
+    }
+
+    /**
+     * Saint-Venant's torsion constant of a rectangle with longer side @p b and
+     * shorter side @p t (m4), exact to round-off: Timoshenko and Goodier,
+     * Theory of Elasticity, section 109,
+     * J = b t^3 / 3 (1 - 192/pi^5 t/b sum tanh(n pi b / (2 t)) / n^5)
+     * over odd n.
+     */
+    double torsion_constant_of_rectangle(const double b, const double t)
+    {
+      // Summed as one minus tanh, of which ten terms reach round-off, since
+      // exp(-21 pi) < 1e-28; the ones sum to 31/32 zeta(5).
+      double sum = 31. / 32. * 1.0369277551433699263;
+      for (unsigned int n = 1; n < 20; n += 2)
+        sum -= 2 / ((std::exp(n * PI * b / t) + 1) * std::pow(n, 5));
+      return b * t * t * t / 3 * (1 - 192 / std::pow(PI, 5) * t / b * sum);
+    }
+
+    /** A section that is the same about every axis across the strut. */
+    void set_round(const double second_moment, Section &section)
+    {
+      section.second_moment_2  = second_moment;
+      section.second_moment_3  = second_moment;
+      section.torsion_constant = 2 * second_moment;
+    }
+
+    void read_rectangle(const ParameterValues &values, Section &section)
+    {
+      const double b = values[width], h = values[height];
+      section.area            = b * h;
+      section.second_moment_2 = h * b * b * b / 12;
+      section.second_moment_3 = b * h * h * h / 12;
+      section.torsion_constant =
+        values.value_or(torsion_of_rectangle,
+                        torsion_constant_of_rectangle(std::max(b, h),
+                                                      std::min(b, h)));
+      section.radius          = h / 2;
+      section.fibre_distances = section.half_thicknesses = {{b / 2, h / 2}};
+      set_shear_areas(values, 5. / 6., section);
+    }
+
+    void read_circle(const ParameterValues &values, Section &section)
+    {
+      const double r          = values[radius];
+      section.area            = PI * r * r;
+      section.radius          = r;
+      section.fibre_distances = section.half_thicknesses = {{r, r}};
+      set_round(PI / 4 * r * r * r * r, section);
+      set_shear_areas(values, 0.9, section);
+    }
+
+    void read_tube(const ParameterValues &values, Section &section)
+    {
+      const double outer = values[outer_radius];
+      const double inner = outer - values[wall_thickness];
+      if (inner < 0)
+        values.refuse(
+          "Wall thickness = " + values.text(wall_thickness) +
+          " is more than Outer radius = " + values.text(outer_radius) +
+          "; reduce it, or set Shape = circle for a solid rod");
+      section.area            = PI * (outer * outer - inner * inner);
+      section.radius          = outer;
+      section.fibre_distances = section.half_thicknesses = {{outer, outer}};
+      set_round(PI / 4 * (std::pow(outer, 4) - std::pow(inner, 4)), section);
+      set_shear_areas(values, 0.5, section);
+    }
+
+    void read_given(const ParameterValues &values, Section &section)
+    {
+      section.area         = values[area];
+      section.shear_area_2 = values[shear_area];
+      section.shear_area_3 =
+        values.value_or(shear_area_3, section.shear_area_2);
+      section.second_moment_3 = values[second_moment];
+      section.second_moment_2 =
+        values.value_or(second_moment_2, section.second_moment_3);
+      section.torsion_constant =
+        values.value_or(given_torsion,
+                        section.second_moment_2 + section.second_moment_3);
+      section.radius =
+        values.value_or(drawing_radius,
+                        std::sqrt(3 * section.second_moment_3 / section.area));
+      if (!values.is_word(extreme_fibre))
+        section.fibre_distances = {
+          {values.value_or(extreme_fibre_2, values[extreme_fibre]),
+           values[extreme_fibre]}};
+      else if (!values.is_word(extreme_fibre_2))
+        values.refuse(extreme_fibre_2,
+                      "Extreme fibre is none. Give both distances, or none");
+      if (!values.is_word(given_rotary_inertia))
+        {
+          const std::vector<double> given = values[given_rotary_inertia];
+          section.given_rotary_inertia    = {{given[0], given[1], given[2]}};
+        }
+    }
+
+    void read_material(const ParameterValues &values, Section &section)
+    {
+      section.youngs_modulus = values[youngs_modulus];
+      section.shear_modulus =
+        section.youngs_modulus / (2 * (1 + values[poissons_ratio]));
+      section.stiffness_proportional_damping = values[stiffness_damping];
+      section.mass_proportional_damping      = values[mass_damping];
+    }
+  } // namespace
+
+
+
+  SubsectionSchema sections_schema()
+  {
+    return {"Sections",
+            SubsectionSchema::Form::named_groups,
+            "Cross-sections and materials; of several for one strut the last "
+            "counts. Axis 1 of a section is along the strut; in the plane axis "
+            "2 lies in it and axis 3 is its normal, in space see Reference "
+            "vector.",
+            {section_struts,
+             section_shape,
+             youngs_modulus,
+             poissons_ratio,
+             density,
+             yield_strain,
+             reference,
+             stiffness_damping,
+             mass_damping},
+            "Shape",
+            {{"rectangle",
+              "Solid rectangle.",
+              {width, height, shear_correction, torsion_of_rectangle}},
+             {"circle", "Solid circle.", {radius, shear_correction}},
+             {"tube",
+              "Circular tube.",
+              {outer_radius, wall_thickness, shear_correction}},
+             {"given",
+              "Area and moments as numbers.",
+              {area,
+               shear_area,
+               shear_area_3,
+               second_moment,
+               second_moment_2,
+               extreme_fibre,
+               extreme_fibre_2,
+               given_torsion,
+               given_rotary_inertia,
+               drawing_radius}}}};
+  }
+
+
+
+  SectionDefinition read_section(ParameterValues &values)
+  {
+    SectionDefinition definition;
+    definition.name              = values.name();
+    definition.path              = values.context.path;
+    definition.struts            = values[section_struts];
+    const std::string shape_name = values[section_shape];
+    if (shape_name == "rectangle")
+      read_rectangle(values, definition.section);
+    else if (shape_name == "circle")
+      read_circle(values, definition.section);
+    else if (shape_name == "tube")
+      read_tube(values, definition.section);
+    else
+      read_given(values, definition.section);
+    read_material(values, definition.section);
+    if (!values.is_word(yield_strain))
+      definition.section.yield_strain = values[yield_strain];
+    if (!values.is_word(reference))
+      definition.section.reference = unit_vector_of(values, reference);
+    definition.has_density = !values.is_word(density);
+    if (definition.has_density)
+      definition.section.density = values[density];
+    return definition;
+  }
+} // namespace auxfem

@@ -1,0 +1,192 @@
+#include <auxfem/model/unknown_records.h>
+#include <auxfem/scene/step_ends.h>
+#include <auxfem/time/equilibrium_jumps.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace auxfem
+{
+  namespace
+  {
+    /**
+     * Distance of an equilibrium from the tangent's prediction, over the
+     * prediction or the last step, from which on it may be a jump.
+     * @tuned judgement: the last long steps to a limit point reach it and
+     * are halved
+     */
+    constexpr double largest_deviation = 2;
+
+    /** The same for the first step, which has no step before it to compare
+     * with. A path of constant curvature through the tangent reaches it where
+     * its direction has turned by about a radian. */
+    constexpr double largest_first_deviation = 0.5;
+
+    /** Part of all motion so far below which a deviation is no jump. */
+    constexpr double negligible_motion = 1e-3;
+
+    /**
+     * Part of the scene's step at which a motion that has not shrunk is a
+     * jump.
+     * @tuned judgement: a connected motion has shrunk to a quarter or less
+     * there
+     */
+    constexpr double shortest_part = 1. / 64;
+
+    /** Part of the motion of a longer step that a jump keeps at least in one
+     * shorter by @p ratio; a connected path keeps no more than the root of it,
+     * as at a limit point. */
+    double unshrunk_motion(const double ratio)
+    {
+      return std::cbrt(ratio);
+    }
+
+    /** Part of the prediction kept in half a step that shows loads to jump. */
+    constexpr double unshrunk_prediction = 0.75;
+  } // namespace
+
+  EquilibriumJumps::EquilibriumJumps(const LatticeModel &model) : model(model)
+  {}
+
+  std::string EquilibriumJumps::rejection_reason(const Evaluation &step,
+                                                 const Vector     &predicted,
+                                                 const bool changes_stability)
+  {
+    candidate.reset();
+    const auto largest = [this](const Vector &vector) {
+      return largest_motion(model, vector).first;
+    };
+    const State &from   = step.from;
+    Vector       motion = step.to.displacement;
+    add_multiple(-1., from.displacement, motion);
+    const double size = largest(motion), by_tangent = largest(predicted);
+    Vector       difference = motion;
+    add_multiple(-1., predicted, difference);
+    const double deviation = largest(difference);
+    double       expected  = by_tangent;
+    if (from.before)
+      {
+        Vector before = from.displacement;
+        add_multiple(-1., from.before->displacement, before);
+        expected =
+          std::min(expected, step.dt / from.before->dt * largest(before));
+      }
+    const bool is_notable =
+      deviation > negligible_motion * largest(step.to.displacement);
+    const bool is_far = is_notable && deviation > largest_deviation * expected;
+    const bool is_first_and_far = is_notable && !from.before &&
+      deviation > largest_first_deviation * expected;
+    if (!is_far && !is_first_and_far && !changes_stability)
+      return "";
+    const bool follows_load_jump = last_attempt &&
+      last_attempt->time == from.time &&
+      by_tangent > unshrunk_prediction * last_attempt->predicted;
+    // Without a longer step to compare with nothing is known.
+    const bool is_shortest = largest_attempt &&
+      step.dt <= (1 + 1e-9) * shortest_part * model.plan.time.step;
+    if (!allows_jumps && !is_shortest && !follows_load_jump)
+      {
+        if (!largest_attempt || size > largest_attempt->size)
+          largest_attempt = {step.dt, size};
+        last_attempt = {from.time, by_tangent};
+        if (is_far)
+          beyond = step.to;
+        return is_far || is_first_and_far
+          ? "the equilibrium lies far from the predicted one"
+          : "the stability changes within the step";
+      }
+    const auto is_unshrunk = [&]() {
+      return size >
+        largest_attempt->size * unshrunk_motion(step.dt / largest_attempt->dt);
+    };
+    if (is_far && !follows_load_jump && (allows_jumps || is_unshrunk()))
+      {
+        std::vector<double> sizes(model.numbering.layout().n_owned(), 0.);
+        for (unsigned int i = 0; i < sizes.size(); ++i)
+          if (!model.numbering.unknowns().is_rotation[i])
+            sizes[i] = std::abs(motion[i]);
+        candidate = {from.time,
+                     step.to.time,
+                     size,
+                     describe_largest(model.numbering, sizes)};
+      }
+    return "";
+  }
+
+  bool EquilibriumJumps::allow_jumps()
+  {
+    if (!beyond || allows_jumps)
+      return false;
+    allows_jumps = true;
+    return true;
+  }
+
+  double EquilibriumJumps::target(const double time) const
+  {
+    return allows_jumps && beyond ? std::min(time, beyond->time) : time;
+  }
+
+  bool EquilibriumJumps::guess(const Evaluation    &step,
+                               const NodeRotations &rotations,
+                               Vector              &increment) const
+  {
+    if (!allows_jumps || !beyond || beyond->time != step.to.time)
+      return false;
+    increment = beyond->displacement;
+    add_multiple(-1., step.to.displacement, increment);
+    for (unsigned int i = 0; i < beyond->rotations.size(); ++i)
+      rotations.set_values(rotation_vector(beyond->rotations[i] *
+                                           conjugate(step.to.rotations[i])),
+                           i,
+                           increment);
+    rotations.rotate(step, increment);
+    return true;
+  }
+
+  void EquilibriumJumps::step(const Evaluation & /*step*/,
+                              const EvaluationResults & /*results*/,
+                              TangentSolver & /*solver*/)
+  {
+    if (allows_jumps)
+      beyond.reset();
+    if (!candidate)
+      return;
+    ++n_jumps;
+    if (!first)
+      first = candidate;
+  }
+
+  std::vector<Finding> EquilibriumJumps::findings() const
+  {
+    if (!first)
+      return {};
+    std::ostringstream text;
+    text.precision(3);
+    const std::string loads = load_values_text(model.plan, first->time);
+    text << "The equilibrium jumps between t = " << first->time << " s and "
+         << first->end << " s" << (loads.empty() ? "" : " (" + loads + ")")
+         << " by " << first->size << " m, most at the " << first->location;
+    if (n_jumps > 1)
+      text << ", and " << n_jumps - 1 << " more times later";
+    text
+      << ". No shorter step follows a connected path: it ends in a limit "
+         "point (snap-through), and the new equilibrium is one of several. "
+         "Compute with inertia, prescribe a motion in place of the force, or "
+         "follow the path with `Analysis = static path`.";
+    return {{Verdict::doubtful, text.str(), first->time, first->location}};
+  }
+
+  void EquilibriumJumps::serialize(CheckpointArchive &archive)
+  {
+    Jump jump = first.value_or(Jump());
+    archive.values("equilibrium jumps",
+                   n_jumps,
+                   jump.time,
+                   jump.end,
+                   jump.size);
+    archive.text("equilibrium jumps: location", jump.location);
+    if (n_jumps > 0)
+      first = jump;
+  }
+} // namespace auxfem

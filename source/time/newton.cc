@@ -1,0 +1,424 @@
+#include <auxfem/algebra/direct_solver.h>
+#include <auxfem/loads/effects/prescribed_motion.h>
+#include <auxfem/parameters/numerical_limits.h>
+#include <auxfem/time/newton.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace auxfem
+{
+  namespace
+  {
+    /**
+     * Residual of a single row over the tolerance of the norm of all rows.
+     * @tuned observed: rows of sound scenes hardly ever ask for an iteration
+     */
+    constexpr double allowed_in_a_row = 300;
+  } // namespace
+
+  RowCriterion::RowCriterion(const Equations &equations, const double tolerance)
+    : equations(equations)
+    , tolerance(allowed_in_a_row * tolerance)
+  {}
+
+  double RowCriterion::excess(const Evaluation        &evaluation,
+                              const EvaluationResults &results) const
+  {
+    State  &to     = evaluation.to;
+    Vector &forces = to.largest_forces;
+    forces         = evaluation.from.largest_forces;
+    for (std::size_t i = 0; i < forces.size(); ++i)
+      forces[i] = std::max(forces[i], std::abs(to.residual[i]));
+    equations.raise_forces(evaluation, results, forces.data());
+    return largest_excess(to, nullptr);
+  }
+
+  double
+  RowCriterion::excess_beyond_round_off(const Evaluation        &evaluation,
+                                        const EvaluationResults &results) const
+  {
+    return largest_excess(evaluation.to,
+                          equations.round_off(evaluation, results).data());
+  }
+
+  double RowCriterion::largest_excess(const State  &state,
+                                      const double *round_off) const
+  {
+    const LatticeModel &model = equations.model();
+    double              worst = 1;
+    for (const std::vector<int> *rows :
+         {&model.rows.free_translations, &model.rows.free_rotations})
+      for (const int row : *rows)
+        {
+          const double size    = std::abs(state.residual[row]);
+          const double allowed = tolerance * state.largest_forces[row] +
+            (round_off ? round_off[row] : 0.) + least_of_full_precision;
+          if (!(size <= worst * allowed))
+            worst = size / allowed;
+        }
+    return model.numbering.layout().largest(worst);
+  }
+
+  namespace
+  {
+    /**
+     * An increment that turns a section further has left the neighbourhood of
+     * the state it started from: the solution it leads to would be another one.
+     */
+    constexpr double half_revolution = dealii::numbers::PI;
+
+    /**
+     * Largest turn of a section in an iteration (rad) from an unstressed
+     * lattice that resists the loads by tension only: the tangent of a straight
+     * cable predicts far more. From larger motions than that of the equilibrium
+     * Newton's method converges.
+     */
+    constexpr double largest_turn_of_slack = small_rotation;
+
+    /**
+     * Mean forces have a singularity where a step turns a section by half a
+     * turn (rad); long before that they mean nothing.
+     */
+    constexpr double largest_increment_between = 1;
+
+    /**
+     * Of the force scale: below, a residual that does not get smaller may have
+     * come to its round-off.
+     */
+    constexpr double far_from_solution = 1e-6;
+
+    /**
+     * Safety factor on a residual that is predicted by the last reduction
+     * and not computed.
+     * @tuned judgement
+     */
+    constexpr double doubt = 10;
+
+    /** How often an increment is halved. */
+    constexpr unsigned int most_halvings = 5;
+
+    /** Largest rotation increment of the step (rad) over all ranks. */
+    double largest_increment(const LatticeModel &model, const Evaluation &step)
+    {
+      const double *before = step.from.displacement.data();
+      const double *now    = step.to.displacement.data();
+      double        mine   = 0;
+      for (const int i : *step.to.plane_rotations)
+        mine = std::max(mine, std::abs(now[i] - before[i]));
+      for (const std::array<int, 3> &at : *step.to.space_rotations)
+        mine = std::max(
+          mine,
+          (vector_at(now, at.data()) - vector_at(before, at.data())).norm());
+      return model.numbering.layout().largest(mine);
+    }
+  } // namespace
+
+  Newton::Newton(TangentSolver &solver, const NewtonParameters &parameters)
+    : solver(solver)
+    , parameters(parameters)
+    , rows(solver.equations(), parameters.tolerance)
+    , is_linear(solver.equations().is_linear())
+    , supports_rest(supports_are_at_rest(solver.model()))
+    , estimates_stages(parameters.estimates_stages &&
+                       solver.equations().stages_need_no_residual() &&
+                       solver.model().numbering.constraints().n_multipliers() ==
+                         0)
+    , rotations(solver.model().numbering)
+  {}
+
+  Newton::Result Newton::solve(const ImplicitScheme &scheme,
+                               const Evaluation     &evaluation,
+                               EvaluationResults    &results,
+                               AddedEquation *const  added)
+  {
+    Result result;
+    exactness = is_linear || has_failed || !parameters.keep_factorization
+      ? Exactness::exact
+      : Exactness::approximate;
+    is_slack  = allows_slack && evaluation.from.largest_force == 0;
+    // Unless it gets to the end.
+    has_failed = true;
+    may_touch  = solver.equations().may_touch();
+    solver.residual(evaluation, results);
+    double size      = in_force_units(results);
+    double reduction = std::numeric_limits<double>::infinity();
+    // Prescribed unknowns may still have to move to their place.
+    bool is_in_place = supports_rest ||
+      (scheme.is_dynamic() && prescribes_all(solver.model(), evaluation));
+    // Where the residual has grown in the iteration before, too.
+    bool grows = false;
+    // Of the last iterate; large if its norm was not small.
+    double excess_before = std::numeric_limits<double>::infinity();
+
+    const auto solved = [&](const double force) {
+      result.converged            = true;
+      has_failed                  = false;
+      evaluation.to.largest_force = force;
+      return result;
+    };
+    while (true)
+      {
+        // A wild iterate must not set the scale for what follows.
+        const double force =
+          std::max(evaluation.from.largest_force, results.force_scale);
+        if (!std::isfinite(size) || !std::isfinite(results.force_scale))
+          {
+            result.relative_residual = std::numeric_limits<double>::quiet_NaN();
+            result.reason =
+              solver.equations().why_not_finite(evaluation, results);
+            if (result.reason.empty())
+              result.reason = "the residual is not finite";
+            return result;
+          }
+        result.relative_residual = force > 0 ? size / force : 0.;
+        const auto stagnates     = [&] {
+          return result.iterations == 0 ? size <= far_from_solution * force
+                                            : reduction < parameters.kept_reduction;
+        };
+        if (is_in_place && meets_constraints(results, evaluation.to) &&
+            is_small(evaluation, results, size, force, stagnates()))
+          {
+            const double excess = rows.excess(evaluation, results);
+            // The strong parts, in which the norm lies, may have come to their
+            // round-off: from here on the weak ones count.
+            reduction     = excess_before / excess;
+            excess_before = excess;
+            // Equilibria are refined once at least: what steps guess ahead may
+            // stand far from them in soft directions.
+            if ((scheme.is_dynamic() || result.iterations > 0) &&
+                (excess <= 1 ||
+                 (stagnates() &&
+                  rows.excess_beyond_round_off(evaluation, results) <= 1)))
+              return solved(force);
+          }
+        else
+          excess_before = std::numeric_limits<double>::infinity();
+        if (result.iterations == parameters.maximum_iterations)
+          {
+            result.reason = "Newton's method has not converged in " +
+              std::to_string(result.iterations) + " iterations";
+            return result;
+          }
+
+        if (!prepare(scheme, evaluation, results, reduction))
+          {
+            result.reason = solver.why();
+            return result;
+          }
+        result.reason = iterate(scheme, evaluation, added);
+        if (!result.reason.empty())
+          return result;
+        is_in_place = true;
+        if (result.iterations == 0 && !scheme.is_dynamic())
+          first_increment = way;
+        ++result.iterations;
+        if (added == nullptr && result.iterations == 1 &&
+            is_sure(evaluation, size, force))
+          {
+            solver.find_stage_results(evaluation, results);
+            return solved(force);
+          }
+
+        const double before = size;
+        solver.residual(evaluation, results);
+        size                = in_force_units(results);
+        const bool is_worse = !(size < before);
+        if (is_worse && (may_touch || (grows && !scheme.is_dynamic())) &&
+            before > far_from_solution * force)
+          size = shorten(scheme, evaluation, results, added, before);
+        grows     = is_worse;
+        reduction = before / size;
+        kept->reduction.reset();
+        if (result.iterations == 1 && (is_linear || !kept->is_fresh))
+          kept->reduction = reduction;
+      }
+  }
+
+  void Newton::restart()
+  {
+    has_failed   = false;
+    allows_slack = false;
+    if (is_linear && kept)
+      kept->reduction.reset();
+    else
+      kept.reset();
+    solver.restart();
+  }
+
+  void Newton::factorize_ahead(const ImplicitScheme &scheme,
+                               const Evaluation     &evaluation,
+                               EvaluationResults    &results)
+  {
+    if (is_linear || !parameters.keep_factorization)
+      return;
+    exactness = Exactness::approximate;
+    solver.residual(evaluation, results);
+    prepare(scheme,
+            evaluation,
+            results,
+            std::numeric_limits<double>::infinity());
+  }
+
+  bool Newton::prepare(const ImplicitScheme    &scheme,
+                       const Evaluation        &evaluation,
+                       const EvaluationResults &results,
+                       const double             reduction)
+  {
+    const TangentFactors factors =
+      scheme.factors(evaluation.from, evaluation.dt);
+    const auto is_of_step = [&](const Kept &tangent) {
+      return tangent.kind == evaluation.kind && tangent.dt == evaluation.dt &&
+        tangent.factors == factors &&
+        tangent.pattern_version == solver.equations().pattern().version();
+    };
+    if (kept && is_of_step(*kept) &&
+        (is_linear ||
+         (parameters.keep_factorization &&
+          reduction >= parameters.kept_reduction)))
+      {
+        kept->is_fresh = false;
+        return true;
+      }
+    // A symmetric part that does not even serve where it was made is not near
+    // enough to the tangent.
+    if (kept && kept->is_fresh && !kept->is_exact &&
+        reduction < parameters.kept_reduction)
+      exactness = Exactness::exact;
+    kept.reset();
+    solver.assemble(evaluation, results, factors);
+    if (!solver.factorize(exactness))
+      return false;
+    take_factorization(evaluation, factors);
+    return true;
+  }
+
+  bool Newton::allow_slack(const State &start)
+  {
+    // Supports on their way would not come to their place.
+    if (allows_slack || is_linear || !supports_rest || start.largest_force > 0)
+      return false;
+    allows_slack = true;
+    return true;
+  }
+
+  void Newton::take_factorization(const Evaluation     &evaluation,
+                                  const TangentFactors &factors)
+  {
+    kept = Kept{evaluation.kind,
+                evaluation.dt,
+                factors,
+                solver.matrix().version(),
+                solver.linear_solver().is_exact(),
+                /*is_fresh=*/true};
+#ifndef DEBUG // where solutions are checked by it
+    // Its factorization will serve for long.
+    if (is_linear)
+      solver.matrix().release();
+#endif
+  }
+
+  std::string Newton::iterate(const ImplicitScheme &scheme,
+                              const Evaluation     &evaluation,
+                              AddedEquation *const  added)
+  {
+    const LatticeModel &model = solver.model();
+    increment.resize(evaluation.to.displacement.size());
+    find_right_side(model, evaluation, increment.data());
+    if (!solver.solve(increment) ||
+        (added != nullptr && !added->complete(solver, evaluation, increment)))
+      return solver.why();
+    if (!is_linear)
+      {
+        const double turn = largest_motion(model, increment).second;
+        if (is_slack && turn > largest_turn_of_slack)
+          scale(largest_turn_of_slack / turn, increment);
+        else if (!(turn <= half_revolution))
+          return "an iteration turned a section by more than half a turn";
+      }
+    if (!scheme.is_dynamic() || may_touch)
+      way = increment;
+    rotations.rotate(evaluation, increment);
+    scheme.correct(evaluation.from, increment, evaluation.dt, evaluation.to);
+    if (evaluation.kind == Evaluation::Kind::between &&
+        !(largest_increment(model, evaluation) <= largest_increment_between))
+      return "the step turns a section by more than 1 rad, too far for mean "
+             "forces";
+    return "";
+  }
+
+  double Newton::shorten(const ImplicitScheme &scheme,
+                         const Evaluation     &evaluation,
+                         EvaluationResults    &results,
+                         AddedEquation *const  added,
+                         const double          before)
+  {
+    double part = 1;
+    for (unsigned int i = 0; i < most_halvings; ++i)
+      {
+        part /= 2;
+        const double size = take_back(scheme, evaluation, results, added, part);
+        if (size < before)
+          return size;
+      }
+    return take_back(scheme, evaluation, results, added, part - 1);
+  }
+
+  double Newton::take_back(const ImplicitScheme &scheme,
+                           const Evaluation     &evaluation,
+                           EvaluationResults    &results,
+                           AddedEquation *const  added,
+                           const double          part)
+  {
+    solver.count_shortened();
+    increment = way;
+    scale(-part, increment);
+    if (added != nullptr)
+      added->take_back(evaluation, increment, part);
+    rotations.rotate(evaluation, increment);
+    scheme.correct(evaluation.from, increment, evaluation.dt, evaluation.to);
+    solver.residual(evaluation, results);
+    return in_force_units(results);
+  }
+
+  bool Newton::is_small(const Evaluation        &evaluation,
+                        const EvaluationResults &results,
+                        const double             size,
+                        const double             scale,
+                        const bool               stagnates) const
+  {
+    const double wanted = parameters.tolerance * scale;
+    // The floor is that of the iterate: a static step from rest begins without
+    // motion, hence without round-off.
+    return size <= wanted ||
+      (stagnates &&
+       size <=
+         wanted + solver.equations().round_off_floor(evaluation, results));
+  }
+
+  bool Newton::is_sure(const Evaluation &evaluation,
+                       const double      size,
+                       const double      scale) const
+  {
+    return estimates_stages && !may_touch && kept->reduction &&
+      evaluation.kind == Evaluation::Kind::stage && !evaluation.ends_step &&
+      doubt * size <= *kept->reduction * parameters.tolerance * scale;
+  }
+
+  bool Newton::meets_constraints(const EvaluationResults &results,
+                                 const State             &state) const
+  {
+    return results.constraint == 0 ||
+      results.constraint <= constraint_tolerance(solver.equations(), state);
+  }
+
+  double Newton::in_force_units(const EvaluationResults &results) const
+  {
+    const double moment = results.moment / solver.model().mean_strut_length;
+    // std::max would drop a NaN in its second place.
+    return std::isfinite(moment) ? std::max(results.force, moment) : moment;
+  }
+} // namespace auxfem

@@ -1,0 +1,319 @@
+#include <auxfem/rigid/effects/rigid_part_group.h>
+#include <auxfem/time/small_displacement_error.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace auxfem
+{
+  struct SmallDisplacementEstimate::Worst
+  {
+    enum class Kind
+    {
+      none,
+      strut,
+      rigid_part,
+      connector
+    };
+
+    /** Errors as SmallDisplacementError has them, without words. */
+    struct Errors
+    {
+      double rotation = 0, second_order = 0, strain = 0;
+
+      double total() const
+      {
+        return SmallDisplacementError::total(rotation, second_order, strain);
+      }
+    };
+
+    /** Those of a part by itself. */
+    void add(const Errors      &candidate,
+             const Kind         of_kind,
+             const unsigned int with_number,
+             const unsigned int in_group = 0)
+    {
+      if (candidate.total() <= error.total())
+        return;
+      error  = candidate;
+      kind   = of_kind;
+      number = with_number;
+      group  = in_group;
+    }
+
+    /** Takes over that of the first rank with the largest error. Collective. */
+    void take_worst_of_all_ranks(const UnknownLayout &layout)
+    {
+      const double mine    = error.total();
+      const double n_ranks = layout.n_ranks(), largest = layout.largest(mine),
+                   teller = n_ranks -
+        layout.largest(mine == largest ? n_ranks - layout.rank() : 0.);
+      std::vector<double> told(6, 0.);
+      if (layout.rank() == teller)
+        told = {error.rotation,
+                error.second_order,
+                error.strain,
+                double(kind),
+                double(number),
+                double(group)};
+      told   = layout.sum(told);
+      error  = {told[0], told[1], told[2]};
+      kind   = static_cast<Kind>(std::lround(told[3]));
+      number = std::lround(told[4]);
+      group  = std::lround(told[5]);
+    }
+
+    Errors       error;
+    Kind         kind   = Kind::none;
+    unsigned int number = 0, group = 0;
+  };
+
+  dealii::Tensor<1, 3> SmallDisplacementEstimate::Line::relative_displacement(
+    const Vector &displacement) const
+  {
+    dealii::Tensor<1, 3> apart;
+    for (unsigned int d = 0; d < 3; ++d)
+      apart[d] = (unknowns[3 + d] >= 0 ? displacement[unknowns[3 + d]] : 0.) -
+        (unknowns[d] >= 0 ? displacement[unknowns[d]] : 0.);
+    return apart;
+  }
+
+  SmallDisplacementEstimate::SmallMotion
+  SmallDisplacementEstimate::Line::motion(const Vector &displacement) const
+  {
+    const dealii::Tensor<1, 3> apart = relative_displacement(displacement);
+    const double               along = apart * direction;
+    return {(apart - along * direction).norm() / length, along / length};
+  }
+
+  SmallDisplacementEstimate::SmallDisplacementEstimate(
+    const Equations &equations)
+    : scene(equations.model().plan.scene)
+    , equations(equations)
+  {
+    for (const StrutGroup &group : equations.reporting().struts)
+      add_chords(group);
+    count_struts();
+    for (unsigned int group = 0; group < scene.connectors.size(); ++group)
+      if (scene.connectors[group].geometry ==
+          ConnectorDefinition::Geometry::line)
+        add_connectors(group);
+  }
+
+  void SmallDisplacementEstimate::add_chords(const StrutGroup &group)
+  {
+    const LatticeModel &model        = equations.model();
+    const DofNumbering &numbering    = model.numbering;
+    const unsigned int  n_components = numbering.n_components();
+    for (unsigned int e = group.forces->elements().begin;
+         e < group.forces->elements().end;
+         ++e)
+      {
+        const DofNumbering::Element &element = numbering.elements()[e];
+        const Strut   &strut   = model.lattice.struts[element.interval.strut];
+        const Section &section = model.sections[strut.section];
+        Line           line;
+        line.unknowns.fill(-1);
+        std::array<dealii::Point<3>, 2> ends;
+        for (unsigned int end = 0; end < 2; ++end)
+          {
+            dealii::Tensor<1, 3> tangent;
+            model.lattice.axis(strut,
+                               element.interval.at(end == 0 ? -1 : 1),
+                               ends[end],
+                               tangent);
+            for (unsigned int d = 0; d < model.lattice.dimension; ++d)
+              line.unknowns[3 * end + d] =
+                numbering.element_unknowns(e)[n_components * end + d];
+          }
+        const dealii::Tensor<1, 3> span = ends[1] - ends[0];
+        line.length                     = span.norm();
+        line.direction                  = span / line.length;
+        const double length             = model.lattice.length(strut);
+        const double bending            = model.lattice.dimension == 2
+                     ? section.bending_stiffness_3()
+                     : std::min(section.bending_stiffness_2(),
+                     section.bending_stiffness_3());
+        // By small displacements its mean axial strain is that of its chord.
+        const bool is_chord =
+          strut.sagitta == 0 && !model.plan.simulated.large_rotation;
+        using dealii::numbers::PI;
+        chords.push_back({line,
+                          is_chord ? nullptr : group.forces,
+                          e,
+                          element.interval.strut,
+                          /*index=*/0,
+                          PI * PI * bending / (length * length),
+                          section.axial_stiffness(),
+                          element.is_owned});
+      }
+  }
+
+  void SmallDisplacementEstimate::count_struts()
+  {
+    for (const Chord &chord : chords)
+      if (chord.is_counted)
+        counted.push_back(chord.strut);
+    std::sort(counted.begin(), counted.end());
+    counted.erase(std::unique(counted.begin(), counted.end()), counted.end());
+    for (Chord &chord : chords)
+      chord.index =
+        std::lower_bound(counted.begin(), counted.end(), chord.strut) -
+        counted.begin();
+  }
+
+  void SmallDisplacementEstimate::add_connectors(const unsigned int group)
+  {
+    const LatticeModel &model     = equations.model();
+    const DofNumbering &numbering = model.numbering;
+    for (const JointPair &pair : model.connector_pairs[group])
+      {
+        if (!numbering.layout().is_owned(
+              numbering.joint_unknown(pair.first, 0)))
+          continue;
+        const bool is_grounded = pair.second == invalid_index;
+        Line       line;
+        for (unsigned int i = 0; i < 6; ++i)
+          line.unknowns[i] = i >= 3 && is_grounded
+            ? -1
+            : numbering.joint_unknown(i < 3 ? pair.first : pair.second, i % 3);
+        const dealii::Tensor<1, 3> span = is_grounded
+          ? scene.connectors[group].ground_offset
+          : model.lattice.joints[pair.second] -
+            model.lattice.joints[pair.first];
+        line.length                     = span.norm();
+        line.direction                  = span / line.length;
+        connectors.push_back({line, group, pair.first});
+      }
+  }
+
+  double
+  SmallDisplacementEstimate::node_rotation(const Chord  &chord,
+                                           const Vector &displacement) const
+  {
+    const DofNumbering &numbering    = equations.model().numbering;
+    const unsigned int  n_components = numbering.n_components();
+    const int          *unknowns = numbering.element_unknowns(chord.element);
+    double              largest_square = 0;
+    for (unsigned int end = 0; end < 2; ++end)
+      {
+        double square = 0;
+        for (unsigned int c = equations.model().lattice.dimension;
+             c < n_components;
+             ++c)
+          {
+            const double angle = displacement[unknowns[n_components * end + c]];
+            square += angle * angle;
+          }
+        largest_square = std::max(largest_square, square);
+      }
+    return std::sqrt(largest_square);
+  }
+
+  double
+  SmallDisplacementEstimate::of_all_struts(const double work_of_mine,
+                                           const double axial_energy_of_mine,
+                                           const State &state) const
+  {
+    const std::vector<double> sums = equations.unknowns().layout.sum(
+      std::vector<double>{work_of_mine, axial_energy_of_mine});
+    const double elastic = state.energies.strain() + state.energies.stored(),
+                 bending = elastic - sums[1];
+    // What is left of more than ten digits is round-off.
+    constexpr double negligible = 1e-10;
+    return bending > negligible * elastic ? std::abs(sums[0]) / (2 * bending)
+                                          : 0.;
+  }
+
+  double SmallDisplacementEstimate::axial_force(const Chord &chord,
+                                                const State &state) const
+  {
+    return chord.struts == nullptr
+      ? chord.axial_stiffness * chord.line.motion(state.displacement).strain
+      : chord.struts->axial_force(state, chord.element);
+  }
+
+  Vector SmallDisplacementEstimate::forces_by_turning(const State &state) const
+  {
+    Vector forces(state.displacement.size(), 0.);
+    for (const Chord &chord : chords)
+      {
+        const Line                &line = chord.line;
+        const dealii::Tensor<1, 3> apart =
+          line.relative_displacement(state.displacement);
+        const dealii::Tensor<1, 3> force = axial_force(chord, state) /
+          line.length * (apart - (apart * line.direction) * line.direction);
+        for (unsigned int i = 0; i < 6; ++i)
+          if (line.unknowns[i] >= 0)
+            forces[line.unknowns[i]] += i < 3 ? -force[i] : force[i - 3];
+      }
+    return forces;
+  }
+
+  SmallDisplacementError SmallDisplacementEstimate::at(const State &state) const
+  {
+    const Vector       &displacement = state.displacement;
+    Worst               worst;
+    double              work = 0, axial_energy = 0;
+    std::vector<double> compressions(counted.size(), 0.);
+    for (const Chord &chord : chords)
+      {
+        if (!chord.is_counted)
+          continue;
+        const double rotation = chord.line.motion(displacement).rotation,
+                     force    = axial_force(chord, state);
+        work += force * rotation * rotation * chord.line.length;
+        axial_energy +=
+          force * force * chord.line.length / (2 * chord.axial_stiffness);
+        compressions[chord.index] =
+          std::max(compressions[chord.index], -force / chord.buckling_force);
+        worst.add({std::max(rotation, node_rotation(chord, displacement)),
+                   // Below that it depends on what bends.
+                   -force > chord.buckling_force ? -force / chord.buckling_force
+                                                 : 0.,
+                   std::abs(force) / chord.axial_stiffness},
+                  Worst::Kind::strut,
+                  chord.strut);
+      }
+    for (const Connector &connector : connectors)
+      worst.add({connector.line.motion(displacement).rotation, 0, 0},
+                Worst::Kind::connector,
+                connector.joint,
+                connector.group);
+    if (const auto *parts = equations.reporting().rigid_parts)
+      for (unsigned int i = 0; i < parts->n_reported(); ++i)
+        worst.add({parts->rotation(i, state).norm(), 0, 0},
+                  Worst::Kind::rigid_part,
+                  parts->part(i));
+    worst.take_worst_of_all_ranks(equations.unknowns().layout);
+    const double largest = compressions.empty()
+      ? 0.
+      : *std::max_element(compressions.begin(), compressions.end());
+    return {worst.error.rotation,
+            std::max(worst.error.second_order,
+                     of_all_struts(work, axial_energy, state)),
+            worst.error.strain,
+            location_of(worst),
+            equations.unknowns().layout.largest(largest),
+            std::move(compressions)};
+  }
+
+  std::string SmallDisplacementEstimate::location_of(const Worst &worst) const
+  {
+    switch (worst.kind)
+      {
+        case Worst::Kind::strut:
+          return "strut " + std::to_string(worst.number);
+        case Worst::Kind::rigid_part:
+          return "rigid part " + std::to_string(worst.number);
+        case Worst::Kind::connector:
+          return "connector " + scene.connectors[worst.group].name +
+            " of joint " + std::to_string(worst.number);
+        case Worst::Kind::none:
+          break;
+      }
+    return "";
+  }
+} // namespace auxfem

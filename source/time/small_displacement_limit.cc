@@ -1,0 +1,365 @@
+#include <auxfem/contact/effects/contact.h>
+#include <auxfem/equations/node_rotations.h>
+#include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/numerical_limits.h>
+#include <auxfem/time/small_displacement_limit.h>
+#include <auxfem/time/watch.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+namespace auxfem
+{
+  namespace
+  {
+    SimulatedEffects with_large_rotation(SimulatedEffects simulated)
+    {
+      simulated.large_rotation = true;
+      return simulated;
+    }
+  } // namespace
+
+  struct SecondOrderEffect::Exact
+  {
+    Exact(const LatticeModel &small_model, Work &work)
+      : model(small_model, with_large_rotation(small_model.plan.simulated))
+      , equations(model)
+      , solver(equations, model.plan.solver, work)
+    {}
+
+    /** K + K_g under the forces of @p motion; false if it has no factors. */
+    bool factorize_under(const Vector &motion)
+    {
+      State rest = state_at_rest();
+      // Constraints add what is linear in their forces.
+      for (const int i : model.numbering.constraints().multipliers())
+        rest.displacement[i] = motion[i];
+      const EvaluationResults at_rest     = assemble(rest);
+      const auto [displacement, rotation] = largest_motion(model, motion);
+      const double size =
+        std::max(rotation, displacement / model.mean_strut_length);
+      if (size > 0)
+        {
+          const double part   = finite_difference_step / size;
+          State        before = displaced(rest, model.numbering, motion, -part),
+                after         = displaced(rest, model.numbering, motion, part);
+          const EvaluationResults at_before = results_at(before),
+                                  at_after  = results_at(after);
+          equations.add_geometric_tangent(
+            {rest, before, after, at_rest, at_before, at_after, 1 / (2 * part)},
+            solver.matrix());
+        }
+      // The symmetric part has an inertia; the rest are moments that balance.
+      return solver.factorize(Exactness::approximate);
+    }
+
+    /** K; false if it has no factors. */
+    bool factorize_at_rest()
+    {
+      State rest = state_at_rest();
+      assemble(rest);
+      return solver.factorize(Exactness::approximate);
+    }
+
+    const LatticeModel model;
+    Equations          equations;
+    TangentSolver      solver;
+
+  private:
+    State state_at_rest() const
+    {
+      State rest = equations.initial_state();
+      for (std::optional<Vector> *rates : {&rest.velocity, &rest.acceleration})
+        if (*rates)
+          (*rates)->assign((*rates)->size(), 0.);
+      return rest;
+    }
+
+    /** The stiffness without that by forces. */
+    EvaluationResults assemble(State &rest)
+    {
+      EvaluationResults results = results_at(rest);
+      solver.assemble(Evaluation::equilibrium(rest, rest), results, {1, 0, 0});
+      return results;
+    }
+
+    EvaluationResults results_at(State &at)
+    {
+      EvaluationResults results = equations.make_results();
+      const State       before  = at;
+      solver.residual(Evaluation::equilibrium(before, at), results);
+      return results;
+    }
+  };
+
+  SecondOrderEffect::SecondOrderEffect(const Equations &equations)
+    : equations(equations)
+  {}
+
+  SecondOrderEffect::~SecondOrderEffect() = default;
+
+  Work SecondOrderEffect::take_effort()
+  {
+    return std::exchange(effort, Work());
+  }
+
+  const Equations *SecondOrderEffect::exact_equations()
+  {
+    if (is_impossible)
+      return nullptr;
+    try
+      {
+        if (!exact)
+          exact = std::make_unique<Exact>(equations.model(), effort);
+      }
+    catch (const std::runtime_error &)
+      {
+        // Supports that large rotations do not allow.
+        is_impossible = true;
+        return nullptr;
+      }
+    return &exact->equations;
+  }
+
+  std::optional<SecondOrderChange>
+  SecondOrderEffect::at(const State &state, const Vector &forces_by_turning)
+  {
+    if (exact_equations() == nullptr)
+      return {};
+    SecondOrderChange result;
+    try
+      {
+        if (exact->factorize_under(state.displacement))
+          if (const auto negative = exact->solver.new_negative_modes())
+            result.is_unstable = negative->n > 0;
+        if (result.is_unstable.value_or(true) && !exact->factorize_at_rest())
+          return {};
+      }
+    catch (const std::runtime_error &)
+      {
+        // Loads that are no number at rest.
+        is_impossible = true;
+        return {};
+      }
+    const std::optional<double> relative =
+      relative_change(state, forces_by_turning);
+    if (!relative)
+      return {};
+    result.relative = *relative;
+    return result;
+  }
+
+  std::optional<double> SecondOrderEffect::relative_change(const State  &state,
+                                                           const Vector &forces)
+  {
+    const double largest =
+                   largest_motion(equations.model(), state.displacement).first,
+                 elastic = state.energies.strain() + state.energies.stored();
+    if (largest == 0 || !(elastic > 0))
+      return {};
+    const Unknowns &unknowns = equations.unknowns();
+    Vector          change(forces.size(), 0.);
+    for (unsigned int i = 0; i < unknowns.layout.n_owned(); ++i)
+      if (unknowns.kinds[i] != UnknownKind::prescribed)
+        change[i] = -forces[i];
+    if (!exact->solver.solve(change))
+      return {};
+    double twice_energy = 0;
+    for (unsigned int i = 0; i < unknowns.layout.n_owned(); ++i)
+      twice_energy -= forces[i] * change[i];
+    twice_energy = std::max(0., unknowns.layout.sum(twice_energy));
+    return std::max(largest_motion(equations.model(), change).first / largest,
+                    std::sqrt(twice_energy / (2 * elastic)));
+  }
+
+  namespace
+  {
+    /** Compression (SmallDisplacementError) of all struts by which nothing
+     * buckles: that of a thousand struts in a row. */
+    constexpr double no_compression = 1e-6;
+
+    /**
+     * Multiple of a motion outside the envelope that is computed first.
+     * @tuned judgement
+     */
+    constexpr double far_ahead = 4;
+
+    /** Motions inside the envelope that are computed in a run. */
+    constexpr double n_regular_checks = 4;
+
+    /**
+     * Known error of a motion inside the envelope, over the allowed one, up
+     * to which it is not computed.
+     * @tuned judgement: a motion of another shape may have a larger error
+     */
+    constexpr double little_error = 0.3;
+
+    /** Multiples of the static answer that the decision is made for: in
+     * dynamics the overshoot of a sudden load, in statics room for round-off.
+     */
+    constexpr double dynamic_factor = 2, static_factor = 1.01;
+
+    /** A vibration goes four amplitudes while it turns by 2 pi. */
+    constexpr double radians_of_way = dealii::numbers::PI / 2;
+  } // namespace
+
+  SmallDisplacementLimit::SmallDisplacementLimit(const Equations &small,
+                                                 const Equations &exact)
+    : plan(exact.model().plan)
+    , layout(small.unknowns().layout)
+    , has_inertia(small.model().plan.simulated.inertia)
+    , estimator(small, exact, plan.effects.tolerance)
+    , estimate(small)
+  {
+    envelope.compressions.resize(estimate.struts().size());
+    if (const auto *const contact = exact.reporting().strut_contact)
+      detector = contact->first_contact_detector();
+  }
+
+  LargeRotationError SmallDisplacementLimit::check_static_answer()
+  {
+    const std::optional<State> answer = estimator.static_answer();
+    if (!answer)
+      return {};
+    const double factor = has_inertia ? dynamic_factor : static_factor;
+    Vector       motion = answer->displacement;
+    scale(factor, motion);
+    const LargeRotationError found = estimator.at(motion);
+    const double             size  = estimator.size(answer->displacement);
+    if (found.reason(plan.effects.tolerance).empty())
+      extend(factor,
+             size,
+             estimate.at(*answer),
+             found.relative * factor * size);
+    return found;
+  }
+
+  bool
+  SmallDisplacementLimit::is_inside(const double                  size,
+                                    const SmallDisplacementError &motion) const
+  {
+    if (!(size <= envelope.size && motion.total() <= envelope.total &&
+          motion.compression <= envelope.compression))
+      return false;
+    bool mine = true;
+    for (std::size_t i = 0; i < envelope.compressions.size() && mine; ++i)
+      mine = motion.compressions[i] <=
+        std::max(envelope.compressions[i], noticeable_part);
+    return layout.largest(mine ? 0. : 1.) == 0;
+  }
+
+  void SmallDisplacementLimit::extend(const double                  factor,
+                                      const double                  size,
+                                      const SmallDisplacementError &motion,
+                                      const double                  error)
+  {
+    envelope = {factor * size,
+                factor * motion.total(),
+                factor * std::max(motion.compression, no_compression),
+                motion.compressions,
+                error};
+    for (double &compression : envelope.compressions)
+      compression *= factor;
+  }
+
+  void SmallDisplacementLimit::check(const Evaluation &step)
+  {
+    const State &state = step.to;
+    std::string  why;
+    if (const auto struts =
+          detector ? detector->find(step.from, state) : std::nullopt)
+      why = "struts " + std::to_string((*struts)[0]) + " and " +
+        std::to_string((*struts)[1]) + " touch";
+    else if (++n_steps >= SamplingSchedule::longest_period || !has_inertia ||
+             state.time >= plan.time.end_time)
+      {
+        n_steps = 0;
+        why     = reason(state);
+      }
+    if (why.empty())
+      return;
+    std::ostringstream text;
+    text << why << " (t = " << state.time << " s)";
+    throw BeyondSmallDisplacements(text.str());
+  }
+
+  std::string SmallDisplacementLimit::reason(const State &state)
+  {
+    if (has_inertia)
+      way += (state.time - sampled) * estimator.size(*state.velocity);
+    sampled                             = state.time;
+    const double size                   = estimator.size(state.displacement);
+    largest_size                        = std::max(largest_size, size);
+    const SmallDisplacementError motion = estimate.at(state);
+    const double                 known =
+      size > 0 ? envelope.error * std::pow(size / envelope.size, 2) : 0.;
+    std::string why;
+    if (!is_inside(size, motion))
+      {
+        why = compute(far_ahead, state, size, motion);
+        if (!why.empty())
+          why = compute(growth_between_checks, state, size, motion);
+      }
+    else if (state.time - computed < plan.time.end_time / n_regular_checks ||
+             known <= little_error * plan.effects.tolerance * largest_size)
+      largest_error = std::max(largest_error, known);
+    else
+      why = compute(growth_between_checks, state, size, motion);
+    if (why.empty() && error() > plan.effects.tolerance)
+      why = small_displacement_error_text(error()) +
+        ", as vibrations get out of phase";
+    return why;
+  }
+
+  std::string
+  SmallDisplacementLimit::compute(const double                  factor,
+                                  const State                  &state,
+                                  const double                  size,
+                                  const SmallDisplacementError &motion)
+  {
+    Vector multiple = state.displacement;
+    scale(factor, multiple);
+    LargeRotationError found = estimator.at(multiple);
+    found.relative *= size / largest_size;
+    std::string why = found.reason(plan.effects.tolerance);
+    if (!why.empty())
+      return why;
+    computed = state.time;
+    largest_error =
+      std::max(largest_error, found.relative * largest_size / factor);
+    if (factor * size >= envelope.size || !is_inside(size, motion))
+      extend(factor, size, motion, found.relative * factor * largest_size);
+    return "";
+  }
+
+  double SmallDisplacementLimit::error() const
+  {
+    if (largest_size == 0)
+      return 0;
+    const double turns = std::max(0., way / largest_size - 1) * radians_of_way;
+    return (1 + turns / 2) * largest_error / largest_size;
+  }
+
+  void SmallDisplacementLimit::serialize(CheckpointArchive &archive)
+  {
+    archive.values("limit of small displacements",
+                   largest_error,
+                   largest_size,
+                   way,
+                   sampled,
+                   computed,
+                   n_steps,
+                   envelope.size,
+                   envelope.total,
+                   envelope.compression,
+                   envelope.error);
+    archive.items("limit of small displacements by strut",
+                  estimate.struts(),
+                  1,
+                  envelope.compressions);
+  }
+} // namespace auxfem

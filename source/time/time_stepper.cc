@@ -1,0 +1,421 @@
+#include <auxfem/loads/effects/prescribed_motion.h>
+#include <auxfem/parameters/errors.h>
+#include <auxfem/state/step_report.h>
+#include <auxfem/time/consistent_rates.h>
+#include <auxfem/time/schemes/static.h>
+#include <auxfem/time/small_displacement_limit.h>
+#include <auxfem/time/time_stepper.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace auxfem
+{
+  namespace
+  {
+    /** Of @p now, which follows on @p before or is the same. */
+    void raise_largest_energy(const State &before, State &now)
+    {
+      now.largest_energy = std::max({before.largest_energy,
+                                     now.energies.total(),
+                                     now.energies.dissipated()});
+    }
+  } // namespace
+
+  TimeStepper::TimeStepper(Equations &equations, Work &work)
+    : equations(equations)
+    , parameters(equations.model().plan.time)
+    , scheme(parameters.implicit_scheme())
+    , work(work)
+    , trial(equations.initial_solution())
+    , rotations(equations.model().numbering)
+    , solvers(std::make_unique<Solvers>(equations, work))
+    , control(make_step_control(parameters))
+    , dense_output(equations, scheme)
+    , ends(equations.model().plan)
+    , watches_of_scene(equations, work)
+  {
+    if (!equations.reporting().constraints.empty() &&
+        scheme.carries_on_alternating_errors())
+      solvers->rates = std::make_unique<RateSolver>(equations, work);
+    if (parameters.relative_tolerance)
+      error.emplace(equations);
+    if (scheme.stages() != nullptr)
+      stages.emplace(equations, scheme);
+    if (!scheme.is_dynamic() && !equations.is_linear())
+      jumps = watches_of_scene.add(
+        std::make_unique<EquilibriumJumps>(equations.model()));
+  }
+
+  std::vector<Finding> TimeStepper::findings() const
+  {
+    std::vector<Finding> all = watches_of_scene.findings();
+    if (error)
+      for (const Finding &finding : error->findings())
+        all.push_back(finding);
+    return all;
+  }
+
+  void TimeStepper::account_for_rates(Solution              &solution,
+                                      const State           &before,
+                                      const ConsistentRates *rates,
+                                      const double           event)
+  {
+    State     &state    = solution.state;
+    Evaluation instant  = Evaluation::rates(before, state);
+    instant.event_at_to = {event, TimeSide::after};
+    instant.impulses    = rates ? rates->impulses() : nullptr;
+    solvers->tangent.residual(instant, solution.results);
+    equations.accept(instant, solution.results);
+    if (const std::string what = what_is_not_finite(equations.model(), state);
+        !what.empty())
+      {
+        const std::string why =
+          equations.why_not_finite(instant, solution.results);
+        std::ostringstream message;
+        message << "At t = " << state.time
+                << " s the state is not finite: " << (why.empty() ? what : why)
+                << '.';
+        throw ComputationError(message.str());
+      }
+    raise_largest_energy(state, state);
+  }
+
+  StepReport TimeStepper::advance(Solution &solution, Recorder &recorder)
+  {
+    State     &state = solution.state;
+    StepReport report;
+    report.dt = parameters.step;
+    if (jumps)
+      jumps->begin_step();
+    const double end = parameters.time_at(state.step + 1);
+    while (state.time < end)
+      {
+        update_couplings(state);
+        const bool is_jump = pass_events(solution, report, recorder);
+        take_step(solution, ends.next(state.time, end), report, recorder);
+        if (is_jump)
+          state.before.reset();
+      }
+    ++state.step;
+    ++work.steps;
+    return report;
+  }
+
+  void TimeStepper::update_couplings(State &state)
+  {
+    bool are_more_ghosts;
+    {
+      const Stopwatch watch(work.wall.contact);
+      are_more_ghosts = equations.update_couplings(state);
+    }
+    take_ghosts(are_more_ghosts);
+  }
+
+  std::string TimeStepper::why_not_acceptable(const Evaluation &step)
+  {
+    const Stopwatch watch(work.wall.contact);
+    return equations.why_not_acceptable(step);
+  }
+
+  void TimeStepper::take_ghosts(const bool are_more)
+  {
+    if (!are_more)
+      return;
+    trial.state.take_ghosts(equations.unknowns().layout);
+    if (stages)
+      stages->forget();
+  }
+
+  void TimeStepper::take_step(Solution    &solution,
+                              const double target,
+                              StepReport  &report,
+                              Recorder    &recorder)
+  {
+    while (true)
+      {
+        const PlannedStep planned =
+          control->plan(solution.state.time,
+                        jumps ? jumps->target(target) : target);
+        if (try_step(solution, planned, report, recorder))
+          {
+            ++report.substeps;
+            report.dt = std::min(report.dt, planned.dt);
+            return;
+          }
+        ++report.retries;
+        ++work.retries;
+        if (control->rejected(rejected_error))
+          continue;
+        if (!(jumps && jumps->allow_jumps()) &&
+            !solvers->newton.allow_slack(solution.state))
+          give_up(solution.state, planned.dt);
+        control = make_step_control(parameters);
+      }
+  }
+
+  bool TimeStepper::pass_events(Solution   &solution,
+                                StepReport &report,
+                                Recorder   &recorder)
+  {
+    const std::optional<StepEnd::Jump> jump = ends.jump_at(solution.state.time);
+    if (!jump)
+      return false;
+    if (scheme.is_dynamic())
+      {
+        if (stages)
+          stages->forget();
+        renew_rates(solution, *jump);
+        return false;
+      }
+    solution.state.before.reset();
+    if (*jump != StepEnd::Jump::accelerations || !solution.state.velocity)
+      return *jump != StepEnd::Jump::none;
+    take_sudden_loads(solution, report, recorder);
+    return false;
+  }
+
+  void TimeStepper::take_sudden_loads(Solution   &solution,
+                                      StepReport &report,
+                                      Recorder   &recorder)
+  {
+    constexpr double part_of_step = 1e-5;
+    State           &state        = solution.state;
+    StepReport       of_jump;
+    take_step(solution,
+              state.time + part_of_step * parameters.step,
+              of_jump,
+              recorder);
+    report.iterations += of_jump.iterations;
+    report.retries += of_jump.retries;
+    state.before.reset();
+  }
+
+  void TimeStepper::renew_rates(Solution &solution, const StepEnd::Jump jump)
+  {
+    using Jump   = StepEnd::Jump;
+    State &state = solution.state;
+    // Accelerations at the start of a step do not matter if means are balanced.
+    if (jump == Jump::none ||
+        (scheme.balances_means() && jump != Jump::velocities))
+      return;
+    ConsistentRates rates(solvers->tangent);
+    const double    event  = *ends.event_at_begin(state.time);
+    const State     before = rates.renew(state, event, parameters.step);
+    account_for_rates(solution, before, &rates, event);
+    solvers->newton.drop_factorization();
+  }
+
+  bool TimeStepper::try_step(Solution          &solution,
+                             const PlannedStep &planned,
+                             StepReport        &report,
+                             Recorder          &recorder)
+  {
+    State &state       = solution.state;
+    rejected_error     = 0;
+    trial.state.time   = planned.end;
+    Evaluation step    = evaluation_of(state, planned.dt);
+    step.event_at_from = ends.event_at_begin(state.time);
+    step.event_at_to   = ends.event_at_end(planned.end);
+    if (stages ? !solve_stages(solution, step, report)
+               : !solve_step(step, report))
+      return false;
+    if (!is_acceptable(step))
+      return false;
+    accept(solution, step, recorder);
+    return true;
+  }
+
+  void TimeStepper::accept(Solution         &solution,
+                           const Evaluation &step,
+                           Recorder         &recorder)
+  {
+    last_dt = step.dt;
+    control->accepted(error ? error->accept(step) : 0);
+    if (stages)
+      stages->accept();
+    raise_largest_energy(solution.state, trial.state);
+    if (jumps && jumps->is_jump())
+      watches_of_scene.expect_jump();
+    if (limit != nullptr)
+      limit->check(step);
+    watches_of_scene.step(step, trial.results, solvers->tangent);
+    trial.state.step = solution.state.step;
+    std::swap(solution, trial);
+    dense_output.record(trial,
+                        solution,
+                        step.event_at_from,
+                        step.event_at_to,
+                        nearness_of_step_ends(parameters),
+                        solvers->tangent,
+                        recorder);
+    trial.state = solution.state;
+  }
+
+  bool TimeStepper::solve_step(const Evaluation &step, StepReport &report)
+  {
+    predict(scheme, step);
+    if (!solve(scheme, step, report))
+      return false;
+    if (solvers->rates)
+      restore_rates(step);
+    equations.accept(step, trial.results);
+    return true;
+  }
+
+  bool TimeStepper::solve_stages(const Solution   &solution,
+                                 const Evaluation &step,
+                                 StepReport       &report)
+  {
+    stages->begin(step, solution.results);
+    for (unsigned int i = 1; i < stages->n(); ++i)
+      {
+        const Evaluation stage = stages->next(step);
+        predict(stages->rule(), stage);
+        if (!solve(stages->rule(), stage, report))
+          return false;
+        stages->solved(stage, trial.results);
+        if (i + 1 == stages->n())
+          equations.accept(stage, trial.results);
+      }
+    return true;
+  }
+
+  bool TimeStepper::solve(const ImplicitScheme &rule,
+                          const Evaluation     &step,
+                          StepReport           &report)
+  {
+    const Newton::Result result =
+      solvers->newton.solve(rule, step, trial.results);
+    report.iterations += result.iterations;
+    work.iterations += result.iterations;
+    report.relative_residual = result.relative_residual;
+    if (result.converged)
+      return true;
+    std::ostringstream reason;
+    reason << result.reason << "; relative residual "
+           << result.relative_residual << ", largest at the "
+           << worst_unknown(equations.model(), trial.state);
+    return reject(reason.str());
+  }
+
+  bool TimeStepper::is_acceptable(const Evaluation &step)
+  {
+    if (const std::string what = what_is_not_finite(equations.model(), step.to);
+        !what.empty())
+      return reject(what + " is not a finite number");
+    if (const std::string why = why_not_acceptable(step); !why.empty())
+      return reject(why);
+    if (creates_energy(step))
+      return reject(
+        "the step would create energy (more than Time/Largest energy error)");
+    if (jumps)
+      if (const std::string why = jumps->rejection_reason(
+            step,
+            solvers->newton.predicted_increment(),
+            watches_of_scene.changes_stability(step, solvers->tangent));
+          !why.empty())
+        return reject(why);
+    const double error_of_step = error ? relative_error(step) : 0;
+    if (control->may_be_accepted(error_of_step))
+      return true;
+    rejected_error = error_of_step;
+    return reject("the error is larger than Time/Relative tolerance allows");
+  }
+
+  double TimeStepper::relative_error(const Evaluation &step)
+  {
+    return stages ? error->relative(step, stages->embedded_difference())
+                  : error->relative(step);
+  }
+
+  Evaluation TimeStepper::evaluation_of(const State &from, const double dt)
+  {
+    if (!scheme.is_dynamic())
+      return Evaluation::static_step(from, trial.state, dt);
+    return scheme.balances_means() ? Evaluation::between(from, trial.state, dt)
+                                   : Evaluation::step(from, trial.state, dt);
+  }
+
+  void TimeStepper::predict(const ImplicitScheme &rule, const Evaluation &step)
+  {
+    rule.predict(step.from, step.dt, step.to);
+    if (scheme.balances_means())
+      guess_ahead(rule, step, equations.model());
+    if (equations.is_linear())
+      go_on_as_before(rule, step);
+    Vector increment;
+    if (jumps && jumps->guess(step, rotations, increment))
+      rule.correct(step.from, increment, step.dt, step.to);
+    rotations.follow(step);
+    if (scheme.is_dynamic())
+      prescribe_motion(equations.model(), step);
+  }
+
+  void TimeStepper::restore_rates(const Evaluation &step)
+  {
+    solvers->rates->rates.restore(step);
+    solvers->tangent.residual(step, trial.results);
+  }
+
+  bool TimeStepper::creates_energy(const Evaluation &step) const
+  {
+    // Implicit schemes can converge to states that have nothing to do with the
+    // motion when a step is too long for it; these show by energy from nowhere.
+    // Where means are balanced there is none; where a motion begins smoothly,
+    // the work of its support looks as if there were.
+    if (scheme.balances_means())
+      return false;
+    const Energies &before = step.from.energies, &after = step.to.energies;
+    // That a scheme with inertia accounts for what it gives is no excuse.
+    // Without, it is what the rates at the end of the step leave open.
+    const double created = after.balance(before.balance(0.)) -
+      (scheme.is_dynamic() ? after.numerical() - before.numerical() : 0.);
+    const double turnover =
+      std::max({step.from.largest_energy,
+                std::abs(after.external() - before.external()),
+                after.dissipated() - before.dissipated()});
+    if (created <= parameters.energy_error * turnover)
+      return false;
+    // A lattice at rest in another position than at first has the round-off of
+    // its positions; where a motion begins smoothly, all energy is the work of
+    // supports.
+    const LatticeModel &model = equations.model();
+    double              error = equations.round_off_floor(step, trial.results) *
+      largest_motion(model, step.to.displacement).first;
+    if (scheme.is_dynamic())
+      error += support_work_error(model, step);
+    return !(created <= parameters.energy_error * turnover + error);
+  }
+
+  bool TimeStepper::reject(const std::string &reason)
+  {
+    last_failure = reason;
+    solvers->newton.drop_factorization();
+    return false;
+  }
+
+  void TimeStepper::give_up(const State &state, const double dt) const
+  {
+    const auto         jump = ends.jump_at(state.time);
+    std::ostringstream message;
+    message
+      << "The step from t = " << state.time << " s" << std::setprecision(3)
+      << (jump && *jump != StepEnd::Jump::none
+            ? ", where a load or a prescribed motion jumps,"
+            : "")
+      << " did not converge even with dt = " << dt << " s ("
+      << (dt < control->shortest() ? "which is less than"
+                                   : "half of it would be less than")
+      << " Time/Smallest time step = " << control->shortest()
+      << " s): " << last_failure
+      << ".\nAll steps until then are in the output folder. A smaller smallest "
+         "step, numerical damping (Scheme = generalized-alpha), where things "
+         "hit each other Scheme = energy-momentum, or, in statics, prescribed "
+         "motion in place of a force may carry it further; an unstable "
+         "structure will not be carried by any.";
+    throw ComputationError(message.str());
+  }
+} // namespace auxfem

@@ -1,0 +1,177 @@
+#include <auxfem/contact/effects/strut_proximity.h>
+
+#include <contact/effects/sampled_distance.h>
+#include <equations/equations_on_ranks.h>
+#include <gtest/gtest.h>
+#include <support/scene_text.h>
+
+#include <random>
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+namespace
+{
+  /** A star lattice; on one rank, and thin, unless asked for otherwise. */
+  struct Stars
+  {
+    explicit Stars(const MPI_Comm     communicator = MPI_COMM_SELF,
+                   const unsigned int n_cells      = 3,
+                   const std::string &angle        = "60 deg",
+                   const std::string &thickness    = "0.05")
+      : of_scene(SceneText()
+                   .add("Lattice", "Cell = star | Strut length = 1")
+                   .set("Lattice/Opening angle", angle)
+                   .set("Lattice/Cells x", n_cells)
+                   .set("Lattice/Cells y", n_cells)
+                   .rectangle("strip", "1", thickness, {"1", 1, 0})
+                   .set("Lattice/Struts may cross", "true")
+                   .mesh(2)
+                   .str(),
+                 {},
+                 communicator)
+      , axes(make_contact_axes(of_scene.model, 1))
+      , curves(of_scene.model, axes)
+      , proximity(of_scene.model, curves)
+    {}
+
+    AxisCurve curve(const unsigned int axis, const std::vector<double> &u) const
+    {
+      return curves.curve(axis, axes[axis].unknowns.data(), u.data());
+    }
+
+    /** Whether two axes touch, by many points of both. */
+    bool touch(const AxisPair &pair, const std::vector<double> &u) const
+    {
+      const double thickness = curves.thickness(pair[0], pair[1]);
+      return sampled_distance(30,
+                              curve(pair[0], u),
+                              {{0., 1.}},
+                              curve(pair[1], u),
+                              thickness) < thickness;
+    }
+
+    EquationsOnRanks         of_scene;
+    std::vector<ContactAxis> axes;
+    StrutCurves              curves;
+    StrutProximity           proximity;
+  };
+} // namespace
+
+TEST(StrutProximity, AllThatTouchAreNearHoweverTheLatticeMoves)
+{
+  Stars               stars;
+  std::mt19937        generator(3);
+  std::vector<double> u(stars.of_scene.dofs().layout().n_global(), 0.),
+    velocity(u.size());
+  for (double &value : velocity)
+    value = std::uniform_real_distribution<double>(-0.03, 0.03)(generator);
+  unsigned int n_touching = 0;
+  for (unsigned int step = 0; step < 20; ++step)
+    {
+      stars.proximity.follow(u);
+      const auto &near = stars.proximity.near();
+      for (unsigned int a = 0; a < stars.axes.size(); ++a)
+        for (unsigned int b = a + 1; b < stars.axes.size(); ++b)
+          {
+            const AxisPair pair{{a, b}};
+            if (stars.curves.are_neighbours(a, b) || !stars.touch(pair, u))
+              continue;
+            ++n_touching;
+            EXPECT_TRUE(std::binary_search(near.begin(), near.end(), pair))
+              << "step " << step << ", axes " << a << " and " << b;
+          }
+      for (std::size_t i = 0; i < u.size(); ++i)
+        u[i] += velocity[i];
+    }
+  EXPECT_GT(n_touching, 20u);
+}
+
+TEST(StrutProximity, StrutsThatPassEachOtherAtRestAreNeverNear)
+{
+  for (const bool pass : {true, false})
+    {
+      const EquationsOnRanks of_scene(
+        SceneText()
+          .frame(std::string("0 0; 1 0; 0.5 0.5; 0.5 ") +
+                   (pass ? "-0.5" : "0.018"),
+                 "0 1; 2 3")
+          .set("Lattice/Struts may cross", "true")
+          .rectangle("strip", 0.02, 0.02, {1, 1, 0})
+          .mesh(2),
+        {},
+        MPI_COMM_SELF);
+      const std::vector<ContactAxis> axes =
+        make_contact_axes(of_scene.model, 1);
+      const StrutCurves curves(of_scene.model, axes);
+      StrutProximity    proximity(of_scene.model, curves);
+      ASSERT_EQ(proximity.overlaps().size(), 1u);
+      EXPECT_EQ(proximity.overlaps()[0].is_passing, pass);
+      std::vector<double> u(of_scene.dofs().layout().n_global(), 0.);
+      // In reach since the start, and by a list made anew.
+      for (const double moved : {0., 0.01, 1.})
+        {
+          for (const ContactAxis &axis : axes)
+            for (std::size_t i = 0; i < axis.unknowns.size(); i += 2)
+              u[axis.unknowns[i]] = moved;
+          proximity.follow(u);
+          EXPECT_EQ(proximity.near().size(), pass ? 0u : 1u);
+        }
+    }
+}
+
+TEST(StrutProximity, WhatPassesThroughInOneStepIsSeen)
+{
+  Stars                     stars;
+  const std::vector<double> rest(stars.of_scene.dofs().layout().n_global(), 0.);
+  stars.proximity.follow(rest);
+  EXPECT_TRUE(stars.proximity.near().empty());
+  EXPECT_FALSE(stars.proximity.first_too_near(rest, rest, 0.5));
+  // All moves on far; nothing comes nearer to anything.
+  std::vector<double> moved = rest;
+  for (const ContactAxis &axis : stars.axes)
+    for (std::size_t i = 0; i < axis.unknowns.size(); i += 2)
+      moved[axis.unknowns[i]] = 50;
+  EXPECT_FALSE(stars.proximity.first_too_near(rest, moved, 0.5));
+  // One strut alone goes through the others, to the other side of them.
+  std::vector<double> thrown = rest;
+  const ContactAxis  &axis   = stars.axes.front();
+  for (std::size_t i = 0; i < axis.unknowns.size(); i += 2)
+    thrown[axis.unknowns[i]] = 50;
+  EXPECT_TRUE(stars.proximity.first_too_near(rest, thrown, 0.5));
+}
+
+TEST(StrutProximityOnRanks, SharedLooksFindWhatOneRankFinds)
+{
+  // So flat and thick that struts overlap at rest.
+  Stars shared(MPI_COMM_WORLD, 8, "50 deg", "0.2"),
+    alone(MPI_COMM_SELF, 8, "50 deg", "0.2");
+  ASSERT_GT(alone.curves.connected().size(), 1000u);
+  const std::vector<StrutOverlap> &of_ranks = shared.proximity.overlaps(),
+                                  &of_one   = alone.proximity.overlaps();
+  EXPECT_FALSE(of_one.empty());
+  ASSERT_EQ(of_ranks.size(), of_one.size());
+  for (std::size_t i = 0; i < of_one.size(); ++i)
+    {
+      const StrutOverlap &one = of_ranks[i], &two = of_one[i];
+      EXPECT_EQ(one.struts, two.struts);
+      EXPECT_EQ(one.is_passing, two.is_passing);
+    }
+  for (const double size : {0., 0.05, 0.2})
+    {
+      for (Stars *stars : {&shared, &alone})
+        {
+          // The same of each axis on any number of ranks.
+          std::mt19937        generator(5);
+          std::vector<double> u(stars->of_scene.dofs().layout().n_global(), 0.);
+          for (const ContactAxis &axis : stars->axes)
+            for (const int number : axis.unknowns)
+              u[number] =
+                std::uniform_real_distribution<double>(-size, size)(generator);
+          stars->proximity.follow(u);
+        }
+      EXPECT_EQ(shared.proximity.near(), alone.proximity.near());
+      EXPECT_EQ(shared.proximity.may_touch(), alone.proximity.may_touch());
+    }
+  EXPECT_GT(alone.proximity.near().size(), 20u);
+}

@@ -1,0 +1,447 @@
+#include <auxfem/mathematics/lanes.h>
+#include <auxfem/struts/beam_3d_damping.h>
+
+#include <gtest/gtest.h>
+#include <struts/beam_3d_on_trial.h>
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+namespace
+{
+  // Both add up the same products; sines and cosines differ in the last digit,
+  // and numbers are up to some hundreds of times larger than the sum.
+  constexpr double lanes_round_off = 1e-12;
+
+  /** How much the objects of the lanes move: rotations by series and by
+   * functions, in one element and in different ones. */
+  constexpr double sizes[] = {1e-4, 1.2, 0.3, 0.6};
+  static_assert(std::size(sizes) >= n_lanes);
+
+  /** One of @p objects for each lane. */
+  ///@{
+  template <class T, std::size_t... lane>
+  EachLane<T> one_each(const std::vector<T> &objects,
+                       std::index_sequence<lane...>)
+  {
+    return {{objects[lane]...}};
+  }
+
+  template <class T>
+  EachLane<T> one_each(const std::vector<T> &objects)
+  {
+    return one_each(objects, std::make_index_sequence<n_lanes>());
+  }
+  ///@}
+
+  /** Numbers that differ from lane to lane. */
+  template <class Array>
+  EachLane<Array> of_each_lane(const unsigned int seed)
+  {
+    EachLane<Array> result;
+    for (std::size_t lane = 0; lane < n_lanes; ++lane)
+      result[lane] = irregular<Array>(sizes[lane], seed + lane);
+    return result;
+  }
+
+  /** The largest difference between @p numbers and those of @p lane over the
+   * largest number. */
+  template <class Array>
+  double difference(const Array                                       &numbers,
+                    const std::array<Lanes, std::tuple_size_v<Array>> &lanes,
+                    const std::size_t                                  lane)
+  {
+    Array of_difference = numbers;
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      of_difference[i] -= number_in(lanes[i], lane);
+    return largest(of_difference) / largest(numbers);
+  }
+
+  /** Plane elements of different lengths, directions and curvatures. */
+  template <int order>
+  struct PlaneElements
+  {
+    using Beam                 = BeamOnTrial<order>;
+    using Vector               = typename Beam::Vector;
+    using Matrix               = typename Beam::Matrix;
+    const EachLane<Beam> beams = one_each<Beam>(
+      {{1.6, 0.4, 0.}, {0.7, 2., 0.8}, {2.2, -1., -0.3}, {1., 3., 0.}});
+    const EachLane<Vector> u = of_each_lane<Vector>(1),
+                           v = of_each_lane<Vector>(11);
+
+    std::array<Beam2D::FrameOf<Lanes>, order> frames() const
+    {
+      EachLane<std::array<Beam2D::Frame, order>> of_beams;
+      for (std::size_t lane = 0; lane < n_lanes; ++lane)
+        std::copy_n(beams[lane].gauss_frames(), order, of_beams[lane].begin());
+      return in_lanes<std::array<Beam2D::FrameOf<Lanes>, order>>(of_beams);
+    }
+
+    Lanes jacobian() const
+    {
+      return each_lane([&](const auto lane) { return beams[lane].jacobian; });
+    }
+
+    Beam2D::StiffnessOf<Lanes> section() const
+    {
+      EachLane<Beam2D::Stiffness> of_beams;
+      of_beams.fill(beams[0].section);
+      return in_lanes<Beam2D::StiffnessOf<Lanes>>(of_beams);
+    }
+  };
+
+  template <int order, bool large_rotation, bool damped>
+  void expect_plane_beams_alike()
+  {
+    using Elements = PlaneElements<order>;
+    using Vector   = typename Elements::Vector;
+    using Matrix   = typename Elements::Matrix;
+    const Elements        elements;
+    constexpr std::size_t n      = std::tuple_size_v<Vector>;
+    const auto            frames = elements.frames();
+    const auto            u      = in_lanes<std::array<Lanes, n>>(elements.u),
+               v                 = in_lanes<std::array<Lanes, n>>(elements.v);
+    std::array<Lanes, n>     force;
+    std::array<Lanes, n * n> matrix;
+    const auto energy = Beam2D::internal_force<order, large_rotation, damped>(
+      elements.beams[0].shape,
+      frames.data(),
+      elements.jacobian(),
+      elements.section(),
+      u.data(),
+      v.data(),
+      force.data());
+    Beam2D::tangent<order, large_rotation, damped>(elements.beams[0].shape,
+                                                   frames.data(),
+                                                   elements.jacobian(),
+                                                   elements.section(),
+                                                   u.data(),
+                                                   v.data(),
+                                                   0.9,
+                                                   2.5,
+                                                   matrix.data());
+    for (std::size_t lane = 0; lane < n_lanes; ++lane)
+      {
+        SCOPED_TRACE("lane " + std::to_string(lane));
+        const auto &beam = elements.beams[lane];
+        Vector      of_beam;
+        const auto  energy_of_beam =
+          beam.template force<large_rotation, damped>(elements.u[lane],
+                                                      elements.v[lane],
+                                                      of_beam);
+        const Matrix matrix_of_beam =
+          beam.template tangent<large_rotation, damped>(elements.u[lane],
+                                                        elements.v[lane],
+                                                        0.9,
+                                                        2.5);
+        EXPECT_NEAR(number_in(energy.strain, lane) / energy_of_beam.strain,
+                    1,
+                    lanes_round_off);
+        if (damped)
+          {
+            EXPECT_NEAR(number_in(energy.dissipation, lane) /
+                          energy_of_beam.dissipation,
+                        1,
+                        lanes_round_off);
+          }
+
+        EXPECT_LT(difference(of_beam, force, lane), lanes_round_off);
+        EXPECT_LT(difference(matrix_of_beam, matrix, lane), lanes_round_off);
+      }
+  }
+
+  /** Elements in space, of different shapes, with the velocities of their
+   * nodes and what changes these. */
+  template <int order>
+  struct SpaceElements
+  {
+    using Beam       = Beam3DOnTrial<order>;
+    using Vector     = typename Beam::Vector;
+    using Velocities = std::array<Beam3D::NodeVelocity, order + 1>;
+    using Tensors    = std::array<SpaceTensor, order + 1>;
+
+    const EachLane<Beam>           beams = one_each<Beam>({{1.6, {0., 0.3, 0.}},
+                                                           {0.7, {0.8, 0.3, 0.8}},
+                                                           {2.2, {0.4, -0.5, 0.}},
+                                                           {1., {0., 1., 0.7}}});
+    EachLane<typename Beam::Nodes> nodes;
+    EachLane<Velocities>           velocities;
+    EachLane<Tensors>              by_spin;
+
+    SpaceElements()
+    {
+      const auto u = of_each_lane<Vector>(1), v = of_each_lane<Vector>(11),
+                 w = of_each_lane<Vector>(21);
+      for (std::size_t lane = 0; lane < n_lanes; ++lane)
+        {
+          nodes[lane] = Beam::nodes_of(u[lane]);
+          for (int a = 0; a <= order; ++a)
+            for (int i = 0; i < 3; ++i)
+              {
+                velocities[lane][a].linear[i]  = v[lane][6 * a + i];
+                velocities[lane][a].angular[i] = v[lane][6 * a + 3 + i];
+                for (int j = 0; j < 3; ++j)
+                  by_spin[lane][a][i][j] = w[lane][6 * a + i + j];
+              }
+        }
+    }
+
+    std::array<Beam3D::FrameOf<Lanes>, order> frames() const
+    {
+      EachLane<const std::array<Beam3D::Frame, order> *> of_beams;
+      for (std::size_t lane = 0; lane < n_lanes; ++lane)
+        of_beams[lane] = &beams[lane].frames;
+      return in_lanes<std::array<Beam3D::FrameOf<Lanes>, order>>(of_beams);
+    }
+
+    Lanes jacobian() const
+    {
+      return each_lane([&](const auto lane) { return beams[lane].jacobian; });
+    }
+
+    Beam3D::StiffnessOf<Lanes> section() const
+    {
+      EachLane<Beam3D::Stiffness> of_beams;
+      of_beams.fill(beams[0].section);
+      return in_lanes<Beam3D::StiffnessOf<Lanes>>(of_beams);
+    }
+  };
+
+  /** Force and tangent of elastic and damping forces, of double or Lanes. */
+  template <int order, class Number>
+  struct SpaceResults
+  {
+    static constexpr int      n = 6 * (order + 1);
+    Number                    energy, power;
+    std::array<Number, n>     force;
+    std::array<Number, n * n> matrix;
+    static constexpr double   stiffness_factor = 0.9, damping_factor = 2.5;
+
+    SpaceResults(const BeamShape<order>               &shape,
+                 const Beam3D::FrameOf<Number>        *frames,
+                 const Number                          jacobian,
+                 const Beam3D::StiffnessOf<Number>    &section,
+                 const Beam3D::NodeOf<Number>         *nodes,
+                 const Beam3D::NodeVelocityOf<Number> *velocities,
+                 const TensorOf<Number>               *by_spin)
+    {
+      const Beam3D::ElementKinematics<order, Number> element(shape,
+                                                             frames,
+                                                             jacobian,
+                                                             nodes);
+      const Number                                   damping_time = 0.4;
+      energy =
+        Beam3D::internal_force(shape, element, jacobian, section, force.data());
+      power = Beam3D::add_damping_force(shape,
+                                        element,
+                                        jacobian,
+                                        section,
+                                        damping_time,
+                                        velocities,
+                                        force.data());
+      Beam3D::tangent(shape,
+                      element,
+                      jacobian,
+                      section,
+                      Number(stiffness_factor),
+                      matrix.data());
+      Beam3D::add_damping_tangent(shape,
+                                  element,
+                                  jacobian,
+                                  section,
+                                  damping_time,
+                                  velocities,
+                                  stiffness_factor,
+                                  damping_factor,
+                                  by_spin,
+                                  matrix.data());
+    }
+  };
+
+  /** The same of the small-displacement form. */
+  template <int order, class Number>
+  struct SmallDisplacementResults
+  {
+    static constexpr int      n = 6 * (order + 1);
+    Number                    energy;
+    std::array<Number, n>     force;
+    std::array<Number, n * n> matrix;
+
+    SmallDisplacementResults(const BeamShape<order>            &shape,
+                             const Beam3D::FrameOf<Number>     *frames,
+                             const Number                       jacobian,
+                             const Beam3D::StiffnessOf<Number> &section,
+                             const Number                      *u)
+    {
+      energy = Beam3D::small_displacement_force(shape,
+                                                frames,
+                                                jacobian,
+                                                section,
+                                                u,
+                                                force.data());
+      Beam3D::small_displacement_tangent(shape,
+                                         frames,
+                                         jacobian,
+                                         section,
+                                         Number(0.9),
+                                         matrix.data());
+    }
+  };
+} // namespace
+
+TEST(Lanes, GiveBackTheObjectsTheyAreMadeOf)
+{
+  using Object = std::array<double, 3>;
+  EachLane<Object> objects;
+  for (std::size_t lane = 0; lane < n_lanes; ++lane)
+    objects[lane] = {{1. + lane, -0.5 * lane, 1e-3}};
+  const auto lanes = in_lanes<std::array<Lanes, 3>>(objects);
+  for (std::size_t lane = 0; lane < n_lanes; ++lane)
+    EXPECT_EQ(in_lane<Object>(lanes, lane), objects[lane]);
+}
+
+TEST(Lanes, AreFilledWithTheNumbersOfObjectsInTheirOrder)
+{
+  using Nodes      = std::array<Beam3D::Node, 2>;
+  using LanesNodes = std::array<Beam3D::NodeOf<Lanes>, 2>;
+  EachLane<Nodes> nodes;
+  double          number = 0;
+  for (Nodes &of_lane : nodes)
+    for (Beam3D::Node &node : of_lane)
+      {
+        for (int i = 0; i < 3; ++i)
+          node.displacement[i] = ++number;
+        node.rotation.scalar = ++number;
+        for (int i = 0; i < 3; ++i)
+          node.rotation.vector[i] = ++number;
+      }
+  const auto lanes = in_lanes<LanesNodes>(nodes);
+  for (std::size_t lane = 0; lane < n_lanes; ++lane)
+    for (int a = 0; a < 2; ++a)
+      {
+        const Beam3D::Node &node = nodes[lane][a];
+        for (int i = 0; i < 3; ++i)
+          {
+            const Lanes displacement = lanes[a].displacement[i],
+                        vector       = lanes[a].rotation.vector[i];
+            EXPECT_EQ(number_in(displacement, lane), node.displacement[i]);
+            EXPECT_EQ(number_in(vector, lane), node.rotation.vector[i]);
+          }
+        EXPECT_EQ(number_in(lanes[a].rotation.scalar, lane),
+                  node.rotation.scalar);
+      }
+}
+
+TEST(Lanes, AreTakenOneByOne)
+{
+  const Lanes lanes[] = {each_lane([](const auto lane) { return 10. + lane; }),
+                         each_lane([](const auto lane) { return 20. + lane; })};
+  for (std::size_t lane = 0; lane < n_lanes; ++lane)
+    {
+      double numbers[2];
+      take_lane(lanes, lane, numbers);
+      EXPECT_EQ(numbers[0], 10. + lane);
+      EXPECT_EQ(numbers[1], 20. + lane);
+    }
+}
+
+TEST(Lanes, BeamsInThePlaneAreWhatTheyAreOneByOne)
+{
+  for (unsigned int order = 1; order <= largest_plane_order; ++order)
+    {
+      SCOPED_TRACE("order " + std::to_string(order));
+      dispatch_order(order, [](auto p) {
+        expect_plane_beams_alike<p, true, false>();
+        expect_plane_beams_alike<p, true, true>();
+        expect_plane_beams_alike<p, false, true>();
+      });
+    }
+}
+
+TEST(Lanes, BeamsInSpaceAreWhatTheyAreOneByOne)
+{
+  for (unsigned int order = 1; order <= largest_space_order; ++order)
+    {
+      SCOPED_TRACE("order " + std::to_string(order));
+      dispatch_order<largest_space_order>(order, [](auto p) {
+        const SpaceElements<p> elements;
+        const auto             frames = elements.frames();
+        const auto             nodes =
+          in_lanes<std::array<Beam3D::NodeOf<Lanes>, p + 1>>(elements.nodes);
+        const auto velocities =
+          in_lanes<std::array<Beam3D::NodeVelocityOf<Lanes>, p + 1>>(
+            elements.velocities);
+        const auto by_spin =
+          in_lanes<std::array<TensorOf<Lanes>, p + 1>>(elements.by_spin);
+        const SpaceResults<p, Lanes> lanes(elements.beams[0].shape,
+                                           frames.data(),
+                                           elements.jacobian(),
+                                           elements.section(),
+                                           nodes.data(),
+                                           velocities.data(),
+                                           by_spin.data());
+        for (std::size_t lane = 0; lane < n_lanes; ++lane)
+          {
+            SCOPED_TRACE("lane " + std::to_string(lane));
+            const auto                   &beam = elements.beams[lane];
+            const SpaceResults<p, double> of_beam(
+              beam.shape,
+              beam.frames.data(),
+              beam.jacobian,
+              beam.section,
+              elements.nodes[lane].data(),
+              elements.velocities[lane].data(),
+              elements.by_spin[lane].data());
+            EXPECT_NEAR(number_in(lanes.energy, lane) / of_beam.energy,
+                        1,
+                        lanes_round_off);
+            EXPECT_NEAR(number_in(lanes.power, lane) / of_beam.power,
+                        1,
+                        lanes_round_off);
+            EXPECT_LT(difference(of_beam.force, lanes.force, lane),
+                      lanes_round_off);
+            EXPECT_LT(difference(of_beam.matrix, lanes.matrix, lane),
+                      lanes_round_off);
+          }
+      });
+    }
+}
+
+TEST(Lanes, SmallDisplacementsInSpaceAreWhatTheyAreOneByOne)
+{
+  for (unsigned int order = 1; order <= largest_space_order; ++order)
+    {
+      SCOPED_TRACE("order " + std::to_string(order));
+      dispatch_order<largest_space_order>(order, [](auto p) {
+        const SpaceElements<p> elements;
+        using Vector             = typename SpaceElements<p>::Vector;
+        const auto frames        = elements.frames();
+        const auto displacements = of_each_lane<Vector>(31);
+        const auto u =
+          in_lanes<std::array<Lanes, std::tuple_size_v<Vector>>>(displacements);
+        const SmallDisplacementResults<p, Lanes> lanes(elements.beams[0].shape,
+                                                       frames.data(),
+                                                       elements.jacobian(),
+                                                       elements.section(),
+                                                       u.data());
+        for (std::size_t lane = 0; lane < n_lanes; ++lane)
+          {
+            SCOPED_TRACE("lane " + std::to_string(lane));
+            const auto &beam = elements.beams[lane];
+            const SmallDisplacementResults<p, double> of_beam(
+              beam.shape,
+              beam.frames.data(),
+              beam.jacobian,
+              beam.section,
+              displacements[lane].data());
+            EXPECT_NEAR(number_in(lanes.energy, lane) / of_beam.energy,
+                        1,
+                        lanes_round_off);
+            EXPECT_LT(difference(of_beam.force, lanes.force, lane),
+                      lanes_round_off);
+            EXPECT_LT(difference(of_beam.matrix, lanes.matrix, lane),
+                      lanes_round_off);
+          }
+      });
+    }
+}

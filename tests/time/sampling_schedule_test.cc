@@ -1,0 +1,148 @@
+#include <auxfem/analysis/simulation/lattice_run.h>
+#include <auxfem/time/watch.h>
+
+#include <analysis/checks/findings_of.h>
+#include <gtest/gtest.h>
+#include <support/scene_text.h>
+
+#include <algorithm>
+#include <regex>
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+namespace
+{
+  /** With steps and elements for slower motions. If displacements are small,
+   * which these are, some of the steps are sampled. */
+  SceneText shaken_stars(const std::string &joints,
+                         const std::string &force,
+                         const std::string &large_rotation = "off")
+  {
+    return SceneText()
+      .cells("star", 20, 20)
+      .set("Lattice/Strut length", 0.01)
+      .rectangle("s", 4e-4, 4e-4, {70e9, 2700, 0.33})
+      .support("foot", "bottom", "clamp")
+      .load("shake", joints, {"0", force, "0"})
+      .mesh(1)
+      .set("Effects/Large rotation", large_rotation)
+      .time("4 ms", "20 us", "newmark");
+  }
+
+  const std::string vibration = "1e-5 * sin(2 * pi * t / 150e-6)",
+                    blow      = "1e-5 * exp(-((t - 200e-6) / 50e-6)^2)";
+
+  /** Without that of bending, which is sampled in single steps. */
+  std::vector<Finding> of_bursts(std::vector<Finding> findings)
+  {
+    findings.erase(std::remove_if(findings.begin(),
+                                  findings.end(),
+                                  [](const Finding &finding) {
+                                    return finding.text.find(
+                                             "Elements of order 1") !=
+                                      std::string::npos;
+                                  }),
+                   findings.end());
+    return findings;
+  }
+
+  /** In the order of the findings, per cent. */
+  std::vector<double> percentages(const std::vector<Finding> &findings)
+  {
+    std::vector<double> parts;
+    for (const Finding &finding : findings)
+      {
+        std::smatch found;
+        if (std::regex_search(finding.text, found, std::regex("([0-9.]+) %")))
+          parts.push_back(std::stod(found[1]));
+      }
+    return parts;
+  }
+} // namespace
+
+TEST(SamplingSchedule, TakesBurstsOfLinearMotions)
+{
+  using Steps        = std::vector<unsigned long>;
+  const auto sampled = [](const SamplingRate rate,
+                          const std::string &large_rotation,
+                          const std::string &end,
+                          const std::string &scheme = "newmark") {
+    const Scene scene =
+      read_scene_from_text(shaken_stars("top", vibration, large_rotation)
+                             .cells("star", 1, 1)
+                             .time(end, "20 us", scheme),
+                           "test.prm");
+    const LatticeRun       run(scene, MPI_COMM_SELF);
+    const SamplingSchedule schedule(run.equations);
+    Steps                  steps;
+    for (unsigned long i = 0; i < scene.time.n_steps(); ++i)
+      if (schedule.is_sampled(rate, i))
+        steps.push_back(i);
+    return steps;
+  };
+  const std::string  of_300 = "6 ms", of_100 = "2 ms", of_8 = "160 us";
+  const SamplingRate bursts = SamplingRate::bursts,
+                     single = SamplingRate::single_steps;
+  const Steps in_bursts     = sampled(bursts, "off", of_300);
+  EXPECT_EQ(Steps(in_bursts.begin(), in_bursts.begin() + 7),
+            (Steps{0, 1, 2, 13, 14, 15, 26}));
+  EXPECT_EQ(Steps(in_bursts.end() - 4, in_bursts.end()),
+            (Steps{288, 297, 298, 299}));
+  const Steps alone = sampled(single, "on", of_300);
+  EXPECT_EQ(Steps(alone.begin(), alone.begin() + 3), (Steps{0, 13, 26}));
+  EXPECT_EQ(alone.back(), 299u);
+  EXPECT_EQ(sampled(single, "off", of_300), alone);
+  // Twenty bursts at least.
+  EXPECT_EQ(sampled(bursts, "off", of_100).size(), 62u);
+  EXPECT_EQ(sampled(bursts, "off", of_8).size(), 8u);
+  // All that is nonlinear, costs nothing, or has no inertia.
+  EXPECT_EQ(sampled(bursts, "on", of_300).size(), 300u);
+  EXPECT_EQ(sampled(SamplingRate::every_step, "off", of_300).size(), 300u);
+  EXPECT_EQ(sampled(single, "off", of_300, "static").size(), 300u);
+}
+
+TEST(SamplingSchedule, FindsInSamplesWhatAllStepsTell)
+{
+  for (const std::string &force : {vibration, blow})
+    {
+      SCOPED_TRACE(force);
+      const auto in_samples =
+                   of_bursts(findings_of(shaken_stars("top", force))),
+                 in_all =
+                   of_bursts(findings_of(shaken_stars("top", force, "on")));
+      const std::vector<double> found    = percentages(in_samples),
+                                expected = percentages(in_all);
+      EXPECT_EQ(expected.size(), force == vibration ? 3u : 1u)
+        << verdict_text(in_all);
+      ASSERT_EQ(found.size(), expected.size()) << verdict_text(in_samples);
+      for (std::size_t i = 0; i < expected.size(); ++i)
+        {
+          EXPECT_NEAR(found[i], expected[i], 0.15 * expected[i]);
+          EXPECT_EQ(in_samples[i].verdict, in_all[i].verdict);
+        }
+    }
+}
+
+TEST(SamplingSchedule, FindsWhatHappensToOneJoint)
+{
+  const auto of_joint = [](const std::string &large_rotation) {
+    return of_bursts(findings_of(shaken_stars("2000", blow, large_rotation)));
+  };
+  const auto found = of_joint("off"), expected = of_joint("on");
+  ASSERT_EQ(found.size(), 1u);
+  ASSERT_EQ(expected.size(), 1u);
+  EXPECT_NEAR(percentages(found)[0],
+              percentages(expected)[0],
+              percentages(expected)[0] / 4);
+}
+
+TEST(SamplingScheduleOnRanks, FindsTheSame)
+{
+  const std::string scene = shaken_stars("top", vibration);
+  const auto        alone = percentages(findings_of(scene)),
+             together     = percentages(findings_of(scene, {}, MPI_COMM_WORLD));
+  ASSERT_EQ(together.size(), alone.size());
+  for (std::size_t i = 0; i < alone.size(); ++i)
+    EXPECT_NEAR(together[i], alone[i], 0.15 * alone[i]);
+}
