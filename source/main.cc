@@ -61,7 +61,7 @@ int main(int argc, char *argv[])
                                                /*max_num_threads=*/1);
   mpi_watch.reset();
   start.cpu = cpu_seconds();
-  take_denormal_numbers_as_zero();
+  flush_denormals_to_zero();
 
   // A file that may not grow is a failed write, not the end without a word.
   std::signal(SIGXFSZ, SIG_IGN);

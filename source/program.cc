@@ -284,7 +284,7 @@ namespace auxfem
               const bool         speaks,
               const StartTimes  &start)
     {
-      RunToResume run = find_run_to_resume(line.folder, MPI_COMM_WORLD);
+      RestartedRun run = find_run_to_resume(line.folder, MPI_COMM_WORLD);
       if (speaks && !run.warning.empty())
         report("warning: " + run.warning);
       const Scene scene = scene_to_resume(run, line.overrides);

@@ -92,7 +92,8 @@ namespace auxfem
           "strains may change. Leave the others as they were, or start anew.");
     }
 
-    void refuse_end_of_path_before(const Records &reached, const Scene &scene)
+    void refuse_end_of_path_before(const CheckpointData &reached,
+                                   const Scene          &scene)
     {
       const double       load_factor = load_factor_of_saved_state(reached);
       const auto         n_points    = step_of_saved_state(reached);
@@ -111,7 +112,7 @@ namespace auxfem
                        "factor=...\".");
     }
 
-    void refuse_end_before(const Records &records, const Scene &scene)
+    void refuse_end_before(const CheckpointData &records, const Scene &scene)
     {
       if (scene.analysis == Analysis::static_path)
         return refuse_end_of_path_before(records, scene);
@@ -126,7 +127,7 @@ namespace auxfem
     }
   } // namespace
 
-  Scene scene_to_resume(const RunToResume              &run,
+  Scene scene_to_resume(const RestartedRun             &run,
                         const std::vector<std::string> &overrides)
   {
     if (const std::string file = changed_input_file(run); !file.empty())

@@ -75,7 +75,7 @@ namespace auxfem
     setenv("OMPI_MCA_btl", "self,vader", keep_the_users);
   }
 
-  void take_denormal_numbers_as_zero()
+  void flush_denormals_to_zero()
   {
 #if defined(__SSE3__) || defined(__x86_64__)
     _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);

@@ -71,7 +71,7 @@ int main(int argc, char **argv)
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   restrict_environment(names);
   // As in the program.
-  auxfem::take_denormal_numbers_as_zero();
+  auxfem::flush_denormals_to_zero();
 
   // A violated assertion of deal.II then is a failed test, not the end of all.
   dealii::deal_II_exceptions::disable_abort_on_exception();

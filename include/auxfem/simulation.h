@@ -19,7 +19,7 @@ namespace auxfem
    * on, if a file has changed that the scene is read from, and if the run has
    * got to its end time.
    */
-  Scene scene_to_resume(const RunToResume              &run,
+  Scene scene_to_resume(const RestartedRun             &run,
                         const std::vector<std::string> &overrides);
 
   /**

@@ -48,7 +48,7 @@ namespace auxfem
    * lost: they are far below the round-off of all they are added to. Only x86
    * processors are told, as the language has no means for it.
    */
-  void take_denormal_numbers_as_zero();
+  void flush_denormals_to_zero();
 } // namespace auxfem
 
 #endif

@@ -131,10 +131,14 @@ namespace auxfem
           return "";
         case FactorizationOutcome::singular:
           return "the matrix is singular" +
-            (condensation.words().empty() ? "" : " in " + condensation.words());
+            (condensation.description().empty()
+               ? ""
+               : " in " + condensation.description());
         case FactorizationOutcome::not_finite:
           return "the matrix has entries that are not finite" +
-            (condensation.words().empty() ? "" : " in " + condensation.words());
+            (condensation.description().empty()
+               ? ""
+               : " in " + condensation.description());
         case FactorizationOutcome::out_of_memory:
           return "the factorization ran " + out_of_memory_text();
         case FactorizationOutcome::too_large:

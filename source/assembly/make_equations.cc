@@ -43,7 +43,7 @@ namespace auxfem
                                          const State             &state,
                                          const EvaluationResults &results) const
   {
-    return forces->report(i, state, results.of_effects[effect].get());
+    return forces->report(i, state, results.effect_caches[effect].get());
   }
 
   Equations::Equations(const LatticeModel                  &model,

@@ -58,7 +58,7 @@ namespace auxfem
       return;
     acceleration = rate_of(*step.from.velocity, *step.to.velocity, dt);
     excess_acceleration =
-      difference(step.kind == Evaluation::Kind::between
+      difference(step.kind == Evaluation::Kind::discrete_gradient
                    ? *step.to.acceleration
                    : mean(*step.from.acceleration, *step.to.acceleration),
                  acceleration);
@@ -68,7 +68,7 @@ namespace auxfem
   {
     // Mean forces go with means of the motion, large turns in the plane by
     // Cayley's measure.
-    if (step.kind == Evaluation::Kind::between)
+    if (step.kind == Evaluation::Kind::discrete_gradient)
       return true;
     const double  per_dt = 1 / step.dt;
     const double *u0     = step.from.displacement.data(),

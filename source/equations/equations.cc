@@ -91,9 +91,9 @@ namespace auxfem
   EvaluationResults Equations::make_results() const
   {
     EvaluationResults results;
-    results.of_effects.reserve(effects.size());
+    results.effect_caches.reserve(effects.size());
     for (const auto &effect : effects)
-      results.of_effects.push_back(effect->make_results());
+      results.effect_caches.push_back(effect->make_results());
     return results;
   }
 
@@ -107,7 +107,7 @@ namespace auxfem
       for (unsigned int i = begin; i < end; ++i)
         effects[i]->add_residual(evaluation,
                                  residual,
-                                 results.of_effects[i].get());
+                                 results.effect_caches[i].get());
       return begin < end;
     };
     const OwnedRows &rows = structure.rows;
@@ -163,7 +163,7 @@ namespace auxfem
     matrix.reset();
     for (unsigned int i = 0; i < effects.size(); ++i)
       effects[i]->add_tangent(evaluation,
-                              results.of_effects[i].get(),
+                              results.effect_caches[i].get(),
                               factors,
                               matrix);
   }
@@ -186,7 +186,7 @@ namespace auxfem
     tangent(evaluation, results, {0., s.imag(), square.imag()}, imaginary);
     for (const auto &[effect, terms] : small_motion_terms)
       terms->add_viscous_stiffness(evaluation,
-                                   results.of_effects[effect].get(),
+                                   results.effect_caches[effect].get(),
                                    s,
                                    real,
                                    imaginary);
@@ -198,7 +198,7 @@ namespace auxfem
     for (const auto &[effect, terms] : small_motion_terms)
       terms->add_relaxation_times(unknowns(), mine);
     const std::vector<double> all =
-      of_all_ranks(mine, unknowns().layout.communicator());
+      over_all_ranks(mine, unknowns().layout.communicator());
     return {all.begin(), all.end()};
   }
 
@@ -208,7 +208,7 @@ namespace auxfem
   {
     matrix.reset();
     for (const auto &[effect, terms] : small_motion_terms)
-      terms->add_relaxing_stiffness(results.of_effects[effect].get(),
+      terms->add_relaxing_stiffness(results.effect_caches[effect].get(),
                                     time,
                                     matrix);
   }
@@ -229,7 +229,7 @@ namespace auxfem
     EnergyAccount account(evaluation);
     for (unsigned int i = 0; i < effects.size(); ++i)
       {
-        const EffectResults *of_effect = results.of_effects[i].get();
+        const EffectCache *of_effect = results.effect_caches[i].get();
         effects[i]->account(evaluation, of_effect, account);
         if (!is_stage)
           effects[i]->account_step(evaluation, of_effect, account);
@@ -253,7 +253,7 @@ namespace auxfem
                             EnergyAccount           &account) const
   {
     for (const auto &[effect, terms] : stage_terms)
-      terms->account_stage(stage, results.of_effects[effect].get(), account);
+      terms->account_stage(stage, results.effect_caches[effect].get(), account);
   }
 
   bool Equations::stages_need_no_residual() const
@@ -274,7 +274,7 @@ namespace auxfem
       if (terms->stage_needs() != StageTerms::StageNeeds::state)
         effects[effect]->add_residual(stage,
                                       stage.to.residual.data(),
-                                      results.of_effects[effect].get());
+                                      results.effect_caches[effect].get());
   }
 
   std::vector<double>
@@ -284,7 +284,7 @@ namespace auxfem
     std::vector<double> rates(state.history.size(), 0.);
     for (const auto &[effect, terms] : stage_terms)
       terms->find_internal_rates(state,
-                                 results.of_effects[effect].get(),
+                                 results.effect_caches[effect].get(),
                                  rates.data());
     return rates;
   }
@@ -325,20 +325,22 @@ namespace auxfem
     return grow;
   }
 
-  void Equations::raise_forces(const Evaluation        &evaluation,
-                               const EvaluationResults &results,
-                               double                  *forces) const
+  void Equations::row_force_bounds(const Evaluation        &evaluation,
+                                   const EvaluationResults &results,
+                                   double                  *forces) const
   {
     // Inertia balances the others.
     Vector loads(unknowns().layout.n_local(), 0.);
     for (unsigned int i = n_balanced; i < effects.size(); ++i)
       effects[i]->add_residual(evaluation,
                                loads.data(),
-                               results.of_effects[i].get());
+                               results.effect_caches[i].get());
     for (std::size_t i = 0; i < loads.size(); ++i)
       forces[i] = std::max(forces[i], std::abs(loads[i]));
     for (unsigned int i = 0; i < n_balanced; ++i)
-      effects[i]->raise_forces(evaluation, results.of_effects[i].get(), forces);
+      effects[i]->row_force_bounds(evaluation,
+                                   results.effect_caches[i].get(),
+                                   forces);
   }
 
   Vector Equations::round_off(const Evaluation        &evaluation,
@@ -353,10 +355,10 @@ namespace auxfem
     const UnknownLayout &layout = structure.numbering.layout();
     Vector               sizes(unknowns().layout.n_local(), 0.);
     for (unsigned int i = 0; i < effects.size(); ++i)
-      effects[i]->raise_uncertain_forces(evaluation,
-                                         results.of_effects[i].get(),
-                                         largest,
-                                         sizes.data());
+      effects[i]->roundoff_force_bounds(evaluation,
+                                        results.effect_caches[i].get(),
+                                        largest,
+                                        sizes.data());
     // A row sums a few roundings of a few products each.
     const double safety = 4;
     for (double &size : sizes)
@@ -379,32 +381,33 @@ namespace auxfem
                   structure.mean_strut_length}));
   }
 
-  bool Equations::may_touch() const
+  bool Equations::has_contact_candidates() const
   {
     return std::any_of(changing_couplings.begin(),
                        changing_couplings.end(),
                        [](const auto &implementation) {
-                         return implementation.terms->may_touch();
+                         return implementation.terms->has_contact_candidates();
                        });
   }
 
-  std::string Equations::why_not_acceptable(const Evaluation &step) const
+  std::string Equations::rejection_reason(const Evaluation &step) const
   {
     std::string mine;
     for (const auto &[effect, couplings] : changing_couplings)
-      if (const std::string why = couplings->why_not_acceptable(step);
+      if (const std::string why = couplings->rejection_reason(step);
           mine.empty())
         mine = why;
     return text_of_lowest_rank(structure.numbering.layout(), mine);
   }
 
-  std::string Equations::why_not_finite(const Evaluation        &evaluation,
-                                        const EvaluationResults &results) const
+  std::string
+  Equations::nonfinite_reason(const Evaluation        &evaluation,
+                              const EvaluationResults &results) const
   {
     std::string mine;
     for (unsigned int i = 0; i < effects.size() && mine.empty(); ++i)
-      mine =
-        effects[i]->why_not_finite(evaluation, results.of_effects[i].get());
+      mine = effects[i]->nonfinite_reason(evaluation,
+                                          results.effect_caches[i].get());
     return text_of_lowest_rank(structure.numbering.layout(), mine);
   }
 
@@ -445,7 +448,7 @@ namespace auxfem
       std::sqrt(double(model.numbering.constraints().n_multipliers()));
   }
 
-  std::string what_is_not_finite(const LatticeModel &model, const State &state)
+  std::string nonfinite_quantity(const LatticeModel &model, const State &state)
   {
     const UnknownLayout &layout = model.numbering.layout();
     std::vector<std::pair<const char *, const Vector *>> motions = {

@@ -82,7 +82,7 @@ namespace auxfem
     const Equations  &equations = solver.equations();
     State             now       = state;
     EvaluationResults results   = equations.make_results();
-    const Evaluation  instant   = Evaluation::rates(state, now);
+    const Evaluation  instant   = Evaluation::consistent_rates(state, now);
     solver.residual(instant, results);
     TangentMatrix mass(equations.pattern());
     equations.tangent(instant, results, {0, 0, 1}, mass);

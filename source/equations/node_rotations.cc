@@ -84,7 +84,7 @@ namespace auxfem
   SpaceTensor NodeRotations::increment_by_spin(const Evaluation  &evaluation,
                                                const unsigned int i) const
   {
-    if (evaluation.kind == Evaluation::Kind::between)
+    if (evaluation.kind == Evaluation::Kind::discrete_gradient)
       return transpose(rotated(evaluation.to.rotations[i],
                                transpose(cayley_change_by_spin(cayley_rotation(
                                  material_increment(evaluation, i))))));

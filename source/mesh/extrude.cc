@@ -57,7 +57,7 @@ namespace auxfem
           list += (list.empty() ? "\"" : ", \"") + set.first + "\"";
         }
       throw InputError(path +
-                       "/Columns at: the cell has no set of joints "
+                       "/Interlayer joints: the cell has no set of joints "
                        "named \"" +
                        name + "\"" + did_you_mean(name, known) + "\nAllowed: " +
                        list + ", several joined by + or commas.");
@@ -102,7 +102,7 @@ namespace auxfem
     for (const unsigned int joint : select(cell, columns, path))
       across.ends.push_back({joint, 2, joint});
     if (across.ends.empty())
-      throw InputError(path + "/Columns at: \"" + columns +
+      throw InputError(path + "/Interlayer joints: \"" + columns +
                        "\" names no joints. Name those at which columns are "
                        "to stand.");
     cell.struts_across.push_back(across);

@@ -96,7 +96,7 @@ namespace auxfem
       "Dimension = 3."};
 
     const Text columns_at = {
-      "Columns at",
+      "Interlayer joints",
       "all",
       "Joints of the cell at which these struts stand: sets of joints or sides "
       "of the cell joined by +, or all; only with a Layer distance."};

@@ -86,7 +86,7 @@ namespace auxfem
 
   double uncommanded_motion(const RunPlan &plan, const double frequency)
   {
-    if (load_course(plan).is_sudden)
+    if (load_history(plan).is_sudden)
       return 1;
     double largest = 0;
     try
@@ -110,7 +110,7 @@ namespace auxfem
     return 2 * std::acos(-1.) / (steps_of_a_period * plan.time.step);
   }
 
-  LoadCourse load_course(const RunPlan &plan)
+  LoadHistory load_history(const RunPlan &plan)
   {
     const std::vector<TimeFunction> courses  = courses_of(plan);
     const double                    resolved = resolved_frequency(plan);
@@ -136,7 +136,7 @@ namespace auxfem
     return {std::min(rate, resolved), false};
   }
 
-  double LoadCourse::lost(const RunPlan &plan, const double per_radian) const
+  double LoadHistory::lost(const RunPlan &plan, const double per_radian) const
   {
     const double radians = is_sudden && plan.time.scheme->is_dynamic()
       ? std::max(1., rate * plan.time.end_time / 2)

@@ -429,7 +429,7 @@ namespace auxfem
 
   void UnknownRecords::keep(const std::string &name,
                             const Vector      &values,
-                            Records           &records) const
+                            CheckpointData    &records) const
   {
     records.keep(name,
                  owned(),
@@ -437,8 +437,8 @@ namespace auxfem
                  {values.begin(), values.begin() + layout.n_owned()});
   }
 
-  Vector UnknownRecords::values(const std::string &name,
-                                const Records     &records) const
+  Vector UnknownRecords::values(const std::string    &name,
+                                const CheckpointData &records) const
   {
     Vector values = records.values(name, owned(), 1);
     values.resize(layout.n_local());

@@ -72,7 +72,7 @@ namespace auxfem
     }
 
     /** Neither they nor their bytes are held twice. */
-    std::string bytes_of(Records records)
+    std::string bytes_of(CheckpointData records)
     {
       ByteCounter                     counter;
       boost::archive::binary_oarchive counting(counter);
@@ -120,11 +120,11 @@ namespace auxfem
     }
 
     /** That of this rank, or all of them for another number of ranks. */
-    Records records_in(const CheckpointContent &content,
-                       const MPI_Comm           communicator)
+    CheckpointData records_in(const CheckpointContent &content,
+                              const MPI_Comm           communicator)
     {
       const auto of_rank = [&](const unsigned int rank) {
-        Records records;
+        CheckpointData records;
         read_bytes(section(content, rank_section + std::to_string(rank)),
                    [&](auto &archive) {
                      records.load(archive, /*version=*/0);
@@ -133,14 +133,14 @@ namespace auxfem
       };
       if (content.n_ranks == mpi::n_mpi_processes(communicator))
         return of_rank(mpi::this_mpi_process(communicator));
-      Records all = of_rank(0);
+      CheckpointData all = of_rank(0);
       for (unsigned int rank = 1; rank < content.n_ranks; ++rank)
         all.add(of_rank(rank));
       return all;
     }
   } // namespace
 
-  std::string changed_input_file(const RunToResume &run)
+  std::string changed_input_file(const RestartedRun &run)
   {
     for (const auto &[file, expected] : run.input_files)
       if (checksum(file) != expected)
@@ -148,8 +148,8 @@ namespace auxfem
     return "";
   }
 
-  RunToResume find_run_to_resume(const std::string &folder,
-                                 const MPI_Comm     communicator)
+  RestartedRun find_run_to_resume(const std::string &folder,
+                                  const MPI_Comm     communicator)
   {
     const CheckpointFiles::Found found   = CheckpointFiles(folder).newest();
     const CheckpointContent     &content = found.content;
@@ -157,7 +157,7 @@ namespace auxfem
       throw InputError("The checkpoint in " + folder + " was taken by auxfem " +
                        content.program_version + ", this is " + version +
                        ". Go on with that version, or start from t = 0.");
-    RunToResume run;
+    RestartedRun run;
     run.folder     = folder;
     run.scene_file = section(content, scene_section);
     run.parameters = section(content, parameter_section);
@@ -184,7 +184,7 @@ namespace auxfem
       : mpi::broadcast(communicator, due);
   }
 
-  void RunCheckpoints::write(Records                         records,
+  void RunCheckpoints::write(CheckpointData                  records,
                              const std::vector<std::string> &files_before)
   {
     const auto                     begin = Clock::now();

@@ -159,12 +159,12 @@ namespace auxfem
           former.reset();
       }
 
-      const Records *goes_on_from() const override
+      const CheckpointData *restart_checkpoint() const override
       {
         return former ? &*former : nullptr;
       }
 
-      void take(Records checkpoint) override
+      void take(CheckpointData checkpoint) override
       {
         if (!checkpoints)
           return;
@@ -400,7 +400,7 @@ namespace auxfem
       /** In which it has worked, and in which it has written checkpoints. */
       double seconds = 0, checkpoint_seconds = 0;
       /** From which the run begins, until it has. */
-      std::optional<Records> former;
+      std::optional<CheckpointData> former;
 
       const Scene     &scene;
       const MPI_Comm   communicator;
@@ -431,7 +431,7 @@ namespace auxfem
       /** Only on a path of equilibria. */
       std::optional<SingularPointFiles> singular_points;
       /** Taken last, if it is not written. */
-      std::optional<Records> last_checkpoint;
+      std::optional<CheckpointData> last_checkpoint;
       /** Whether the folder has one, and whether a run that has ended early can
        * go on from it. */
       bool              has_checkpoint = false, is_resumable = false;

@@ -110,24 +110,25 @@ namespace auxfem
     return text.str();
   }
 
-  SingularPointFiles::SingularPointFiles(const Scene     &scene,
-                                         const Equations &equations,
-                                         const MPI_Comm   communicator,
-                                         const Records   *goes_on_from)
+  SingularPointFiles::SingularPointFiles(
+    const Scene          &scene,
+    const Equations      &equations,
+    const MPI_Comm        communicator,
+    const CheckpointData *restart_checkpoint)
     : scene(scene)
     , equations(equations)
     , communicator(communicator)
   {
     const std::string  &folder = scene.output.directory;
     std::vector<double> former;
-    if (goes_on_from != nullptr)
+    if (restart_checkpoint != nullptr)
       {
-        former    = goes_on_from->values(files_record, 2);
+        former    = restart_checkpoint->values(files_record, 2);
         n_written = former[0];
       }
     on_first_rank(communicator, [&]() {
       const std::string name = folder + "/" + table_name;
-      if (goes_on_from != nullptr)
+      if (restart_checkpoint != nullptr)
         table.emplace(name, singular_columns, former[1]);
       else
         table.emplace(name, singular_columns);

@@ -6,6 +6,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <numeric>
 #include <sstream>
@@ -16,6 +17,13 @@ namespace auxfem
 {
   namespace
   {
+    /** Names that parameters had once, in lower case, and have now. */
+    constexpr std::array<std::pair<const char *, const char *>, 4> renamed = {
+      {{"together", "Refine together"},
+       {"opposite side", "Reverse branch"},
+       {"kept reduction", "Jacobian reuse threshold"},
+       {"columns at", "Interlayer joints"}}};
+
     std::string lower_case(std::string text)
     {
       for (char &letter : text)
@@ -73,7 +81,11 @@ namespace auxfem
   std::vector<std::string> nearest_names(const std::string              &name,
                                          const std::vector<std::string> &known)
   {
-    const std::string                                wanted = lower_case(name);
+    const std::string wanted = lower_case(name);
+    for (const auto &[former, present] : renamed)
+      if (wanted == former &&
+          std::find(known.begin(), known.end(), present) != known.end())
+        return {present};
     std::vector<std::pair<std::size_t, std::string>> near;
     for (const auto &candidate : known)
       if (is_near(wanted, lower_case(candidate)))

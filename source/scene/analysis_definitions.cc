@@ -237,7 +237,7 @@ namespace auxfem
                 "less stable.",
            {stable}};
     const Boolean opposite_side = {
-      "Opposite side",
+      "Reverse branch",
       false,
       "Which of both ways the path goes where it leaves a branch; false: in the "
       "sense in which the mode's largest entry is positive."};

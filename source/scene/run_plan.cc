@@ -21,7 +21,7 @@ namespace auxfem
                            });
     }
 
-    void save_elements(const ChosenElements &chosen, Records &records)
+    void save_elements(const ChosenElements &chosen, CheckpointData &records)
     {
       std::vector<double> numbers;
       for (const StrutDivision &division : chosen.divisions)
@@ -41,7 +41,7 @@ namespace auxfem
                     report.reached});
     }
 
-    ChosenElements saved_elements(const Records &records)
+    ChosenElements saved_elements(const CheckpointData &records)
     {
       const std::vector<double> numbers =
         records.values(division_record,
@@ -97,7 +97,7 @@ namespace auxfem
     return has_initial_velocities ? scene.initial_velocities : none;
   }
 
-  void RunPlan::save(Records &records) const
+  void RunPlan::save(CheckpointData &records) const
   {
     const EffectDecision &decision = simulated.decision(kinematics_name);
     const auto           &measure  = decision.measure;
@@ -112,7 +112,7 @@ namespace auxfem
       save_elements(*elements, records);
   }
 
-  void RunPlan::restore(const Records &records)
+  void RunPlan::restore(const CheckpointData &records)
   {
     const std::vector<double> values = records.values(kinematics_record, 3);
     kinematics                       = {kinematics_name,

@@ -88,7 +88,7 @@ namespace auxfem
       "none",
       "Time integrators, by commas; none: that of the scene."};
     const Boolean together = {
-      "Together",
+      "Refine together",
       false,
       "Whether the n-th refinement goes with the n-th time step, as many of "
       "both; else each is refined with the other as in the scene."};
@@ -161,9 +161,10 @@ namespace auxfem
         return;
       if (!study.refinements || !study.time_steps ||
           study.refinements->size() != study.time_steps->size())
-        values.refuse(together,
-                      "give as many Refinements as Time steps, or set Together "
-                      "= false");
+        values.refuse(
+          together,
+          "give as many Refinements as Time steps, or set Refine together "
+          "= false");
     }
 
     /** The form of a quantity: how it begins, what that measures. */

@@ -39,10 +39,10 @@ namespace auxfem
         records.back().items.size() * records.back().values_per_item;
   }
 
-  void Records::keep(const std::string        &name,
-                     std::vector<unsigned int> items,
-                     const unsigned int        values_per_item,
-                     std::vector<double>       values)
+  void CheckpointData::keep(const std::string        &name,
+                            std::vector<unsigned int> items,
+                            const unsigned int        values_per_item,
+                            std::vector<double>       values)
   {
     Assert(values.size() == items.size() * values_per_item,
            dealii::ExcInternalError());
@@ -50,29 +50,31 @@ namespace auxfem
       {name, std::move(items), values_per_item, std::move(values)});
   }
 
-  void Records::keep(const std::string &name, std::vector<double> values)
+  void CheckpointData::keep(const std::string &name, std::vector<double> values)
   {
     const unsigned int n = values.size();
     keep(name, the_run, n, std::move(values));
   }
 
-  const Records::KeptRecord &Records::find(const std::string &name) const
+  const CheckpointData::CheckpointRecord &
+  CheckpointData::find(const std::string &name) const
   {
-    const auto record =
-      std::find_if(records.begin(), records.end(), [&](const KeptRecord &kept) {
-        return kept.name == name;
-      });
+    const auto record = std::find_if(records.begin(),
+                                     records.end(),
+                                     [&](const CheckpointRecord &kept) {
+                                       return kept.name == name;
+                                     });
     if (record == records.end())
       refuse('"' + name + '"');
     return *record;
   }
 
-  void Records::add(const Records &others)
+  void CheckpointData::add(const CheckpointData &others)
   {
-    for (const KeptRecord &other : others.records)
+    for (const CheckpointRecord &other : others.records)
       if (!has(other.name))
         keep(other.name, {}, other.values_per_item, {});
-    for (KeptRecord &record : records)
+    for (CheckpointRecord &record : records)
       if (others.has(record.name) &&
           others.values_per_item(record.name) == record.values_per_item)
         {
@@ -91,20 +93,21 @@ namespace auxfem
         }
   }
 
-  bool Records::has(const std::string &name) const
+  bool CheckpointData::has(const std::string &name) const
   {
     return std::any_of(records.begin(),
                        records.end(),
-                       [&](const KeptRecord &kept) {
+                       [&](const CheckpointRecord &kept) {
                          return kept.name == name;
                        });
   }
 
-  std::vector<double> Records::values(const std::string               &name,
-                                      const std::vector<unsigned int> &items,
-                                      const unsigned int values_per_item) const
+  std::vector<double>
+  CheckpointData::values(const std::string               &name,
+                         const std::vector<unsigned int> &items,
+                         const unsigned int               values_per_item) const
   {
-    const KeptRecord &record = find(name);
+    const CheckpointRecord &record = find(name);
     if (record.values_per_item != values_per_item)
       refuse('"' + name + "\" with " + std::to_string(values_per_item) +
              " values each");
@@ -124,18 +127,19 @@ namespace auxfem
     return result;
   }
 
-  std::vector<double> Records::values(const std::string &name,
-                                      const unsigned int n) const
+  std::vector<double> CheckpointData::values(const std::string &name,
+                                             const unsigned int n) const
   {
     return values(name, the_run, n);
   }
 
-  void Records::keep_text(const std::string &name, const std::string &text)
+  void CheckpointData::keep_text(const std::string &name,
+                                 const std::string &text)
   {
     keep(name, std::vector<double>(text.begin(), text.end()));
   }
 
-  std::string Records::text(const std::string &name) const
+  std::string CheckpointData::text(const std::string &name) const
   {
     const std::vector<double> characters =
       values(name, find(name).values_per_item);

@@ -241,7 +241,7 @@ namespace auxfem
                           joined_values(motion.velocities)});
         }
     RecordedField field;
-    add_elements(of_all_ranks(flat(mine), communicator), field.elements);
+    add_elements(over_all_ranks(flat(mine), communicator), field.elements);
     std::sort(field.elements.begin(),
               field.elements.end(),
               [](const Element &one, const Element &other) {

@@ -155,7 +155,7 @@ namespace auxfem
         most_repetitions =
           std::max(most_repetitions, task.planned->repetitions);
         if (task.is_done())
-          tell_of(task, /*is_reused=*/true);
+          report(task, /*is_reused=*/true);
       }
     // In rounds, so that a time when the machine is slow does not fall upon one
     // of them alone.
@@ -165,7 +165,7 @@ namespace auxfem
           {
             measure(task, communicator);
             if (task.is_done())
-              tell_of(task, /*is_reused=*/false);
+              report(task, /*is_reused=*/false);
           }
   }
 
@@ -178,7 +178,7 @@ namespace auxfem
       if (!tasks[i].result)
         open.push_back(i);
       else
-        tell_of(tasks[i], /*is_reused=*/true);
+        report(tasks[i], /*is_reused=*/true);
     // The dearest first, each to the rank that has least to do.
     std::stable_sort(open.begin(),
                      open.end(),
@@ -206,7 +206,7 @@ namespace auxfem
         try
           {
             measure(tasks[i], MPI_COMM_SELF);
-            tell_of(tasks[i], /*is_reused=*/false);
+            report(tasks[i], /*is_reused=*/false);
             mine[std::to_string(i)] = json_of(*tasks[i].result);
           }
         catch (const Interrupted &interruption)
@@ -219,7 +219,7 @@ namespace auxfem
           }
       }
     throw_if_any(texts_of_all_ranks(outcome.wrong_input, communicator),
-                 of_all_ranks<int>({outcome.signal}, communicator));
+                 over_all_ranks<int>({outcome.signal}, communicator));
     for (const std::string &text :
          texts_of_all_ranks(text_of(mine), communicator))
       {
@@ -229,7 +229,7 @@ namespace auxfem
       }
     for (const auto &[i, by_rank] : rank_of)
       if (by_rank != rank)
-        tell_of(tasks[i], /*is_reused=*/false);
+        report(tasks[i], /*is_reused=*/false);
   }
 
 
@@ -262,7 +262,7 @@ namespace auxfem
 
 
 
-  void StudyRuns::tell_of(const Task &task, const bool is_reused)
+  void StudyRuns::report(const Task &task, const bool is_reused)
   {
     ++progress.number;
     progress.name = task.planned->name;

@@ -23,7 +23,7 @@ namespace auxfem
   {
     state.acceleration->assign(state.acceleration->size(), 0.);
     State      before  = state;
-    Evaluation instant = Evaluation::rates(before, state);
+    Evaluation instant = Evaluation::consistent_rates(before, state);
     // A load that is switched on at t = 0 acts from there on.
     instant.event_at_to = {0., TimeSide::after};
     prescribe_motion(model, instant);
@@ -58,7 +58,7 @@ namespace auxfem
     if (!is_singular)
       return;
     const State      before = state;
-    const Evaluation now    = Evaluation::rates(before, state);
+    const Evaluation now    = Evaluation::consistent_rates(before, state);
     solver.residual(now, results);
     solver.assemble(now, results, {0., 0., 1.});
     std::vector<double> kinds = empty_rows();
@@ -100,7 +100,7 @@ namespace auxfem
     if (is_singular)
       return;
     const State before  = step.to;
-    Evaluation  instant = Evaluation::rates(before, step.to);
+    Evaluation  instant = Evaluation::consistent_rates(before, step.to);
     instant.event_at_to = step.event_at_to;
     solver.residual(instant, results);
     if (!prepare_mass(instant))
@@ -113,7 +113,7 @@ namespace auxfem
   ConsistentRates::renew(State &state, const double event, const double dt)
   {
     const State before  = state;
-    Evaluation  instant = Evaluation::rates(before, state);
+    Evaluation  instant = Evaluation::consistent_rates(before, state);
     instant.event_at_to = {event, TimeSide::after};
     prescribe_motion(model, instant);
     solver.residual(instant, results);
@@ -228,7 +228,7 @@ namespace auxfem
         change[multiplier] = 0;
       }
     add_multiple(1 / dt, change, *struck.acceleration);
-    Evaluation evaluation  = Evaluation::rates(instant.from, struck);
+    Evaluation evaluation  = Evaluation::consistent_rates(instant.from, struck);
     evaluation.event_at_to = instant.event_at_to;
     solver.residual(evaluation, results);
     impulses_of_supports.assign(increment.size(), 0.);
@@ -334,9 +334,9 @@ namespace auxfem
     }
   } // namespace
 
-  void guess_ahead(const ImplicitScheme &scheme,
-                   const Evaluation     &step,
-                   const LatticeModel   &model)
+  void extrapolate_predictor(const ImplicitScheme &scheme,
+                             const Evaluation     &step,
+                             const LatticeModel   &model)
   {
     if (!is_short(step, model))
       return;
@@ -346,7 +346,8 @@ namespace auxfem
     scheme.correct(step.from, increment, step.dt, step.to);
   }
 
-  void go_on_as_before(const ImplicitScheme &scheme, const Evaluation &step)
+  void repeat_last_increment(const ImplicitScheme &scheme,
+                             const Evaluation     &step)
   {
     if (!step.from.before)
       return;

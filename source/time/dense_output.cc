@@ -150,8 +150,9 @@ namespace auxfem
                   to.state,
                   end_rates ? &*end_rates : nullptr,
                   between.state);
-        const State      before  = between.state;
-        const Evaluation instant = Evaluation::rates(before, between.state);
+        const State      before = between.state;
+        const Evaluation instant =
+          Evaluation::consistent_rates(before, between.state);
         solver.residual(instant, between.results);
         equations.accept(instant, between.results);
         if (!is_equilibrium(from, to, between))
@@ -171,7 +172,8 @@ namespace auxfem
   {
     Solution instant{start.state, equations.make_results()};
     State    evaluated = start.state;
-    solver.residual(Evaluation::rates(start.state, evaluated), instant.results);
+    solver.residual(Evaluation::consistent_rates(start.state, evaluated),
+                    instant.results);
     return instant;
   }
 

@@ -33,7 +33,7 @@ namespace auxfem
     forces         = evaluation.from.largest_forces;
     for (std::size_t i = 0; i < forces.size(); ++i)
       forces[i] = std::max(forces[i], std::abs(to.residual[i]));
-    equations.raise_forces(evaluation, results, forces.data());
+    equations.row_force_bounds(evaluation, results, forces.data());
     return largest_excess(to, nullptr);
   }
 
@@ -141,8 +141,8 @@ namespace auxfem
       : Exactness::approximate;
     is_slack  = allows_slack && evaluation.from.largest_force == 0;
     // Unless it gets to the end.
-    has_failed = true;
-    may_touch  = solver.equations().may_touch();
+    has_failed             = true;
+    has_contact_candidates = solver.equations().has_contact_candidates();
     solver.residual(evaluation, results);
     double size      = in_force_units(results);
     double reduction = std::numeric_limits<double>::infinity();
@@ -169,7 +169,7 @@ namespace auxfem
           {
             result.relative_residual = std::numeric_limits<double>::quiet_NaN();
             result.reason =
-              solver.equations().why_not_finite(evaluation, results);
+              solver.equations().nonfinite_reason(evaluation, results);
             if (result.reason.empty())
               result.reason = "the residual is not finite";
             return result;
@@ -217,7 +217,7 @@ namespace auxfem
           first_increment = way;
         ++result.iterations;
         if (added == nullptr && result.iterations == 1 &&
-            is_sure(evaluation, size, force))
+            can_skip_residual(evaluation, size, force))
           {
             solver.find_stage_results(evaluation, results);
             return solved(force);
@@ -227,7 +227,8 @@ namespace auxfem
         solver.residual(evaluation, results);
         size                = in_force_units(results);
         const bool is_worse = !(size < before);
-        if (is_worse && (may_touch || (grows && !scheme.is_dynamic())) &&
+        if (is_worse &&
+            (has_contact_candidates || (grows && !scheme.is_dynamic())) &&
             before > far_from_solution * force)
           size = shorten(scheme, evaluation, results, added, before);
         grows     = is_worse;
@@ -339,11 +340,11 @@ namespace auxfem
         else if (!(turn <= half_revolution))
           return "an iteration turned a section by more than half a turn";
       }
-    if (!scheme.is_dynamic() || may_touch)
+    if (!scheme.is_dynamic() || has_contact_candidates)
       way = increment;
     rotations.rotate(evaluation, increment);
     scheme.correct(evaluation.from, increment, evaluation.dt, evaluation.to);
-    if (evaluation.kind == Evaluation::Kind::between &&
+    if (evaluation.kind == Evaluation::Kind::discrete_gradient &&
         !(largest_increment(model, evaluation) <= largest_increment_between))
       return "the step turns a section by more than 1 rad, too far for mean "
              "forces";
@@ -360,24 +361,25 @@ namespace auxfem
     for (unsigned int i = 0; i < most_halvings; ++i)
       {
         part /= 2;
-        const double size = take_back(scheme, evaluation, results, added, part);
+        const double size =
+          undo_increment(scheme, evaluation, results, added, part);
         if (size < before)
           return size;
       }
-    return take_back(scheme, evaluation, results, added, part - 1);
+    return undo_increment(scheme, evaluation, results, added, part - 1);
   }
 
-  double Newton::take_back(const ImplicitScheme &scheme,
-                           const Evaluation     &evaluation,
-                           EvaluationResults    &results,
-                           AddedEquation *const  added,
-                           const double          part)
+  double Newton::undo_increment(const ImplicitScheme &scheme,
+                                const Evaluation     &evaluation,
+                                EvaluationResults    &results,
+                                AddedEquation *const  added,
+                                const double          part)
   {
     solver.count_shortened();
     increment = way;
     scale(-part, increment);
     if (added != nullptr)
-      added->take_back(evaluation, increment, part);
+      added->undo_increment(evaluation, increment, part);
     rotations.rotate(evaluation, increment);
     scheme.correct(evaluation.from, increment, evaluation.dt, evaluation.to);
     solver.residual(evaluation, results);
@@ -399,11 +401,11 @@ namespace auxfem
          wanted + solver.equations().round_off_floor(evaluation, results));
   }
 
-  bool Newton::is_sure(const Evaluation &evaluation,
-                       const double      size,
-                       const double      scale) const
+  bool Newton::can_skip_residual(const Evaluation &evaluation,
+                                 const double      size,
+                                 const double      scale) const
   {
-    return estimates_stages && !may_touch && kept->reduction &&
+    return estimates_stages && !has_contact_candidates && kept->reduction &&
       evaluation.kind == Evaluation::Kind::stage && !evaluation.ends_step &&
       doubt * size <= *kept->reduction * parameters.tolerance * scale;
   }

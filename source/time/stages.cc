@@ -249,7 +249,7 @@ namespace auxfem
     find_slopes(solved);
     if (stage + 1 == n())
       {
-        find_taken_from_kinetic();
+        kinetic_energy_defect();
         return;
       }
     if (solved.weight != 0)
@@ -258,7 +258,7 @@ namespace auxfem
     base.energy_sums = solved.to.energy_sums;
   }
 
-  void Stages::find_taken_from_kinetic()
+  void Stages::kinetic_energy_defect()
   {
     for (unsigned int i = 0; i < n(); ++i)
       {

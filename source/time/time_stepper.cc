@@ -64,16 +64,16 @@ namespace auxfem
                                       const double           event)
   {
     State     &state    = solution.state;
-    Evaluation instant  = Evaluation::rates(before, state);
+    Evaluation instant  = Evaluation::consistent_rates(before, state);
     instant.event_at_to = {event, TimeSide::after};
     instant.impulses    = rates ? rates->impulses() : nullptr;
     solvers->tangent.residual(instant, solution.results);
     equations.accept(instant, solution.results);
-    if (const std::string what = what_is_not_finite(equations.model(), state);
+    if (const std::string what = nonfinite_quantity(equations.model(), state);
         !what.empty())
       {
         const std::string why =
-          equations.why_not_finite(instant, solution.results);
+          equations.nonfinite_reason(instant, solution.results);
         std::ostringstream message;
         message << "At t = " << state.time
                 << " s the state is not finite: " << (why.empty() ? what : why)
@@ -114,10 +114,10 @@ namespace auxfem
     take_ghosts(are_more_ghosts);
   }
 
-  std::string TimeStepper::why_not_acceptable(const Evaluation &step)
+  std::string TimeStepper::rejection_reason(const Evaluation &step)
   {
     const Stopwatch watch(work.wall.contact);
-    return equations.why_not_acceptable(step);
+    return equations.rejection_reason(step);
   }
 
   void TimeStepper::take_ghosts(const bool are_more)
@@ -303,10 +303,10 @@ namespace auxfem
 
   bool TimeStepper::is_acceptable(const Evaluation &step)
   {
-    if (const std::string what = what_is_not_finite(equations.model(), step.to);
+    if (const std::string what = nonfinite_quantity(equations.model(), step.to);
         !what.empty())
       return reject(what + " is not a finite number");
-    if (const std::string why = why_not_acceptable(step); !why.empty())
+    if (const std::string why = rejection_reason(step); !why.empty())
       return reject(why);
     if (creates_energy(step))
       return reject(
@@ -335,17 +335,18 @@ namespace auxfem
   {
     if (!scheme.is_dynamic())
       return Evaluation::static_step(from, trial.state, dt);
-    return scheme.balances_means() ? Evaluation::between(from, trial.state, dt)
-                                   : Evaluation::step(from, trial.state, dt);
+    return scheme.balances_means()
+      ? Evaluation::discrete_gradient(from, trial.state, dt)
+      : Evaluation::step(from, trial.state, dt);
   }
 
   void TimeStepper::predict(const ImplicitScheme &rule, const Evaluation &step)
   {
     rule.predict(step.from, step.dt, step.to);
     if (scheme.balances_means())
-      guess_ahead(rule, step, equations.model());
+      extrapolate_predictor(rule, step, equations.model());
     if (equations.is_linear())
-      go_on_as_before(rule, step);
+      repeat_last_increment(rule, step);
     Vector increment;
     if (jumps && jumps->guess(step, rotations, increment))
       rule.correct(step.from, increment, step.dt, step.to);

@@ -52,7 +52,7 @@ namespace auxfem
     solvers->newton.drop_factorization();
     work.iterations += result.iterations;
     if (const std::string why =
-          result.converged ? why_not_acceptable(evaluation) : result.reason;
+          result.converged ? rejection_reason(evaluation) : result.reason;
         !why.empty())
       throw ComputationError(
         "No static equilibrium was found under the loads of t = 0 in one go: " +
@@ -91,7 +91,8 @@ namespace auxfem
                                       evaluation_of(solution.state, last_dt),
                                       trial.results);
     State evaluated = solution.state;
-    solvers->tangent.residual(Evaluation::rates(solution.state, evaluated),
+    solvers->tangent.residual(Evaluation::consistent_rates(solution.state,
+                                                           evaluated),
                               solution.results);
     trial.state = solution.state;
   }

@@ -41,7 +41,7 @@ namespace auxfem
     {
       std::optional<Occurrence> best;
       const std::vector<double> all =
-        of_all_ranks(values_of(mine), communicator);
+        over_all_ranks(values_of(mine), communicator);
       for (auto values = all.begin(); values < all.end(); values += n_values)
         if (const auto other = occurrence_of({values, values + n_values});
             other && (!best || comes_before(*other, *best)))

@@ -29,8 +29,8 @@ namespace
   {
     const unsigned int      n_ranks = mpi::n_mpi_processes(MPI_COMM_WORLD);
     const std::vector<Item> all =
-      of_all_ranks(items_of(mpi::this_mpi_process(MPI_COMM_WORLD)),
-                   MPI_COMM_WORLD);
+      over_all_ranks(items_of(mpi::this_mpi_process(MPI_COMM_WORLD)),
+                     MPI_COMM_WORLD);
     ASSERT_EQ(all.size(), n_ranks * (n_ranks - 1) / 2);
     std::size_t next = 0;
     for (unsigned int rank = 0; rank < n_ranks; ++rank)
@@ -40,7 +40,7 @@ namespace
           EXPECT_EQ(all[next].value, item.value);
           ++next;
         }
-    EXPECT_EQ(of_all_ranks<int>({3}, MPI_COMM_WORLD),
+    EXPECT_EQ(over_all_ranks<int>({3}, MPI_COMM_WORLD),
               std::vector<int>(n_ranks, 3));
   }
 
@@ -75,7 +75,7 @@ namespace
     const auto          mine = share_of_rank(layout, n);
     EXPECT_LE(mine[0], mine[1]);
     std::vector<std::size_t> bounds =
-      of_all_ranks<std::size_t>({mine[0], mine[1]}, MPI_COMM_WORLD);
+      over_all_ranks<std::size_t>({mine[0], mine[1]}, MPI_COMM_WORLD);
     EXPECT_EQ(bounds.front(), 0u);
     EXPECT_EQ(bounds.back(), n);
     for (std::size_t i = 1; i + 1 < bounds.size(); i += 2)

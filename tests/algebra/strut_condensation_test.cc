@@ -135,7 +135,7 @@ namespace
     StrutNetwork      network(shape);
     StrutCondensation condensation(*network.matrix);
     ASSERT_EQ(condensation.condense(symmetry), FactorizationOutcome::done);
-    EXPECT_EQ(condensation.words(), "");
+    EXPECT_EQ(condensation.description(), "");
     expect_reference(network, condensation, symmetry);
     expect_solution(network, condensation, symmetry);
   }
@@ -230,12 +230,12 @@ TEST(StrutCondensation, NamesAStrutThatIsSingularInside)
         network.matrix->reset();
         EXPECT_EQ(condensation.condense(symmetry),
                   FactorizationOutcome::singular);
-        EXPECT_NE(condensation.words().find("the inside of strut "),
+        EXPECT_NE(condensation.description().find("the inside of strut "),
                   std::string::npos);
         // As if nothing had been.
         network.fill();
         EXPECT_EQ(condensation.condense(symmetry), FactorizationOutcome::done);
-        EXPECT_EQ(condensation.words(), "");
+        EXPECT_EQ(condensation.description(), "");
         expect_reference(network, condensation, symmetry);
       }
 }

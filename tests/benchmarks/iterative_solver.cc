@@ -93,7 +93,7 @@ namespace
 int main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  take_denormal_numbers_as_zero();
+  flush_denormals_to_zero();
   if (argc < 3)
     {
       std::cerr << "iterative_solver DIMENSION CELLS [amg|ilu] [INERTIA]\n";

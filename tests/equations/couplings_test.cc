@@ -56,7 +56,7 @@ namespace
 
     void add_residual(const Evaluation &evaluation,
                       double           *residual,
-                      EffectResults * /*results*/) const override
+                      EffectCache * /*results*/) const override
     {
       if (!acts)
         return;
@@ -67,7 +67,7 @@ namespace
     }
 
     void add_tangent(const Evaluation & /*evaluation*/,
-                     const EffectResults * /*results*/,
+                     const EffectCache * /*results*/,
                      const TangentFactors &factors,
                      TangentMatrix        &matrix) const override
     {

@@ -41,10 +41,10 @@ namespace auxfem
         return evaluation.to.energies;
       }
 
-      const Effect                        &effect;
-      const Evaluation                     evaluation;
-      std::vector<double>                  residual;
-      const std::unique_ptr<EffectResults> results;
+      const Effect                      &effect;
+      const Evaluation                   evaluation;
+      std::vector<double>                residual;
+      const std::unique_ptr<EffectCache> results;
     };
 
     /** The pattern of @p effect behind the blocks of elements. */

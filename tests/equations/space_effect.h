@@ -85,7 +85,8 @@ namespace auxfem
       std::vector<double> residual_of_rates(const Effect &effect) const
       {
         State state = to;
-        return EvaluatedAlone(effect, Evaluation::rates(from, state)).residual;
+        return EvaluatedAlone(effect, Evaluation::consistent_rates(from, state))
+          .residual;
       }
 
       /** `to` after an increment, spins in the rows of rotations. */

@@ -136,8 +136,8 @@ namespace
           exponential(SpaceVector({1.1, -0.8, 0.9}));
       trial.add_noise(0.3, *from.velocity);
       const State before = from;
-      trial.of_scene.residual(Evaluation::rates(before, from));
-      trial.of_scene.accept(Evaluation::rates(before, from));
+      trial.of_scene.residual(Evaluation::consistent_rates(before, from));
+      trial.of_scene.accept(Evaluation::consistent_rates(before, from));
       trial.to      = from;
       trial.to.time = from.time + trial.dt;
       scheme.predict(from, trial.dt, trial.to);
@@ -155,7 +155,7 @@ namespace
 
     Evaluation evaluation(State &to) const
     {
-      return Evaluation::between(trial.from, to, trial.dt);
+      return Evaluation::discrete_gradient(trial.from, to, trial.dt);
     }
 
     /** As Newton's method does. */

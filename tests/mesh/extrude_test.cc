@@ -144,7 +144,7 @@ TEST(Extrude, RefusesUnknownJoints)
     layers(planar("star"), {{1, 1, 2}}, "tip");
   });
   expect_parts(message,
-               {"Lattice/Columns at",
+               {"Lattice/Interlayer joints",
                 "no set of joints named \"tip\"; did you mean \"tips\"",
                 "\"all\"",
                 "\"notches\"",

@@ -41,17 +41,17 @@ namespace
     throw std::logic_error("no decision on " + name);
   }
 
-  LoadCourse course_of(const std::string              &force,
-                       const std::vector<std::string> &overrides = {})
+  LoadHistory course_of(const std::string              &force,
+                        const std::vector<std::string> &overrides = {})
   {
-    return load_course(
+    return load_history(
       read_scene_from_text(strut_with(force), "test.prm", overrides));
   }
 
   const double half_turn = std::acos(-1.);
 } // namespace
 
-TEST(LoadCourse, RateIsTheLargestSlopeOverTheLargestValue)
+TEST(LoadHistory, RateIsTheLargestSlopeOverTheLargestValue)
 {
   // Differences of 1000 values miss second order at most, (40 * 1e-3)^2 / 24.
   EXPECT_NEAR(course_of("3 * sin(40 * t)").rate, 40, 40 * 1e-3);
@@ -60,7 +60,7 @@ TEST(LoadCourse, RateIsTheLargestSlopeOverTheLargestValue)
   EXPECT_EQ(course_of("0").rate, 0);
 }
 
-TEST(LoadCourse, JumpsAreAsFastAsStepsResolve)
+TEST(LoadHistory, JumpsAreAsFastAsStepsResolve)
 {
   const double resolved = 2 * half_turn / (20 * 1e-3);
   for (const std::string force : {"1", "t < 0.5 ? 0 : 1", "1 / (t - 0.5)"})
@@ -72,14 +72,14 @@ TEST(LoadCourse, JumpsAreAsFastAsStepsResolve)
     course_of("1", {"Time/Start from=static equilibrium"}).is_sudden);
 }
 
-TEST(LoadCourse, OscillationsLoseInEveryRadian)
+TEST(LoadHistory, OscillationsLoseInEveryRadian)
 {
   const Scene scene = read_scene_from_text(strut_with("1"), "test.prm");
   // Half of the loss of the energy, 100 pi radians a second.
-  EXPECT_NEAR(load_course(scene).lost(scene, 1e-5),
+  EXPECT_NEAR(load_history(scene).lost(scene, 1e-5),
               1e-5 * 50 * half_turn,
               1e-12);
-  EXPECT_EQ(load_course(scene).lost(scene, 1), 1);
+  EXPECT_EQ(load_history(scene).lost(scene, 1), 1);
 }
 
 TEST(EffectMeasures, ShearIsItsPartInTheBendingCompliance)

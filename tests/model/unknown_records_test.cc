@@ -68,7 +68,7 @@ TEST(UnknownRecords, ValuesComeBackWithGhosts)
   Vector                 values(layout.n_local());
   for (unsigned int i = 0; i < values.size(); ++i)
     values[i] = 1. / (1 + layout.global(i));
-  Records records;
+  CheckpointData records;
   unknowns.keep("values", values, records);
   EXPECT_EQ(records.items("values").size(), layout.n_owned());
   EXPECT_EQ(unknowns.values("values", records), values);

@@ -124,7 +124,7 @@ namespace
                                     "set Joints",
                                     "set Struts",
                                     "set Between",
-                                    "set Columns at",
+                                    "set Interlayer joints",
                                     "set Directory",
                                     "set File",
                                     "set Folder",

@@ -89,7 +89,7 @@ namespace
   {
     double      halved = 1;
     std::thread calculation([&halved]() {
-      take_denormal_numbers_as_zero();
+      flush_denormals_to_zero();
       volatile double smallest = std::numeric_limits<double>::min();
       halved                   = smallest / 2;
     });
@@ -99,7 +99,7 @@ namespace
     volatile double denormal = std::numeric_limits<double>::denorm_min();
     double          doubled  = 1;
     std::thread     reading([&]() {
-      take_denormal_numbers_as_zero();
+      flush_denormals_to_zero();
       doubled = denormal * 2;
     });
     reading.join();

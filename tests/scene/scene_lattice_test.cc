@@ -42,7 +42,7 @@ TEST(SceneLattice, LayersOfPlanarCells)
   const auto lattice = lattice_of("set Cell = star\nset Cells y = 2\n"
                                   "set Cells z = 3\n"
                                   "set Layer distance = 15 mm\n"
-                                  "set Columns at = tips");
+                                  "set Interlayer joints = tips");
   EXPECT_EQ(lattice.n_cells, 6u);
   EXPECT_EQ(lattice.strut_sets.at("columns").size(), 2u * 2u * 4u);
   const unsigned int front = lattice.joint_sets.at("front")[0];
@@ -62,12 +62,12 @@ TEST(SceneLattice, ThePlaneHasOneLayer)
 
 TEST(SceneLattice, ColumnsNeedLayersAndJoints)
 {
-  expect_parts(refusal(3, "set Cell = star\nset Columns at = tips"),
-               {"Lattice/Columns at = tips", "Layer distance"});
+  expect_parts(refusal(3, "set Cell = star\nset Interlayer joints = tips"),
+               {"Lattice/Interlayer joints = tips", "Layer distance"});
   expect_parts(refusal(3,
                        "set Cell = star\nset Layer distance = 1 mm\n"
-                       "set Columns at = tip"),
-               {"Lattice/Columns at", "did you mean \"tips\""});
+                       "set Interlayer joints = tip"),
+               {"Lattice/Interlayer joints", "did you mean \"tips\""});
   expect_parts(refusal(3, "set Cell = space star\nset Layer distance = 1 mm"),
                {"Lattice/Layer distance", "planar"});
 }

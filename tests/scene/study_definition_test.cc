@@ -86,8 +86,8 @@ TEST(StudyDefinition, WrongListsAreRefused)
                {"Study/Schemes", "newmrk", "did you mean \"newmark\""});
   // of the reduced cell alone
   expect_parts(refusal_of("Study/Schemes", "arkode"), {"arkode", "allowed"});
-  expect_parts(refusal_of("Study/Together", "true"),
-               {"Study/Together", "as many Refinements as Time steps"});
+  expect_parts(refusal_of("Study/Refine together", "true"),
+               {"Study/Refine together", "as many Refinements as Time steps"});
 }
 
 TEST(StudyDefinition, EveryFormOfAQuantityIsRead)

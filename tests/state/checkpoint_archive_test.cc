@@ -39,7 +39,7 @@ TEST(CheckpointArchive, RestoresWhatItHasSaved)
 {
   const UnknownLayout layout(MPI_COMM_SELF, 1, {});
   Remembered          saved;
-  Records             records;
+  CheckpointData      records;
   CheckpointArchive   saving = CheckpointArchive::saving(records, layout);
   saved.serialize(saving);
 
@@ -73,10 +73,10 @@ TEST(CheckpointArchive, RestoresWhatItHasSaved)
 
 TEST(CheckpointArchive, RefusesRecordsThatAreNotThere)
 {
-  const UnknownLayout layout(MPI_COMM_SELF, 1, {});
-  const Records       none;
-  CheckpointArchive   archive = CheckpointArchive::restoring(none, layout);
-  double              value   = 0;
+  const UnknownLayout  layout(MPI_COMM_SELF, 1, {});
+  const CheckpointData none;
+  CheckpointArchive    archive = CheckpointArchive::restoring(none, layout);
+  double               value   = 0;
   EXPECT_FALSE(archive.has("value"));
   EXPECT_THROW(archive.values("value", value), InputError);
 }
@@ -88,9 +88,9 @@ TEST(CheckpointArchive, ThePartsOfASumContinueOnTheFirstRank)
   const UnknownLayout layout(MPI_COMM_WORLD, 1, {});
   const double        whole = n_ranks * (n_ranks + 1) / 2.,
                mine         = layout.rank() == 0 ? whole : 0.;
-  double        part        = layout.rank() + 1.;
-  LargestInTime largest{part, part};
-  Records       records;
+  double         part       = layout.rank() + 1.;
+  LargestInTime  largest{part, part};
+  CheckpointData records;
 
   CheckpointArchive saving = CheckpointArchive::saving(records, layout);
   saving.sums("sum", part);

@@ -6,7 +6,7 @@
 
 using namespace auxfem;
 
-TEST(Records, ALayoutPutsRecordsBehindEachOther)
+TEST(CheckpointData, ALayoutPutsRecordsBehindEachOther)
 {
   RecordLayout layout;
   EXPECT_EQ(layout.n_values(), 0u);
@@ -19,9 +19,9 @@ TEST(Records, ALayoutPutsRecordsBehindEachOther)
   EXPECT_EQ(layout.list()[2].first, 6u);
 }
 
-TEST(Records, GiveBackWhatTheyKeepByNameAndItem)
+TEST(CheckpointData, GiveBackWhatTheyKeepByNameAndItem)
 {
-  Records records;
+  CheckpointData records;
   records.keep("time", {0.25});
   records.keep("pairs", {4, 7, 9}, 2, {40, 41, 70, 71, 90, 91});
   records.keep("none", {}, 2, {});
@@ -34,9 +34,9 @@ TEST(Records, GiveBackWhatTheyKeepByNameAndItem)
   EXPECT_TRUE(records.values("none", {}, 2).empty());
 }
 
-TEST(Records, WhatIsNotThereIsRefusedByName)
+TEST(CheckpointData, WhatIsNotThereIsRefusedByName)
 {
-  Records records;
+  CheckpointData records;
   records.keep("pairs", {4, 7}, 2, {40, 41, 70, 71});
   expect_parts(input_error_of([&] { records.values("time", 1); }),
                {"\"time\"", "another scene"});
@@ -49,9 +49,9 @@ TEST(Records, WhatIsNotThereIsRefusedByName)
                {"\"pairs\" with 3 values"});
 }
 
-TEST(Records, AddWhatOtherRanksHave)
+TEST(CheckpointData, AddWhatOtherRanksHave)
 {
-  Records first, second;
+  CheckpointData first, second;
   first.keep("time", {0.25});
   first.keep("pairs", {4, 7}, 2, {40, 41, 70, 71});
   second.keep("time", {0.25});
@@ -67,9 +67,9 @@ TEST(Records, AddWhatOtherRanksHave)
   EXPECT_FALSE(second.has("doubles"));
 }
 
-TEST(Records, KeepTexts)
+TEST(CheckpointData, KeepTexts)
 {
-  Records records;
+  CheckpointData records;
   records.keep_text("location", "joint 3 at (0, 1)");
   records.keep_text("nowhere", "");
   EXPECT_EQ(records.text("location"), "joint 3 at (0, 1)");

@@ -152,7 +152,7 @@ TEST(ConvergenceStudy, MeshAndStepTogetherFallWithTheOrderOfTheStep)
 {
   const StudyReport report =
     study_of(swinging_beam(0.2, 20).set("Newton/Tolerance", "1e-10"),
-             {"Study/Together=true",
+             {"Study/Refine together=true",
               "Study/Orders=1",
               "Study/Refinements=1, 2, 3",
               "Study/Time steps=4 ms, 2 ms, 1 ms"});

@@ -36,13 +36,13 @@ namespace auxfem
 
       /**
        * Follows the path of a scene, which need not say that it is one.
-       * @param goes_on_from a checkpoint; nullptr: from the start
+       * @param restart_checkpoint a checkpoint; nullptr: from the start
        */
       explicit FollowedPath(const std::string              &prm_text,
                             const std::vector<std::string> &overrides = {},
-                            const MPI_Comm communicator = MPI_COMM_SELF,
-                            const Records *goes_on_from = nullptr)
-        : former(goes_on_from)
+                            const MPI_Comm        communicator = MPI_COMM_SELF,
+                            const CheckpointData *restart_checkpoint = nullptr)
+        : former(restart_checkpoint)
       {
         std::vector<std::string> all = {"Analysis=static path"};
         all.insert(all.end(), overrides.begin(), overrides.end());
@@ -77,8 +77,8 @@ namespace auxfem
        * points there were. */
       struct Checkpoint
       {
-        Records     records;
-        std::size_t n_points, n_singular_points;
+        CheckpointData records;
+        std::size_t    n_points, n_singular_points;
       };
       std::vector<Checkpoint> checkpoints;
 
@@ -93,12 +93,12 @@ namespace auxfem
         points.push_back(point(solution.state));
       }
 
-      const Records *goes_on_from() const override
+      const CheckpointData *restart_checkpoint() const override
       {
         return former;
       }
 
-      void take(Records records) override
+      void take(CheckpointData records) override
       {
         checkpoints.push_back(
           {std::move(records), points.size(), singular_points.size()});
@@ -134,8 +134,8 @@ namespace auxfem
         return point;
       }
 
-      const Equations *equations = nullptr;
-      const Records   *former;
+      const Equations      *equations = nullptr;
+      const CheckpointData *former;
     };
   } // namespace testing_support
 } // namespace auxfem

@@ -11,7 +11,7 @@ namespace auxfem::testing_support
   void hand_over(Object &from, Object &to)
   {
     const UnknownLayout layout(MPI_COMM_SELF, 1, {});
-    Records             records;
+    CheckpointData      records;
     CheckpointArchive   saving = CheckpointArchive::saving(records, layout);
     from.serialize(saving);
     CheckpointArchive restoring = CheckpointArchive::restoring(records, layout);

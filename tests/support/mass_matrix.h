@@ -15,7 +15,7 @@ namespace auxfem
     {
       State             now     = state;
       EvaluationResults results = equations.make_results();
-      const Evaluation  instant = Evaluation::rates(state, now);
+      const Evaluation  instant = Evaluation::consistent_rates(state, now);
       equations.residual(instant, results);
       auto matrix = std::make_unique<TangentMatrix>(equations.pattern());
       equations.tangent(instant, results, {0, 0, 1}, *matrix);

@@ -38,7 +38,7 @@ TEST(AccumulatedError, IsRestored)
   error.add({0.1, 0.01});
   error.add({0.2, 0.01, LocalError::Oscillation{10., 0.01}});
   const UnknownLayout layout(MPI_COMM_SELF, 1, {});
-  Records             records;
+  CheckpointData      records;
   CheckpointArchive   saving = CheckpointArchive::saving(records, layout);
   error.serialize("error", saving);
   CheckpointArchive restoring = CheckpointArchive::restoring(records, layout);

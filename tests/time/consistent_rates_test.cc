@@ -124,7 +124,7 @@ namespace
       if (is_free(i))
         (*direct.acceleration)[i] = 0;
     const State      before  = direct;
-    const Evaluation instant = Evaluation::rates(before, direct);
+    const Evaluation instant = Evaluation::consistent_rates(before, direct);
     of_scene.residual(instant);
     solver.assemble(instant, of_scene.results, {0., 0., 1.});
     ASSERT_TRUE(solver.factorize());

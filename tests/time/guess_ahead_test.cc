@@ -35,9 +35,9 @@ namespace
       for (double &value : *from.acceleration)
         value *= change;
       const ImplicitScheme &scheme = on_ranks.scene.time.implicit_scheme();
-      const Evaluation      step   = Evaluation::between(from, to, dt);
+      const Evaluation      step = Evaluation::discrete_gradient(from, to, dt);
       scheme.predict(from, dt, to);
-      guess_ahead(scheme, step, on_ranks.model);
+      extrapolate_predictor(scheme, step, on_ranks.model);
     }
 
     EquationsOnRanks on_ranks;

@@ -81,11 +81,11 @@ namespace auxfem
         /** @param interval steps from one that is recorded to the next
          * @param checkpoint_step until which the last checkpoint is kept
          * @param former checkpoint that the run goes on from; nullptr: none */
-        CourseRecorder(const unsigned int   interval,
-                       const unsigned long  checkpoint_step,
-                       const bool           is_free,
-                       const Records *const former,
-                       Course              &course)
+        CourseRecorder(const unsigned int          interval,
+                       const unsigned long         checkpoint_step,
+                       const bool                  is_free,
+                       const CheckpointData *const former,
+                       Course                     &course)
           : interval(interval)
           , checkpoint_step(checkpoint_step)
           , is_free(is_free)
@@ -93,12 +93,12 @@ namespace auxfem
           , course(course)
         {}
 
-        const Records *goes_on_from() const override
+        const CheckpointData *restart_checkpoint() const override
         {
           return former;
         }
 
-        void take(Records records) override
+        void take(CheckpointData records) override
         {
           if (n_steps > checkpoint_step || former != nullptr)
             return;
@@ -158,7 +158,7 @@ namespace auxfem
         const unsigned int           interval;
         const unsigned long          checkpoint_step;
         const bool                   is_free;
-        const Records *const         former;
+        const CheckpointData *const  former;
         Course                      &course;
         unsigned long                n_steps   = 0;
         const Equations             *equations = nullptr;
@@ -166,10 +166,10 @@ namespace auxfem
         std::optional<MomentumError> momentum_error;
       };
 
-      Course course_of(const HardCase      &hard,
-                       const std::string   &scheme,
-                       const unsigned int   refinement = 1,
-                       const Records *const former     = nullptr)
+      Course course_of(const HardCase             &hard,
+                       const std::string          &scheme,
+                       const unsigned int          refinement = 1,
+                       const CheckpointData *const former     = nullptr)
       {
         std::vector<std::string> overrides = hard.overrides;
         overrides.push_back("Time/Scheme=" + scheme);

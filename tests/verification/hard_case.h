@@ -42,8 +42,8 @@ namespace auxfem
       /** Displacements of all joints, by step of the scene. */
       std::vector<std::vector<double>> motions;
       /** From within the run, and how many motions there were then. */
-      std::optional<Records> checkpoint;
-      std::size_t            n_motions_before = 0;
+      std::optional<CheckpointData> checkpoint;
+      std::size_t                   n_motions_before = 0;
     };
 
     /**

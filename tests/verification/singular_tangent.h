@@ -20,7 +20,7 @@ namespace auxfem
     inline double smallest_eigenvalue(SceneRun &run)
     {
       const State      state = run.state;
-      const Evaluation step  = Evaluation::rates(state, run.state);
+      const Evaluation step  = Evaluation::consistent_rates(state, run.state);
       run.residual(step);
       const auto matrix = run.make_tangent();
       run.tangent(step, {1, 0, 0}, *matrix);

@@ -57,8 +57,8 @@ namespace auxfem
    * deal.II's all_gather() would compress it, which takes longer than all else,
    * and longest to compile. */
   template <typename T>
-  std::vector<T> of_all_ranks(const std::vector<T> &mine,
-                              const MPI_Comm        communicator)
+  std::vector<T> over_all_ranks(const std::vector<T> &mine,
+                                const MPI_Comm        communicator)
   {
     static_assert(std::is_trivially_copyable_v<T>);
     const ItemsOfRanks items(mine.size(), communicator);
@@ -83,7 +83,7 @@ namespace auxfem
     results.reserve(end - begin);
     for (std::size_t i = begin; i < end; ++i)
       results.push_back(result_of(i));
-    return is_shared ? of_all_ranks(results, layout.communicator()) : results;
+    return is_shared ? over_all_ranks(results, layout.communicator()) : results;
   }
 
   /** Values of all ranks' unknowns by global number: @p mine on one rank, else

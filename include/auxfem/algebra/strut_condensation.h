@@ -35,12 +35,12 @@ namespace auxfem
 
     /**
      * Makes S from the matrix as it is now. `singular` if the inside of a strut
-     * is; see words(). Collective.
+     * is; see description(). Collective.
      */
     FactorizationOutcome condense(Symmetry symmetry);
 
     /** Which strut has not been condensed; empty if all have. */
-    const std::string &words() const
+    const std::string &description() const
     {
       return why_not;
     }

@@ -68,7 +68,7 @@ namespace auxfem
     {}
 
     /** Room for the results of an evaluation; nullptr: there are none. */
-    virtual std::unique_ptr<EffectResults> make_results() const
+    virtual std::unique_ptr<EffectCache> make_results() const
     {
       return nullptr;
     }
@@ -80,14 +80,14 @@ namespace auxfem
      */
     virtual void add_residual(const Evaluation &evaluation,
                               double           *residual,
-                              EffectResults    *results) const = 0;
+                              EffectCache      *results) const = 0;
 
     /**
      * Adds the derivative of the residual to @p matrix.
      * @param results of add_residual() in the same evaluation
      */
     virtual void add_tangent(const Evaluation & /*evaluation*/,
-                             const EffectResults * /*results*/,
+                             const EffectCache * /*results*/,
                              const TangentFactors & /*factors*/,
                              TangentMatrix & /*matrix*/) const
     {}
@@ -104,7 +104,7 @@ namespace auxfem
      * @param results of add_residual() in the same evaluation
      */
     virtual void account(const Evaluation & /*evaluation*/,
-                         const EffectResults * /*results*/,
+                         const EffectCache * /*results*/,
                          EnergyAccount & /*account*/) const
     {}
 
@@ -113,7 +113,7 @@ namespace auxfem
      * of impulses; writes the internal variables that follow from them.
      */
     virtual void account_step(const Evaluation & /*step*/,
-                              const EffectResults * /*results*/,
+                              const EffectCache * /*results*/,
                               EnergyAccount & /*account*/) const
     {}
 
@@ -123,31 +123,31 @@ namespace auxfem
      * which may cancel there: what residuals are measured by.
      * @param results of add_residual() in the same evaluation
      */
-    virtual void raise_forces(const Evaluation & /*evaluation*/,
-                              const EffectResults * /*results*/,
-                              double * /*forces*/) const
+    virtual void row_force_bounds(const Evaluation & /*evaluation*/,
+                                  const EffectCache * /*results*/,
+                                  double * /*forces*/) const
     {}
 
     /**
-     * Raises @p forces, as raise_forces() does, to those whose last digit is
+     * Raises @p forces, as row_force_bounds() does, to those whose last digit is
      * uncertain in the residual: machine precision times these is the
      * residual's round-off. With motions that are at most as large as @p
      * largest.
      */
-    virtual void raise_uncertain_forces(const Evaluation    &evaluation,
-                                        const EffectResults *results,
-                                        const LargestMotion & /*largest*/,
-                                        double *forces) const
+    virtual void roundoff_force_bounds(const Evaluation  &evaluation,
+                                       const EffectCache *results,
+                                       const LargestMotion & /*largest*/,
+                                       double *forces) const
     {
-      raise_forces(evaluation, results, forces);
+      row_force_bounds(evaluation, results, forces);
     }
 
     /**
      * What has no finite force in an evaluation, and why, in the user's words;
      * empty: nothing, or the effect does not know.
      */
-    virtual std::string why_not_finite(const Evaluation & /*evaluation*/,
-                                       const EffectResults * /*results*/) const
+    virtual std::string nonfinite_reason(const Evaluation & /*evaluation*/,
+                                         const EffectCache * /*results*/) const
     {
       return "";
     }
@@ -184,7 +184,7 @@ namespace auxfem
 
     /** Whether forces may begin or end all at once within a step, as where
      * things touch. The same on all ranks. */
-    virtual bool may_touch() const
+    virtual bool has_contact_candidates() const
     {
       return false;
     }
@@ -194,7 +194,7 @@ namespace auxfem
      * ones, in words for users; empty: it may. Words of one rank are enough.
      * Collective.
      */
-    virtual std::string why_not_acceptable(const Evaluation & /*step*/) const
+    virtual std::string rejection_reason(const Evaluation & /*step*/) const
     {
       return "";
     }
@@ -215,7 +215,7 @@ namespace auxfem
      * @param results of Effect::add_residual() in the same evaluation
      */
     virtual void account_stage(const Evaluation & /*stage*/,
-                               const EffectResults * /*results*/,
+                               const EffectCache * /*results*/,
                                EnergyAccount & /*account*/) const
     {}
 
@@ -240,7 +240,7 @@ namespace auxfem
      * @param results of Effect::add_residual() at the same state
      */
     virtual void find_internal_rates(const State & /*state*/,
-                                     const EffectResults * /*results*/,
+                                     const EffectCache * /*results*/,
                                      double * /*rates*/) const
     {}
   };
@@ -258,7 +258,7 @@ namespace auxfem
      * Adds the geometric stiffness of a change of its forces: the derivative of
      * the residual by motions from change.state in which these stay as they
      * are, in the axes they have. Constraints have it by their multipliers.
-     * @param effect index of the effect in EvaluationResults::of_effects
+     * @param effect index of the effect in EvaluationResults::effect_caches
      */
     virtual void add_geometric_tangent(const ForceChange & /*change*/,
                                        const unsigned int /*effect*/,
@@ -272,7 +272,7 @@ namespace auxfem
      * @param results of Effect::add_residual() in the same evaluation
      */
     virtual void add_viscous_stiffness(const Evaluation & /*evaluation*/,
-                                       const EffectResults * /*results*/,
+                                       const EffectCache * /*results*/,
                                        const std::complex<double> /*s*/,
                                        TangentMatrix & /*real*/,
                                        TangentMatrix & /*imaginary*/) const
@@ -289,7 +289,7 @@ namespace auxfem
     /** Adds the stiffness E of the Maxwell elements with the relaxation time
      * @p time (s), of which add_viscous_stiffness() has E s time / (1 + s
      * time). */
-    virtual void add_relaxing_stiffness(const EffectResults * /*results*/,
+    virtual void add_relaxing_stiffness(const EffectCache * /*results*/,
                                         double /*time*/,
                                         TangentMatrix & /*matrix*/) const
     {}
@@ -329,7 +329,7 @@ namespace auxfem
     }
 
     void account(const Evaluation & /*evaluation*/,
-                 const EffectResults * /*results*/,
+                 const EffectCache * /*results*/,
                  EnergyAccount &account) const override
     {
       account.add_inertia(kinetic_entry,

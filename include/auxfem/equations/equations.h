@@ -47,7 +47,7 @@ namespace auxfem
   struct ConnectorGroup
   {
     const ConnectorForces *forces;
-    unsigned int           effect; ///< index in EvaluationResults::of_effects
+    unsigned int effect; ///< index in EvaluationResults::effect_caches
 
     /** Counted connector @p i at @p state. */
     ConnectorReport report(unsigned int             i,
@@ -59,7 +59,7 @@ namespace auxfem
   struct StrutGroup
   {
     const StrutForces *forces;
-    unsigned int       effect; ///< index in EvaluationResults::of_effects
+    unsigned int       effect; ///< index in EvaluationResults::effect_caches
   };
 
   /** The effects that output asks for more than forces. */
@@ -128,16 +128,16 @@ namespace auxfem
     bool is_linear() const;
 
     /** Those of the contact with plates, of a scene that has some. */
-    const EffectResults &plate_results(const EvaluationResults &results) const
+    const EffectCache &plate_results(const EvaluationResults &results) const
     {
-      return *results.of_effects[reporting_effects.plates_effect];
+      return *results.effect_caches[reporting_effects.plates_effect];
     }
 
     /** Those of the contact between struts, of a scene that has it. */
-    const EffectResults &
+    const EffectCache &
     strut_contact_results(const EvaluationResults &results) const
     {
-      return *results.of_effects[reporting_effects.strut_contact_effect];
+      return *results.effect_caches[reporting_effects.strut_contact_effect];
     }
 
     /** The state at t = 0: at rest or with the scene's initial velocities. */
@@ -249,11 +249,11 @@ namespace auxfem
 
     /**
      * Raises @p forces (n_local entries) to those that all effects exert in each
-     * row, as Effect::raise_forces(), and to the loads.
+     * row, as Effect::row_force_bounds(), and to the loads.
      */
-    void raise_forces(const Evaluation        &evaluation,
-                      const EvaluationResults &results,
-                      double                  *forces) const;
+    void row_force_bounds(const Evaluation        &evaluation,
+                          const EvaluationResults &results,
+                          double                  *forces) const;
 
     /**
      * What in each row of the residual is round-off (N, N m), complete in owned
@@ -268,20 +268,20 @@ namespace auxfem
                            const EvaluationResults &results) const;
 
     /** Whether any effect's forces may begin all at once. */
-    bool may_touch() const;
+    bool has_contact_candidates() const;
 
     /**
      * Why a solved step must be repeated in shorter ones, in words; empty: it
      * need not. The same on all ranks; collective.
      */
-    std::string why_not_acceptable(const Evaluation &step) const;
+    std::string rejection_reason(const Evaluation &step) const;
 
     /**
      * Why the residual of an evaluation is not finite, in words, where an
      * effect knows it. The same on all ranks; collective.
      */
-    std::string why_not_finite(const Evaluation        &evaluation,
-                               const EvaluationResults &results) const;
+    std::string nonfinite_reason(const Evaluation        &evaluation,
+                                 const EvaluationResults &results) const;
 
   private:
     void make_internal_forces();
@@ -367,7 +367,7 @@ namespace auxfem
    * an internal variable, an energy; empty: all are. The same on all ranks;
    * collective.
    */
-  std::string what_is_not_finite(const LatticeModel &model, const State &state);
+  std::string nonfinite_quantity(const LatticeModel &model, const State &state);
 
   /** Unknown with the largest free residual, in words, over all ranks. */
   std::string worst_unknown(const LatticeModel &model, const State &state);

@@ -35,7 +35,7 @@ namespace auxfem
        * `to` are means too. Moments do work on Cayley's measure of the rotation
        * increment (elements/cayley_rotation.h).
        */
-      between,
+      discrete_gradient,
       /**
        * The end of a step without inertia: rates are differences over the step.
        */
@@ -46,7 +46,7 @@ namespace auxfem
        * An instant: no time passes. With inertia the rows of constraints hold
        * their second derivatives, which determine consistent accelerations.
        */
-      rates
+      consistent_rates
     };
 
     const State &from;
@@ -100,9 +100,10 @@ namespace auxfem
     }
 
     /** A step with mean forces. */
-    static Evaluation between(const State &from, State &to, const double dt)
+    static Evaluation
+    discrete_gradient(const State &from, State &to, const double dt)
     {
-      return {from, to, Kind::between, dt};
+      return {from, to, Kind::discrete_gradient, dt};
     }
 
     /** A step without inertia of the length @p dt (s). */
@@ -118,22 +119,22 @@ namespace auxfem
     }
 
     /** The instant @p to; @p before is a copy of it. */
-    static Evaluation rates(const State &before, State &to)
+    static Evaluation consistent_rates(const State &before, State &to)
     {
-      return {before, to, Kind::rates};
+      return {before, to, Kind::consistent_rates};
     }
 
     /** Whether rates of strains and extensions are differences over the step.
      */
     bool rates_are_differences() const
     {
-      return kind == Kind::between || kind == Kind::static_step;
+      return kind == Kind::discrete_gradient || kind == Kind::static_step;
     }
 
     /** Whether the rows of constraints hold second derivatives. */
     bool wants_constraint_accelerations() const
     {
-      return kind == Kind::rates && to.acceleration;
+      return kind == Kind::consistent_rates && to.acceleration;
     }
   };
 
@@ -141,16 +142,16 @@ namespace auxfem
    * What an effect produces beside forces when it is evaluated, kept by the
    * caller for the tangent, the energies and the output of the same evaluation.
    */
-  struct EffectResults
+  struct EffectCache
   {
-    virtual ~EffectResults() = default;
+    virtual ~EffectCache() = default;
   };
 
   /** What an evaluation produces beside the residual and internal variables. */
   struct EvaluationResults
   {
     /** Of every effect that has some, in the order of the equations. */
-    std::vector<std::unique_ptr<EffectResults>> of_effects;
+    std::vector<std::unique_ptr<EffectCache>> effect_caches;
 
     /** Norms of the residual in free rows, over all ranks. */
     double force      = 0; ///< N

@@ -8,7 +8,7 @@
 namespace auxfem
 {
   /** How fast the loads and prescribed motions of a scene change. */
-  struct LoadCourse
+  struct LoadHistory
   {
     /**
      * The largest rate of one of them over its largest value (1/s), as far as
@@ -30,7 +30,7 @@ namespace auxfem
   };
 
   /** Weight counts as a load if there is no other. */
-  LoadCourse load_course(const RunPlan &plan);
+  LoadHistory load_history(const RunPlan &plan);
 
   /**
    * How much of the answer is motion that the loads of @p plan do not command,

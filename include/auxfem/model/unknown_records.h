@@ -158,14 +158,15 @@ namespace auxfem
     }
 
     /** Keeps the owned ones of @p values at local unknowns. */
-    void
-    keep(const std::string &name, const Vector &values, Records &records) const;
+    void keep(const std::string &name,
+              const Vector      &values,
+              CheckpointData    &records) const;
 
     /**
      * The values at all local unknowns. Throws InputError if @p records do not
      * have them. Collective.
      */
-    Vector values(const std::string &name, const Records &records) const;
+    Vector values(const std::string &name, const CheckpointData &records) const;
 
     /** Saves or restores @p values at all local unknowns. Collective. */
     void serialize(const std::string &name,

@@ -134,7 +134,7 @@ namespace auxfem
     FileRules  rules = {}; ///< for files that lie in the folder before the run
     StartTimes start = {}; ///< of this rank, for the summary
     /** A checkpoint from which the run continues, instead of starting. */
-    std::optional<Records> checkpoint = {};
+    std::optional<CheckpointData> checkpoint = {};
   };
 
   /** What becomes of results that auxfem has left in a folder. */

@@ -130,13 +130,13 @@ namespace auxfem
     ///@{
     /** The one that the run is to go on from, in place of its start; nullptr:
      * it starts. */
-    virtual const Records *goes_on_from() const
+    virtual const CheckpointData *restart_checkpoint() const
     {
       return nullptr;
     }
 
     /** The latest one. Collective. */
-    virtual void take(Records /*checkpoint*/)
+    virtual void take(CheckpointData /*checkpoint*/)
     {}
 
     /** The run ends, or is interrupted: another one goes on from the checkpoint

@@ -15,7 +15,7 @@
 namespace auxfem
 {
   /** What a run has left in its folder for one that goes on from there. */
-  struct RunToResume
+  struct RestartedRun
   {
     std::string folder;
     /** The file that the scene was read from, from the root of all folders. */
@@ -25,21 +25,21 @@ namespace auxfem
     /** Checksums (CRC-32) of the other files that it was read from, by name. */
     std::map<std::string, unsigned int> input_files;
     /** Those of this rank; of all ranks where there were others. */
-    Records records;
+    CheckpointData records;
     /** What is wrong with a newer checkpoint; empty: nothing. */
     std::string warning;
   };
 
   /** Whether the checksums of @p run are those of its files now: the name of
    * one that has changed, or is gone; empty: they are. */
-  std::string changed_input_file(const RunToResume &run);
+  std::string changed_input_file(const RestartedRun &run);
 
   /**
    * Finds the last checkpoint in @p folder. Throws InputError if there is none
    * that can be used. Every rank reads it.
    */
-  RunToResume find_run_to_resume(const std::string &folder,
-                                 MPI_Comm           communicator);
+  RestartedRun find_run_to_resume(const std::string &folder,
+                                  MPI_Comm           communicator);
 
   /**
    * Writes checkpoints of a run into its folder, so rarely that they take less
@@ -60,7 +60,7 @@ namespace auxfem
      * are on the disk before it. Throws ComputationError if the disk takes no
      * more.
      */
-    void write(Records records, const std::vector<std::string> &files);
+    void write(CheckpointData records, const std::vector<std::string> &files);
 
   private:
     using Clock = std::chrono::steady_clock;

@@ -41,11 +41,11 @@ namespace auxfem
   {
   public:
     /** Throws InputError as the files do. @p scene, equations must outlive the
-     * object. @param goes_on_from what serialize() has saved; nullptr: nothing. */
-    SingularPointFiles(const Scene     &scene,
-                       const Equations &equations,
-                       MPI_Comm         communicator,
-                       const Records   *goes_on_from);
+     * object. @param restart_checkpoint what serialize() has saved; nullptr: nothing. */
+    SingularPointFiles(const Scene          &scene,
+                       const Equations      &equations,
+                       MPI_Comm              communicator,
+                       const CheckpointData *restart_checkpoint);
 
     /** Adds a point, at @p at. */
     void write(const State &at, const SingularPoint &point);

@@ -127,10 +127,10 @@ namespace auxfem
     ///@}
 
     /** Saves the decisions that take a computation. */
-    void save(Records &records) const;
+    void save(CheckpointData &records) const;
 
     /** Takes over what save() has saved. */
-    void restore(const Records &records);
+    void restore(const CheckpointData &records);
   };
 } // namespace auxfem
 

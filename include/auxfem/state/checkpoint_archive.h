@@ -56,7 +56,7 @@ namespace auxfem
    * State. Who remembers something from one step to the next keeps it here when
    * a checkpoint is taken, under a name of its own.
    */
-  class Records
+  class CheckpointData
   {
   public:
     /** Adds a record of @p items with @p values, item by item. */
@@ -74,7 +74,7 @@ namespace auxfem
     bool has(const std::string &name) const;
 
     /** Adds what @p others have beside it: records, and items of records. */
-    void add(const Records &others);
+    void add(const CheckpointData &others);
 
     /** Items of a record. Throws InputError if there is no such record. */
     const std::vector<unsigned int> &items(const std::string &name) const
@@ -111,7 +111,7 @@ namespace auxfem
     void save(Archive &archive, const unsigned int /*version*/) const
     {
       archive << records.size();
-      for (const KeptRecord &record : records)
+      for (const CheckpointRecord &record : records)
         record.save(archive);
     }
 
@@ -121,7 +121,7 @@ namespace auxfem
     void move_to(Archive &archive)
     {
       archive << records.size();
-      for (KeptRecord &record : records)
+      for (CheckpointRecord &record : records)
         {
           record.save(archive);
           record = {};
@@ -135,7 +135,7 @@ namespace auxfem
       std::size_t n_records = 0;
       archive >> n_records;
       records.resize(n_records);
-      for (KeptRecord &record : records)
+      for (CheckpointRecord &record : records)
         archive >> record.name >> record.items >> record.values_per_item >>
           record.values;
     }
@@ -143,7 +143,7 @@ namespace auxfem
     BOOST_SERIALIZATION_SPLIT_MEMBER()
 
   private:
-    struct KeptRecord
+    struct CheckpointRecord
     {
       std::string               name;
       std::vector<unsigned int> items;
@@ -157,9 +157,9 @@ namespace auxfem
       }
     };
 
-    const KeptRecord &find(const std::string &name) const;
+    const CheckpointRecord &find(const std::string &name) const;
 
-    std::vector<KeptRecord> records;
+    std::vector<CheckpointRecord> records;
   };
 
   /**
@@ -172,15 +172,15 @@ namespace auxfem
   public:
     /** Saves into @p records. Both must outlive the object.
      * @param layout knows the ranks */
-    static CheckpointArchive saving(Records             &records,
+    static CheckpointArchive saving(CheckpointData      &records,
                                     const UnknownLayout &layout)
     {
       return {&records, records, layout};
     }
 
     /** Restores from @p records, which other ranks may have saved. */
-    static CheckpointArchive restoring(const Records       &records,
-                                       const UnknownLayout &layout)
+    static CheckpointArchive restoring(const CheckpointData &records,
+                                       const UnknownLayout  &layout)
     {
       return {nullptr, records, layout};
     }
@@ -235,7 +235,7 @@ namespace auxfem
     void largest(const std::string &name, Largest &...largest)
     {
       if (is_saving())
-        ((largest = largest.of_all_ranks(layout)), ...);
+        ((largest = largest.over_all_ranks(layout)), ...);
       values(name, largest...);
     }
 
@@ -253,12 +253,12 @@ namespace auxfem
     /** @name The records, for other forms. */
     ///@{
     /** Only if is_saving(). */
-    Records &to() const
+    CheckpointData &to() const
     {
       return *written;
     }
 
-    const Records &from() const
+    const CheckpointData &from() const
     {
       return read;
     }
@@ -316,17 +316,17 @@ namespace auxfem
       }
     };
 
-    CheckpointArchive(Records *const       written,
-                      const Records       &read,
-                      const UnknownLayout &layout)
+    CheckpointArchive(CheckpointData *const written,
+                      const CheckpointData &read,
+                      const UnknownLayout  &layout)
       : written(written)
       , read(read)
       , layout(layout)
     {}
 
-    Records *const       written; ///< nullptr while restoring
-    const Records       &read;
-    const UnknownLayout &layout;
+    CheckpointData *const written; ///< nullptr while restoring
+    const CheckpointData &read;
+    const UnknownLayout  &layout;
   };
 } // namespace auxfem
 

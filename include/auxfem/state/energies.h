@@ -23,7 +23,7 @@ namespace auxfem
     }
 
     /** The largest of all ranks; @p layout knows them. Collective. */
-    LargestInTime of_all_ranks(const UnknownLayout &layout) const
+    LargestInTime over_all_ranks(const UnknownLayout &layout) const
     {
       const double largest = layout.largest(value);
       return {largest, layout.largest(largest == value ? time : 0.)};

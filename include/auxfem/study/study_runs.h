@@ -74,7 +74,7 @@ namespace auxfem
     void compute_in_turn(std::vector<Task> &tasks);
     void compute_side_by_side(std::vector<Task> &tasks);
     void measure(Task &task, MPI_Comm on_ranks);
-    void tell_of(const Task &task, bool is_reused);
+    void report(const Task &task, bool is_reused);
 
     const MPI_Comm    communicator;
     const std::string folder;

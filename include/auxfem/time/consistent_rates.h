@@ -133,16 +133,17 @@ namespace auxfem
    * motion: velocities change by a small part of themselves. Else a guess ahead
    * would be further off. Collective.
    */
-  void guess_ahead(const ImplicitScheme &scheme,
-                   const Evaluation     &step,
-                   const LatticeModel   &model);
+  void extrapolate_predictor(const ImplicitScheme &scheme,
+                             const Evaluation     &step,
+                             const LatticeModel   &model);
 
   /**
    * Moves the guess for the end of a @p step without inertia, which @p scheme
    * has predicted to be its start, on by as much as the step before has moved
    * it, if that is known: what is linear does so while loads go on as they did.
    */
-  void go_on_as_before(const ImplicitScheme &scheme, const Evaluation &step);
+  void repeat_last_increment(const ImplicitScheme &scheme,
+                             const Evaluation     &step);
 } // namespace auxfem
 
 #endif

@@ -68,9 +68,9 @@ namespace auxfem
 
     /** Takes back the @p part of what complete() has changed last, with
      * @p way_back in place of the increment. */
-    virtual void take_back(const Evaluation &evaluation,
-                           const Vector     &way_back,
-                           double            part) = 0;
+    virtual void undo_increment(const Evaluation &evaluation,
+                                const Vector     &way_back,
+                                double            part) = 0;
   };
 
   /**
@@ -188,9 +188,11 @@ namespace auxfem
     /** Whether the residual, of @p size (N) before the first iteration, is small
      * enough after it as those of evaluations before were, and nothing else
      * needs it. */
-    bool is_sure(const Evaluation &evaluation, double size, double scale) const;
-    bool meets_constraints(const EvaluationResults &results,
-                           const State             &state) const;
+    bool   can_skip_residual(const Evaluation &evaluation,
+                             double            size,
+                             double            scale) const;
+    bool   meets_constraints(const EvaluationResults &results,
+                             const State             &state) const;
     double in_force_units(const EvaluationResults &results) const;
     /**
      * Line search: shortens the last increment until the residual is smaller
@@ -205,11 +207,11 @@ namespace auxfem
                    double                before);
     /** Takes back the @p part of the last increment; returns the size of the
      * residual (N). */
-    double take_back(const ImplicitScheme &scheme,
-                     const Evaluation     &evaluation,
-                     EvaluationResults    &results,
-                     AddedEquation        *added,
-                     double                part);
+    double undo_increment(const ImplicitScheme &scheme,
+                          const Evaluation     &evaluation,
+                          EvaluationResults    &results,
+                          AddedEquation        *added,
+                          double                part);
     /** Solves for the increment and applies it; empty, or why it failed. */
     std::string iterate(const ImplicitScheme &scheme,
                         const Evaluation     &evaluation,
@@ -232,7 +234,7 @@ namespace auxfem
     /** Whether the last attempt did, so that the next one takes more care. */
     bool has_failed = false;
     /** Whether forces of contact may begin in the step. */
-    bool may_touch = false;
+    bool has_contact_candidates = false;
     /** Whether increments are shortened, and whether they are in this step. */
     bool allows_slack = false, is_slack = false;
   };

@@ -73,7 +73,7 @@ namespace auxfem
     };
 
     void find_slopes(const Evaluation &stage);
-    void find_taken_from_kinetic();
+    void kinetic_energy_defect();
     void set_base(const Evaluation &step);
     void guess_acceleration();
 

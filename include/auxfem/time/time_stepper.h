@@ -99,7 +99,7 @@ namespace auxfem
     void update_couplings(State &state);
     /** Why a solved step must be repeated in shorter ones; empty: it need not.
      */
-    std::string why_not_acceptable(const Evaluation &step);
+    std::string rejection_reason(const Evaluation &step);
     /** Whatever keeps states or results makes room if ghosts @p are_more. */
     void take_ghosts(bool are_more);
     /**

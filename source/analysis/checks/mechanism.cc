@@ -348,7 +348,7 @@ namespace auxfem
       return;
     State             now        = state;
     EvaluationResults results    = solver.equations().make_results();
-    const Evaluation  evaluation = Evaluation::rates(state, now);
+    const Evaluation  evaluation = Evaluation::consistent_rates(state, now);
     solver.residual(evaluation, results);
     // Only the gradients of the constraints stand in it.
     solver.assemble(evaluation, results, {0., 0., 0.});

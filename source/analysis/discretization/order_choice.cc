@@ -32,8 +32,8 @@ namespace auxfem
 
     /** Errors (J) of the struts of @p coarse in @p motions, not finite where
      * they cannot be found. What is out of balance still counts. */
-    std::vector<double> errors_of(HeldStruts                     &coarse,
-                                  HeldStruts                     &finer,
+    std::vector<double> errors_of(ClampedStrutProblems           &coarse,
+                                  ClampedStrutProblems           &finer,
                                   const std::vector<StrutMotion> &motions)
     {
       const std::vector<unsigned int> &struts = coarse.struts();
@@ -119,7 +119,7 @@ namespace auxfem
       }
     const std::vector<StrutDivision> divisions(model.lattice.struts.size(),
                                                division);
-    HeldStruts                       divided(model, divisions, struts),
+    ClampedStrutProblems             divided(model, divisions, struts),
       finer(model, finer_than(model, divisions), struts);
     return errors_of(divided, finer, motions);
   }

@@ -94,9 +94,9 @@ namespace auxfem
     return true;
   }
 
-  void ArcLength::take_back(const Evaluation &evaluation,
-                            const Vector     &way_back,
-                            const double      part)
+  void ArcLength::undo_increment(const Evaluation &evaluation,
+                                 const Vector     &way_back,
+                                 const double      part)
   {
     evaluation.to.path->load_factor -= part * last_load;
     add_multiple(1., way_back, off_tangent);

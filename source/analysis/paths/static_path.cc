@@ -50,7 +50,7 @@ namespace auxfem
       {}
 
       /** Goes on with a run that has been resumed from @p checkpoint. */
-      EquilibriumPath(LatticeRun &run, const Records &checkpoint)
+      EquilibriumPath(LatticeRun &run, const CheckpointData &checkpoint)
         : run(run)
         , path(run.scene.path)
         , stepper(run.solver(), run.model.plan.newton)
@@ -125,9 +125,9 @@ namespace auxfem
                        unstable_branch);
       }
 
-      Records checkpoint(Recorder &recorder)
+      CheckpointData checkpoint(Recorder &recorder)
       {
-        Records           taken = run.checkpoint(recorder);
+        CheckpointData    taken = run.checkpoint(recorder);
         CheckpointArchive archive =
           CheckpointArchive::saving(taken, run.model.numbering.layout());
         serialize(archive);
@@ -381,8 +381,9 @@ namespace auxfem
           run.solution.state.path->determinant_sign = 1;
         }
       // The recorder has it until the run goes on from it.
-      const Records *const   given_checkpoint = recorder.goes_on_from();
-      std::optional<Records> checkpoint;
+      const CheckpointData *const given_checkpoint =
+        recorder.restart_checkpoint();
+      std::optional<CheckpointData> checkpoint;
       if (given_checkpoint != nullptr)
         checkpoint = *given_checkpoint;
       return run.run(recorder, [&](Recorder &of_run) {

@@ -136,23 +136,24 @@ namespace auxfem
     archive.sums(record + ": sums of energies", state.energy_sums);
   }
 
-  Vector saved_displacement(const Equations &equations, const Records &records)
+  Vector saved_displacement(const Equations      &equations,
+                            const CheckpointData &records)
   {
     return UnknownRecords(equations.model().numbering)
       .values(displacement, records);
   }
 
-  double time_of_saved_state(const Records &records)
+  double time_of_saved_state(const CheckpointData &records)
   {
     return records.values(record, 4)[0];
   }
 
-  unsigned long step_of_saved_state(const Records &records)
+  unsigned long step_of_saved_state(const CheckpointData &records)
   {
     return records.values(record, 4)[1];
   }
 
-  double load_factor_of_saved_state(const Records &records)
+  double load_factor_of_saved_state(const CheckpointData &records)
   {
     return records.values(position, 3)[0];
   }
@@ -273,7 +274,7 @@ namespace auxfem
                     const MPI_Comm                communicator,
                     GeometryOffsets              &offsets)
     {
-      const RunToResume other =
+      const RestartedRun other =
         find_run_to_resume(definition.folder, communicator);
       if (numbering_text(other.parameters, definition.folder) !=
           numbering_text(run.scene.all_parameters, run.scene.file))

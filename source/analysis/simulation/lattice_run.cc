@@ -165,9 +165,9 @@ namespace auxfem
     recorder.serialize(solution, archive);
   }
 
-  Records LatticeRun::last_checkpoint(Recorder &recorder)
+  CheckpointData LatticeRun::last_checkpoint(Recorder &recorder)
   {
-    Records           taken;
+    CheckpointData    taken;
     CheckpointArchive archive =
       CheckpointArchive::saving(taken, model.numbering.layout());
     serialize(archive, recorder);
@@ -175,14 +175,14 @@ namespace auxfem
     return taken;
   }
 
-  Records LatticeRun::checkpoint(Recorder &recorder)
+  CheckpointData LatticeRun::checkpoint(Recorder &recorder)
   {
-    Records taken = last_checkpoint(recorder);
+    CheckpointData taken = last_checkpoint(recorder);
     stepper.restart(solution);
     return taken;
   }
 
-  void LatticeRun::resume(const Records &checkpoint, Recorder &recorder)
+  void LatticeRun::resume(const CheckpointData &checkpoint, Recorder &recorder)
   {
     CheckpointArchive archive =
       CheckpointArchive::restoring(checkpoint, model.numbering.layout());
@@ -219,7 +219,7 @@ namespace auxfem
 
   void LatticeRun::begin(Recorder &recorder, bool &has_begun)
   {
-    if (const Records *const checkpoint = recorder.goes_on_from())
+    if (const CheckpointData *const checkpoint = recorder.restart_checkpoint())
       {
         recorder.begin(equations);
         has_begun = true;
@@ -356,7 +356,7 @@ namespace auxfem
                         Recorder      &recorder)
   {
     RunPlan plan(scene);
-    if (const Records *const checkpoint = recorder.goes_on_from())
+    if (const CheckpointData *const checkpoint = recorder.restart_checkpoint())
       plan.restore(*checkpoint);
     else if (scene.discretization.tolerance)
       plan.elements = choose_elements(plan, communicator, recorder);

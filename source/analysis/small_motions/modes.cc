@@ -29,7 +29,7 @@ namespace auxfem
     using dealii::numbers::PI;
 
     /** What is told of modes, of whatever kind they are. */
-    struct ToldModes
+    struct ReportedModes
     {
       std::string              table, closing_words;
       std::vector<Finding>     findings;
@@ -142,17 +142,17 @@ namespace auxfem
       return text.str();
     }
 
-    ToldModes told(const NaturalModes &found, const LatticeRun &run)
+    ReportedModes told(const NaturalModes &found, const LatticeRun &run)
     {
-      ToldModes told{mode_table_text(found, run.lattice.dimension),
-                     closing_words(found.modes.size(),
-                                   found.is_counted,
-                                   "equal frequencies may be missing.",
-                                   run),
-                     findings(found),
-                     json_of(found),
-                     found.is_counted,
-                     {}};
+      ReportedModes told{mode_table_text(found, run.lattice.dimension),
+                         closing_words(found.modes.size(),
+                                       found.is_counted,
+                                       "equal frequencies may be missing.",
+                                       run),
+                         findings(found),
+                         json_of(found),
+                         found.is_counted,
+                         {}};
       if (run.scene.modes.damped)
         told.closing_words = words_on_damped(found) + told.closing_words;
       for (const NaturalMode &mode : found.modes)
@@ -160,7 +160,7 @@ namespace auxfem
       return told;
     }
 
-    ToldModes told(const ComplexModes &found, const LatticeRun &run)
+    ReportedModes told(const ComplexModes &found, const LatticeRun &run)
     {
       std::ostringstream closing;
       closing << "  The stiffness is not symmetric, as loads follow their "
@@ -171,28 +171,28 @@ namespace auxfem
               << run.work().factorizations << " factorizations, "
               << run.work().linear_solutions << " solutions by "
               << run.work().linear_solver;
-      ToldModes told{mode_table_text(found),
-                     closing.str(),
-                     findings(found),
-                     json_of(found),
-                     /*is_counted=*/false,
-                     {}};
+      ReportedModes told{mode_table_text(found),
+                         closing.str(),
+                         findings(found),
+                         json_of(found),
+                         /*is_counted=*/false,
+                         {}};
       for (const ComplexMode &mode : found.modes)
         told.pictures.push_back({mode.real, mode.s.imag(), &mode.imaginary});
       return told;
     }
 
-    ToldModes told(const BucklingModes &found, const LatticeRun &run)
+    ReportedModes told(const BucklingModes &found, const LatticeRun &run)
     {
-      ToldModes told{mode_table_text(found),
-                     closing_words(found.modes.size(),
-                                   found.is_counted,
-                                   "equal factors may be missing.",
-                                   run),
-                     findings(found),
-                     json_of(found),
-                     found.is_counted,
-                     {}};
+      ReportedModes told{mode_table_text(found),
+                         closing_words(found.modes.size(),
+                                       found.is_counted,
+                                       "equal factors may be missing.",
+                                       run),
+                         findings(found),
+                         json_of(found),
+                         found.is_counted,
+                         {}};
       for (const BucklingMode &mode : found.modes)
         told.pictures.push_back({mode.shape});
       return told;
@@ -211,7 +211,7 @@ namespace auxfem
     }
 
     Json json_of(const Scene                      &scene,
-                 const ToldModes                  &told,
+                 const ReportedModes              &told,
                  const std::optional<Relaxations> &relaxing)
     {
       Json summary = {{"modes", told.json},
@@ -379,11 +379,11 @@ namespace auxfem
         computation->run.add_effort(before);
         computation->find_modes();
       }
-    LatticeRun       &run   = computation->run;
-    const RunPlan    &plan  = run.model.plan;
-    const FoundModes &found = computation->found;
-    const MeshErrors &mesh  = computation->errors;
-    const ToldModes   told_modes =
+    LatticeRun         &run   = computation->run;
+    const RunPlan      &plan  = run.model.plan;
+    const FoundModes   &found = computation->found;
+    const MeshErrors   &mesh  = computation->errors;
+    const ReportedModes told_modes =
       std::visit([&](const auto &modes) { return told(modes, run); }, found);
     std::optional<Relaxations> relaxing;
     if (scene.analysis == Analysis::modes && scene.modes.relaxations > 0)

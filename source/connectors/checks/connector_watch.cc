@@ -32,11 +32,10 @@ namespace auxfem
         const auto &known  = shortenings.largest_here();
         for (unsigned int g = 0; g < groups.size(); ++g)
           {
-            const VanishingConnector found =
-              groups[g].forces->shortest(step,
-                                         *results.of_effects[groups[g].effect],
-                                         known ? 1 - known->size
-                                               : doubtful_length);
+            const VanishingConnector found = groups[g].forces->shortest(
+              step,
+              *results.effect_caches[groups[g].effect],
+              known ? 1 - known->size : doubtful_length);
             if (found.joint != invalid_index)
               shortenings.add({1 - found.part, step.to.time, found.joint, g});
           }

@@ -79,14 +79,14 @@ namespace auxfem
           pattern.register_blocks(connectors, &ConnectorEnds::unknowns);
       }
 
-      std::unique_ptr<EffectResults> make_results() const override
+      std::unique_ptr<EffectCache> make_results() const override
       {
         return std::make_unique<ConnectorResults>(connectors.size());
       }
 
       void add_residual(const Evaluation &evaluation,
                         double           *residual,
-                        EffectResults    *results) const override
+                        EffectCache      *results) const override
       {
         auto &cache = static_cast<ConnectorResults &>(*results);
         lines.find_motion(evaluation, cache);
@@ -104,14 +104,14 @@ namespace auxfem
       }
 
       void add_tangent(const Evaluation     &evaluation,
-                       const EffectResults  *results,
+                       const EffectCache    *results,
                        const TangentFactors &factors,
                        TangentMatrix        &matrix) const override
       {
         if (factors.stiffness == 0 && factors.damping == 0)
           return;
         const ConnectorResults &cache = connector_cache(*results);
-        if (evaluation.kind == Evaluation::Kind::between)
+        if (evaluation.kind == Evaluation::Kind::discrete_gradient)
           return add_mean_tangent(evaluation, cache, matrix);
         for (unsigned int i = 0; i < connectors.size(); ++i)
           {
@@ -142,7 +142,7 @@ namespace auxfem
         if (!lines.follow_ends)
           return;
         const auto in = [effect](const EvaluationResults &results) {
-          return &connector_cache(*results.of_effects[effect]);
+          return &connector_cache(*results.effect_caches[effect]);
         };
         const ConnectorResults &now    = *in(change.at_state),
                                &before = *in(change.at_from),
@@ -172,9 +172,9 @@ namespace auxfem
           }
       }
 
-      void add_relaxing_stiffness(const EffectResults *results,
-                                  const double         time,
-                                  TangentMatrix       &matrix) const override
+      void add_relaxing_stiffness(const EffectCache *results,
+                                  const double       time,
+                                  TangentMatrix     &matrix) const override
       {
         const std::map<double, double> relaxing = law->relaxing_stiffnesses();
         if (const auto found = relaxing.find(time); found != relaxing.end())
@@ -182,7 +182,7 @@ namespace auxfem
       }
 
       void add_viscous_stiffness(const Evaluation & /*evaluation*/,
-                                 const EffectResults       *results,
+                                 const EffectCache         *results,
                                  const std::complex<double> s,
                                  TangentMatrix             &real,
                                  TangentMatrix &imaginary) const override
@@ -195,9 +195,9 @@ namespace auxfem
         add_stiffness(stiffness.imag(), *results, imaginary);
       }
 
-      void account(const Evaluation    &evaluation,
-                   const EffectResults *results,
-                   EnergyAccount       &account) const override
+      void account(const Evaluation  &evaluation,
+                   const EffectCache *results,
+                   EnergyAccount     &account) const override
       {
         std::vector<double> rates(law->n_history());
         for (const unsigned int i : owned)
@@ -206,9 +206,9 @@ namespace auxfem
             continuous(i, evaluation.to, *results, rates.data()).stored);
       }
 
-      void account_step(const Evaluation    &step,
-                        const EffectResults *results,
-                        EnergyAccount       &account) const override
+      void account_step(const Evaluation  &step,
+                        const EffectCache *results,
+                        EnergyAccount     &account) const override
       {
         if (!law->is_viscous())
           return;
@@ -226,15 +226,16 @@ namespace auxfem
               continue;
             account.add_in_step(dissipated_entry, energy.dissipated);
             // Between two states the mean force does what is stored and lost.
-            if (account.takes_time() && step.kind != Evaluation::Kind::between)
+            if (account.takes_time() &&
+                step.kind != Evaluation::Kind::discrete_gradient)
               account.add_in_step(numerical_entry,
                                   taken(i, step, cache, energy));
           }
       }
 
-      void account_stage(const Evaluation    &stage,
-                         const EffectResults *results,
-                         EnergyAccount       &account) const override
+      void account_stage(const Evaluation  &stage,
+                         const EffectCache *results,
+                         EnergyAccount     &account) const override
       {
         if (!law->is_viscous())
           return;
@@ -255,9 +256,9 @@ namespace auxfem
         return law->is_viscous() ? StageNeeds::results : StageNeeds::state;
       }
 
-      void find_internal_rates(const State         &state,
-                               const EffectResults *results,
-                               double              *rates) const override
+      void find_internal_rates(const State       &state,
+                               const EffectCache *results,
+                               double            *rates) const override
       {
         if (law->n_history() > 0)
           for (unsigned int i = 0; i < connectors.size(); ++i)
@@ -267,9 +268,9 @@ namespace auxfem
                        rates + first_history + i * law->n_history());
       }
 
-      void raise_forces(const Evaluation & /*evaluation*/,
-                        const EffectResults *results,
-                        double              *forces) const override
+      void row_force_bounds(const Evaluation & /*evaluation*/,
+                            const EffectCache *results,
+                            double            *forces) const override
       {
         const ConnectorResults &cache = connector_cache(*results);
         for (unsigned int i = 0; i < connectors.size(); ++i)
@@ -277,10 +278,10 @@ namespace auxfem
             raise(forces, unknown, std::abs(cache.response[i].force));
       }
 
-      void raise_uncertain_forces(const Evaluation    &evaluation,
-                                  const EffectResults *results,
-                                  const LargestMotion &largest,
-                                  double              *forces) const override
+      void roundoff_force_bounds(const Evaluation    &evaluation,
+                                 const EffectCache   *results,
+                                 const LargestMotion &largest,
+                                 double              *forces) const override
       {
         const ConnectorResults &cache = connector_cache(*results);
         const double            rate  = evaluation.rates_are_differences()
@@ -294,12 +295,12 @@ namespace auxfem
                     cache.response[i].damping * rate);
       }
 
-      std::string why_not_finite(const Evaluation    &evaluation,
-                                 const EffectResults *results) const override
+      std::string nonfinite_reason(const Evaluation  &evaluation,
+                                   const EffectCache *results) const override
       {
-        return lines.why_not_finite(group_name,
-                                    evaluation.to.time,
-                                    connector_cache(*results));
+        return lines.nonfinite_reason(group_name,
+                                      evaluation.to.time,
+                                      connector_cache(*results));
       }
 
       const std::string &name() const override
@@ -307,9 +308,9 @@ namespace auxfem
         return group_name;
       }
 
-      VanishingConnector shortest(const Evaluation    &step,
-                                  const EffectResults &results,
-                                  const double         least) const override
+      VanishingConnector shortest(const Evaluation  &step,
+                                  const EffectCache &results,
+                                  const double       least) const override
       {
         VanishingConnector found{least, invalid_index};
         if (!lines.follow_ends)
@@ -334,9 +335,9 @@ namespace auxfem
         return owned.size();
       }
 
-      ConnectorReport report(const unsigned int   i,
-                             const State         &state,
-                             const EffectResults *results) const override
+      ConnectorReport report(const unsigned int i,
+                             const State       &state,
+                             const EffectCache *results) const override
       {
         const ConnectorResults &cache = connector_cache(*results);
         const unsigned int      c     = owned[i];
@@ -359,10 +360,10 @@ namespace auxfem
     private:
       /** The law of connector @p i as a differential equation, at @p state, of
        * which the @p results are. */
-      ContinuousResponse continuous(const unsigned int   i,
-                                    const State         &state,
-                                    const EffectResults &results,
-                                    double              *internal_rates) const
+      ContinuousResponse continuous(const unsigned int i,
+                                    const State       &state,
+                                    const EffectCache &results,
+                                    double            *internal_rates) const
       {
         const ConnectorMotion &motion = connector_cache(results).motion[i];
         return law->continuous(motion.extension,
@@ -379,7 +380,7 @@ namespace auxfem
         double *const internal = evaluation.to.history.data() + first_history;
         using Kind             = Evaluation::Kind;
         if (evaluation.kind != Kind::equilibrium)
-          return std::invoke(evaluation.kind == Kind::between
+          return std::invoke(evaluation.kind == Kind::discrete_gradient
                                ? &ConnectorLaw::evaluate_mean
                                : evaluation.kind == Kind::stage
                                ? &ConnectorLaw::evaluate_stage
@@ -450,9 +451,9 @@ namespace auxfem
       }
 
       /** Adds the stiffness @p k (N/m) along each connector. */
-      void add_stiffness(const double         k,
-                         const EffectResults &results,
-                         TangentMatrix       &matrix) const
+      void add_stiffness(const double       k,
+                         const EffectCache &results,
+                         TangentMatrix     &matrix) const
       {
         for (unsigned int i = 0; i < connectors.size(); ++i)
           {

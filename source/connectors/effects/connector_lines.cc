@@ -96,9 +96,9 @@ namespace auxfem
   }
 
   std::string
-  ConnectorLines::why_not_finite(const std::string      &group,
-                                 const double            time,
-                                 const ConnectorResults &results) const
+  ConnectorLines::nonfinite_reason(const std::string      &group,
+                                   const double            time,
+                                   const ConnectorResults &results) const
   {
     for (unsigned int i = 0; i < ends.size(); ++i)
       if (meet(ends[i], results.current_length[i]))
@@ -135,7 +135,8 @@ namespace auxfem
           direction = line / length;
         // L1^2 - L0^2 over L0 + L1: the extension in the step is the product of
         // this with the relative motion.
-        if (follow_ends && evaluation.kind == Evaluation::Kind::between)
+        if (follow_ends &&
+            evaluation.kind == Evaluation::Kind::discrete_gradient)
           {
             const dealii::Tensor<1, 3> before = of_one.line(from.displacement);
             direction = (before + line) / (before.norm() + length);
@@ -156,7 +157,7 @@ namespace auxfem
   {
     const ConnectorMotion &motion = results.motion[i];
     const double increment = motion.extension - motion.previous_extension;
-    if (evaluation.kind == Evaluation::Kind::between)
+    if (evaluation.kind == Evaluation::Kind::discrete_gradient)
       return increment / evaluation.dt;
     if (evaluation.kind != Evaluation::Kind::static_step)
       return results.direction[i] * results.velocity_difference[i];

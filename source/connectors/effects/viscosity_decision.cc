@@ -43,8 +43,8 @@ namespace auxfem
     std::optional<EffectMeasure>
     measure_connector_viscosity(const RunPlan &plan, const Lattice &lattice)
     {
-      const double     of_struts = softest_strut(plan, lattice);
-      const LoadCourse course    = load_course(plan);
+      const double      of_struts = softest_strut(plan, lattice);
+      const LoadHistory course    = load_history(plan);
       if (!(course.rate > 0))
         return EffectMeasure{0, "the connectors' stiffness"};
       double largest = 0;

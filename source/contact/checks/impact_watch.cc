@@ -255,7 +255,7 @@ namespace auxfem
                                               state),
               false,
               mine);
-        return of_all_ranks(mine, equations.unknowns().layout.communicator());
+        return over_all_ranks(mine, equations.unknowns().layout.communicator());
       }
 
       void end(const TouchingPair &pair, const Impact &impact)

@@ -51,7 +51,7 @@ namespace auxfem
 
       void add_residual(const Evaluation &evaluation,
                         double           *residual,
-                        EffectResults    *results) const override
+                        EffectCache      *results) const override
       {
         auto &points = static_cast<Results &>(*results).points;
         points       = touching(evaluation);
@@ -68,13 +68,14 @@ namespace auxfem
       }
 
       void add_tangent(const Evaluation     &evaluation,
-                       const EffectResults  *results,
+                       const EffectCache    *results,
                        const TangentFactors &factors,
                        TangentMatrix        &matrix) const override
       {
         if (factors.stiffness == 0 && factors.damping == 0)
           return;
-        const bool   is_between  = evaluation.kind == Evaluation::Kind::between;
+        const bool is_between =
+          evaluation.kind == Evaluation::Kind::discrete_gradient;
         const double by_position = is_between ? 1. : factors.stiffness,
                      by_velocity =
                        is_between ? 1. / evaluation.dt : factors.damping;
@@ -93,9 +94,9 @@ namespace auxfem
           }
       }
 
-      void raise_forces(const Evaluation & /*evaluation*/,
-                        const EffectResults *results,
-                        double              *forces) const override
+      void row_force_bounds(const Evaluation & /*evaluation*/,
+                            const EffectCache *results,
+                            double            *forces) const override
       {
         for (const PlateTouch &touch : points_of(results))
           add_to_unknowns(touch,
@@ -108,10 +109,10 @@ namespace auxfem
                           });
       }
 
-      void raise_uncertain_forces(const Evaluation & /*evaluation*/,
-                                  const EffectResults *results,
-                                  const LargestMotion &largest,
-                                  double              *forces) const override
+      void roundoff_force_bounds(const Evaluation & /*evaluation*/,
+                                 const EffectCache   *results,
+                                 const LargestMotion &largest,
+                                 double              *forces) const override
       {
         for (const PlateTouch &touch : points_of(results))
           {
@@ -133,12 +134,12 @@ namespace auxfem
           }
       }
 
-      bool may_touch() const override
+      bool has_contact_candidates() const override
       {
         return !near().empty();
       }
 
-      std::string why_not_acceptable(const Evaluation &step) const override
+      std::string rejection_reason(const Evaluation &step) const override
       {
         const auto found = proximity.first_too_deep(step);
         if (!found)
@@ -156,8 +157,8 @@ namespace auxfem
         return proximity.plates().size();
       }
 
-      std::vector<PlateReport> reports(const EffectResults &results,
-                                       const State &state) const override
+      std::vector<PlateReport> reports(const EffectCache &results,
+                                       const State       &state) const override
       {
         const std::vector<Vector3> displacements =
           proximity.plate_values(state.displacement);
@@ -183,7 +184,7 @@ namespace auxfem
         return of_plates;
       }
 
-      std::vector<ContactReport> contacts(const EffectResults &results,
+      std::vector<ContactReport> contacts(const EffectCache &results,
                                           const State &state) const override
       {
         std::vector<ContactReport> all;
@@ -329,7 +330,7 @@ namespace auxfem
           *proximity.plates()[plate].definition->surface;
         std::vector<AxisCurve> at_times = {
           curve_at(pair, evaluation.to.displacement)};
-        if (evaluation.kind == Evaluation::Kind::between)
+        if (evaluation.kind == Evaluation::Kind::discrete_gradient)
           at_times.push_back(curve_at(pair, evaluation.from.displacement));
         for (const PressingPoint &point : points_of_axes.pressing(
                axis,
@@ -349,9 +350,10 @@ namespace auxfem
                                       const std::vector<AxisCurve> &at_times,
                                       PlateTouch                    touch) const
       {
-        const bool    is_between = evaluation.kind == Evaluation::Kind::between;
-        const double  half       = axes[touch.axis].half_thickness;
-        const Vector3 to         = at_times[0].at(touch.point.parameter);
+        const bool is_between =
+          evaluation.kind == Evaluation::Kind::discrete_gradient;
+        const double  half = axes[touch.axis].half_thickness;
+        const Vector3 to   = at_times[0].at(touch.point.parameter);
         Vector3       from;
         touch.position      = to;
         touch.depth         = half - surface.distance(to);

@@ -365,7 +365,7 @@ namespace auxfem
     last_search = Search{accepted.displacement, -layout.largest(-clearance)};
     if (layout.n_ranks() == 1)
       return mine;
-    std::vector<PlatePair> all = of_all_ranks(mine, layout.communicator());
+    std::vector<PlatePair> all = over_all_ranks(mine, layout.communicator());
     std::sort(all.begin(), all.end());
     return all;
   }

@@ -50,7 +50,7 @@ namespace auxfem
 
       void add_residual(const Evaluation &evaluation,
                         double           *residual,
-                        EffectResults    *results) const override
+                        EffectCache      *results) const override
       {
         auto &points = static_cast<Results &>(*results).points;
         points       = touching(evaluation);
@@ -70,14 +70,15 @@ namespace auxfem
       }
 
       void add_tangent(const Evaluation     &evaluation,
-                       const EffectResults  *results,
+                       const EffectCache    *results,
                        const TangentFactors &factors,
                        TangentMatrix        &matrix) const override
       {
         const std::vector<StrutTouch> &points = points_of(results);
         if (points.empty() || (factors.stiffness == 0 && factors.damping == 0))
           return;
-        const bool is_between   = evaluation.kind == Evaluation::Kind::between;
+        const bool is_between =
+          evaluation.kind == Evaluation::Kind::discrete_gradient;
         const NearCurves    now = curves_at(evaluation.to);
         std::vector<double> block;
         for (const StrutTouch &touch : points)
@@ -101,30 +102,31 @@ namespace auxfem
             matrix.add(first_block + touch.pair, block.data());
           }
       }
-      void account_step(const Evaluation    &step,
-                        const EffectResults *results,
-                        EnergyAccount       &account) const override
+      void account_step(const Evaluation  &step,
+                        const EffectCache *results,
+                        EnergyAccount     &account) const override
       {
         ContactEffect::account_step(step, results, account);
-        if (step.kind == Evaluation::Kind::between && account.takes_time())
+        if (step.kind == Evaluation::Kind::discrete_gradient &&
+            account.takes_time())
           for (const StrutTouch &touch : points_of(results))
             if (is_owned(touch))
               account.add_in_step(numerical_entry, touch.missed);
       }
 
-      void raise_forces(const Evaluation & /*evaluation*/,
-                        const EffectResults *results,
-                        double              *forces) const override
+      void row_force_bounds(const Evaluation & /*evaluation*/,
+                            const EffectCache *results,
+                            double            *forces) const override
       {
         for (const StrutTouch &touch : points_of(results))
           for (const int unknown : coupled[touch.pair].unknowns)
             raise(forces, unknown, touch.force);
       }
 
-      void raise_uncertain_forces(const Evaluation & /*evaluation*/,
-                                  const EffectResults *results,
-                                  const LargestMotion &largest,
-                                  double              *forces) const override
+      void roundoff_force_bounds(const Evaluation & /*evaluation*/,
+                                 const EffectCache   *results,
+                                 const LargestMotion &largest,
+                                 double              *forces) const override
       {
         for (const StrutTouch &touch : points_of(results))
           for (const int unknown : coupled[touch.pair].unknowns)
@@ -133,12 +135,12 @@ namespace auxfem
                   touch.force + touch.slope * largest.displacement);
       }
 
-      bool may_touch() const override
+      bool has_contact_candidates() const override
       {
-        return proximity.may_touch();
+        return proximity.has_contact_candidates();
       }
 
-      std::string why_not_acceptable(const Evaluation &step) const override
+      std::string rejection_reason(const Evaluation &step) const override
       {
         const UnknownLayout &layout = model.numbering.layout();
         std::vector<double>  before, after;
@@ -168,7 +170,7 @@ namespace auxfem
         return proximity.overlaps();
       }
 
-      std::vector<ContactReport> contacts(const EffectResults &results,
+      std::vector<ContactReport> contacts(const EffectCache &results,
                                           const State &state) const override
       {
         std::vector<ContactReport> all;
@@ -241,7 +243,7 @@ namespace auxfem
         if (facing.empty())
           return points;
         const NearCurves now = curves_at(evaluation.to);
-        if (evaluation.kind == Evaluation::Kind::between)
+        if (evaluation.kind == Evaluation::Kind::discrete_gradient)
           {
             const NearCurves before = curves_at(evaluation.from);
             for (const FacingStrut &of_axis : facing)

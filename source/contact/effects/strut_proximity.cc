@@ -194,7 +194,7 @@ namespace auxfem
          pairs_that_meet(boxes, share_of_rank(layout, boxes.size())))
       if (curves.common_nodes(pair[0], pair[1]).empty() && !never_touch(pair))
         axes.insert(axes.end(), pair.begin(), pair.end());
-    axes = of_all_ranks(axes, layout.communicator());
+    axes = over_all_ranks(axes, layout.communicator());
     std::vector<AxisPair> pairs;
     for (std::size_t i = 0; i < axes.size(); i += 2)
       pairs.push_back({{axes[i], axes[i + 1]}});
@@ -272,7 +272,8 @@ namespace auxfem
     return true;
   }
 
-  bool StrutProximity::some_may_touch(const std::vector<double> &u) const
+  bool StrutProximity::any_rank_has_contact_candidates(
+    const std::vector<double> &u) const
   {
     for (std::size_t i = 0; i < near_pairs.size(); ++i)
       if (comes_near(near_pairs[i], near_gaps[i], u, 2 * unseen_motion()))
@@ -309,7 +310,7 @@ namespace auxfem
     look_at_pairs(u);
     look_at_connected(u);
     const bool has_changed = collect_near(u);
-    touches_soon           = some_may_touch(u);
+    touches_soon           = any_rank_has_contact_candidates(u);
     looked                 = u;
     return has_changed;
   }

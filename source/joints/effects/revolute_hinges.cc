@@ -64,7 +64,7 @@ namespace auxfem
 
       void add_residual(const Evaluation &evaluation,
                         double           *residual,
-                        EffectResults * /*results*/) const override
+                        EffectCache * /*results*/) const override
       {
         const State  &state = evaluation.to;
         const Vector &u     = state.displacement;
@@ -95,7 +95,7 @@ namespace auxfem
       }
 
       void add_tangent(const Evaluation &evaluation,
-                       const EffectResults * /*results*/,
+                       const EffectCache * /*results*/,
                        const TangentFactors &factors,
                        TangentMatrix        &matrix) const override
       {
@@ -137,9 +137,9 @@ namespace auxfem
           }
       }
 
-      void raise_forces(const Evaluation &evaluation,
-                        const EffectResults * /*results*/,
-                        double *forces) const override
+      void row_force_bounds(const Evaluation &evaluation,
+                            const EffectCache * /*results*/,
+                            double *forces) const override
       {
         const double *u = evaluation.to.displacement.data();
         for (const Hinge &hinge : hinges)
@@ -200,7 +200,8 @@ namespace auxfem
       Axes acting_axes(const Hinge &hinge, const Evaluation &evaluation) const
       {
         Axes result = axes(hinge, evaluation.to);
-        if (evaluation.kind != Evaluation::Kind::between || !large_rotation)
+        if (evaluation.kind != Evaluation::Kind::discrete_gradient ||
+            !large_rotation)
           return result;
         const Axes start = axes(hinge, evaluation.from);
         result.axis      = (start.axis + result.axis) / 2;

@@ -34,10 +34,10 @@ namespace auxfem
 
       void add_residual(const Evaluation &evaluation,
                         double           *residual,
-                        EffectResults * /*results*/) const override
+                        EffectCache * /*results*/) const override
       {
         const double *u = evaluation.to.displacement.data();
-        if (evaluation.kind == Evaluation::Kind::between)
+        if (evaluation.kind == Evaluation::Kind::discrete_gradient)
           {
             add_mean_moments(evaluation, residual);
             return;
@@ -52,7 +52,7 @@ namespace auxfem
       }
 
       void add_tangent(const Evaluation & /*evaluation*/,
-                       const EffectResults * /*results*/,
+                       const EffectCache * /*results*/,
                        const TangentFactors &factors,
                        TangentMatrix        &matrix) const override
       {
@@ -70,7 +70,7 @@ namespace auxfem
       }
 
       void account(const Evaluation &step,
-                   const EffectResults * /*results*/,
+                   const EffectCache * /*results*/,
                    EnergyAccount &account) const override
       {
         const double *u = step.to.displacement.data();
@@ -81,9 +81,9 @@ namespace auxfem
                           angle(spring, u));
       }
 
-      void raise_forces(const Evaluation &evaluation,
-                        const EffectResults * /*results*/,
-                        double *forces) const override
+      void row_force_bounds(const Evaluation &evaluation,
+                            const EffectCache * /*results*/,
+                            double *forces) const override
       {
         const double *u = evaluation.to.displacement.data();
         for (const RotationalSpring &spring : springs)
@@ -93,10 +93,10 @@ namespace auxfem
                   spring.stiffness * std::abs(angle(spring, u)));
       }
 
-      void raise_uncertain_forces(const Evaluation & /*evaluation*/,
-                                  const EffectResults * /*results*/,
-                                  const LargestMotion &largest,
-                                  double              *forces) const override
+      void roundoff_force_bounds(const Evaluation & /*evaluation*/,
+                                 const EffectCache * /*results*/,
+                                 const LargestMotion &largest,
+                                 double              *forces) const override
       {
         for (const RotationalSpring &spring : springs)
           for (const int unknown : spring.unknowns)
@@ -185,14 +185,14 @@ namespace auxfem
 
       void add_residual(const Evaluation &evaluation,
                         double           *residual,
-                        EffectResults * /*results*/) const override
+                        EffectCache * /*results*/) const override
       {
         for (unsigned int i = 0; i < springs.size(); ++i)
           {
             const Spring     &spring = springs[i];
             const SpaceVector turned = material_angle(i, evaluation),
-                              moment =
-                                evaluation.kind == Evaluation::Kind::between
+                              moment = evaluation.kind ==
+                Evaluation::Kind::discrete_gradient
               ? mean_moment(i, turned, evaluation)
               : spring.stiffness *
                 rotated(base_rotation(spring, evaluation.to), turned);
@@ -207,7 +207,7 @@ namespace auxfem
       }
 
       void add_tangent(const Evaluation &evaluation,
-                       const EffectResults * /*results*/,
+                       const EffectCache * /*results*/,
                        const TangentFactors &factors,
                        TangentMatrix        &matrix) const override
       {
@@ -248,7 +248,7 @@ namespace auxfem
       }
 
       void account(const Evaluation &step,
-                   const EffectResults * /*results*/,
+                   const EffectCache * /*results*/,
                    EnergyAccount &account) const override
       {
         for (unsigned int i = 0; i < springs.size(); ++i)
@@ -258,9 +258,9 @@ namespace auxfem
                           material_angle(i, step).norm_square());
       }
 
-      void raise_forces(const Evaluation &evaluation,
-                        const EffectResults * /*results*/,
-                        double *forces) const override
+      void row_force_bounds(const Evaluation &evaluation,
+                            const EffectCache * /*results*/,
+                            double *forces) const override
       {
         for (unsigned int i = 0; i < springs.size(); ++i)
           for (const int unknown : springs[i].unknowns)
@@ -269,10 +269,10 @@ namespace auxfem
                   springs[i].stiffness * material_angle(i, evaluation).norm());
       }
 
-      void raise_uncertain_forces(const Evaluation & /*evaluation*/,
-                                  const EffectResults * /*results*/,
-                                  const LargestMotion &largest,
-                                  double              *forces) const override
+      void roundoff_force_bounds(const Evaluation & /*evaluation*/,
+                                 const EffectCache * /*results*/,
+                                 const LargestMotion &largest,
+                                 double              *forces) const override
       {
         for (const Spring &spring : springs)
           for (const int unknown : spring.unknowns)

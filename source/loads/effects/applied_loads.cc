@@ -36,9 +36,9 @@ namespace auxfem
 
       void add_residual(const Evaluation &evaluation,
                         double           *residual,
-                        EffectResults * /*results*/) const override
+                        EffectCache * /*results*/) const override
       {
-        if (evaluation.kind == Evaluation::Kind::between)
+        if (evaluation.kind == Evaluation::Kind::discrete_gradient)
           {
             add_mean_loads(evaluation, residual);
             return;
@@ -64,7 +64,7 @@ namespace auxfem
       }
 
       void account_step(const Evaluation &step,
-                        const EffectResults * /*results*/,
+                        const EffectCache * /*results*/,
                         EnergyAccount &account) const override
       {
         // The mean force over the step times the displacement: exact for the
@@ -86,7 +86,7 @@ namespace auxfem
       }
 
       void account_stage(const Evaluation &stage,
-                         const EffectResults * /*results*/,
+                         const EffectCache * /*results*/,
                          EnergyAccount &account) const override
       {
         for (const Load &load : loads)
@@ -216,11 +216,11 @@ namespace auxfem
 
       void add_residual(const Evaluation & /*evaluation*/,
                         double * /*residual*/,
-                        EffectResults * /*results*/) const override
+                        EffectCache * /*results*/) const override
       {}
 
       void account_step(const Evaluation &step,
-                        const EffectResults * /*results*/,
+                        const EffectCache * /*results*/,
                         EnergyAccount &account) const override
       {
         for (unsigned int s = 0; s < entries.size(); ++s)
@@ -229,7 +229,7 @@ namespace auxfem
       }
 
       void account_stage(const Evaluation &stage,
-                         const EffectResults * /*results*/,
+                         const EffectCache * /*results*/,
                          EnergyAccount &account) const override
       {
         for (unsigned int s = 0; s < entries.size(); ++s)
@@ -294,7 +294,7 @@ namespace auxfem
       {
         if (step.impulses)
           return impulse_work(support, step);
-        if (step.kind == Evaluation::Kind::between)
+        if (step.kind == Evaluation::Kind::discrete_gradient)
           return mean_work(support, step);
         const DofNumbering &numbering  = model.numbering;
         const auto          mean_force = [&](const int unknown) {

@@ -57,9 +57,9 @@ namespace auxfem
 
       void add_residual(const Evaluation &evaluation,
                         double           *residual,
-                        EffectResults * /*results*/) const override
+                        EffectCache * /*results*/) const override
       {
-        if (evaluation.kind == Evaluation::Kind::between)
+        if (evaluation.kind == Evaluation::Kind::discrete_gradient)
           add_mean_loads(evaluation, residual);
         else
           subtract(
@@ -71,7 +71,7 @@ namespace auxfem
       }
 
       void add_tangent(const Evaluation &evaluation,
-                       const EffectResults * /*results*/,
+                       const EffectCache * /*results*/,
                        const TangentFactors &factors,
                        TangentMatrix        &matrix) const override
       {
@@ -107,7 +107,7 @@ namespace auxfem
       }
 
       void account_step(const Evaluation &step,
-                        const EffectResults * /*results*/,
+                        const EffectCache * /*results*/,
                         EnergyAccount &account) const override
       {
         // As for dead loads, by the mean of the forces over the step.
@@ -131,7 +131,7 @@ namespace auxfem
       }
 
       void account_stage(const Evaluation &stage,
-                         const EffectResults * /*results*/,
+                         const EffectCache * /*results*/,
                          EnergyAccount &account) const override
       {
         for (const Load &load : loads)

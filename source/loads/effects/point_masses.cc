@@ -37,7 +37,7 @@ namespace auxfem
 
       void add_residual(const Evaluation &evaluation,
                         double           *residual,
-                        EffectResults * /*results*/) const override
+                        EffectCache * /*results*/) const override
       {
         const double *a = evaluation.to.acceleration->data();
         for (const PointMass &mass : masses)
@@ -45,7 +45,7 @@ namespace auxfem
       }
 
       void add_tangent(const Evaluation & /*evaluation*/,
-                       const EffectResults * /*results*/,
+                       const EffectCache * /*results*/,
                        const TangentFactors &factors,
                        TangentMatrix        &matrix) const override
       {
@@ -103,14 +103,14 @@ namespace auxfem
 
       void add_residual(const Evaluation &evaluation,
                         double           *residual,
-                        EffectResults * /*results*/) const override
+                        EffectCache * /*results*/) const override
       {
         for (const RotaryMass &mass : masses)
           {
             const RotaryInertia::Motion now = motion(mass, evaluation.to);
             const SpaceVector inertial      = mass.inertia * now.acceleration;
             const SpaceVector torque        = !large_rotation ? inertial
-                     : evaluation.kind == Evaluation::Kind::between
+                     : evaluation.kind == Evaluation::Kind::discrete_gradient
                      ? mean_torque(mass, evaluation)
                      : RotaryInertia::torque(mass.inertia,
                                       evaluation.to.rotations[mass.rotation],
@@ -123,7 +123,7 @@ namespace auxfem
       }
 
       void add_tangent(const Evaluation &evaluation,
-                       const EffectResults * /*results*/,
+                       const EffectCache * /*results*/,
                        const TangentFactors &factors,
                        TangentMatrix        &matrix) const override
       {
@@ -133,7 +133,7 @@ namespace auxfem
             if (large_rotation)
               {
                 const unsigned int rotation = masses[i].rotation;
-                if (evaluation.kind == Evaluation::Kind::between)
+                if (evaluation.kind == Evaluation::Kind::discrete_gradient)
                   block = mean_tangent(masses[i], evaluation, factors);
                 else
                   {
@@ -155,9 +155,9 @@ namespace auxfem
           }
       }
 
-      void raise_forces(const Evaluation &evaluation,
-                        const EffectResults * /*results*/,
-                        double *forces) const override
+      void row_force_bounds(const Evaluation &evaluation,
+                            const EffectCache * /*results*/,
+                            double *forces) const override
       {
         // A body that spins freely has torques that cancel, and no others.
         for (const RotaryMass &mass : masses)
@@ -252,7 +252,7 @@ namespace auxfem
 
       void add_residual(const Evaluation &evaluation,
                         double           *residual,
-                        EffectResults * /*results*/) const override
+                        EffectCache * /*results*/) const override
       {
         const double *a = evaluation.to.acceleration->data();
         for_each([&](const auto &body) {
@@ -264,7 +264,7 @@ namespace auxfem
       }
 
       void add_tangent(const Evaluation & /*evaluation*/,
-                       const EffectResults * /*results*/,
+                       const EffectCache * /*results*/,
                        const TangentFactors &factors,
                        TangentMatrix        &matrix) const override
       {

@@ -74,7 +74,7 @@ namespace auxfem
                                 const Evaluation &evaluation)
     {
       SpaceVector turn;
-      if (evaluation.kind != Evaluation::Kind::rates)
+      if (evaluation.kind != Evaluation::Kind::consistent_rates)
         for (unsigned int c = 0; c < 3; ++c)
           {
             const TimeFunction &angle = support.motion[first_rotation + c];
@@ -206,7 +206,7 @@ namespace auxfem
                                  evaluation);
       }
     rotations.follow(evaluation);
-    if (evaluation.kind == Evaluation::Kind::between)
+    if (evaluation.kind == Evaluation::Kind::discrete_gradient)
       set_mean_accelerations(model, evaluation);
   }
 

@@ -78,7 +78,8 @@ namespace auxfem
                                      const Evaluation &evaluation) const
   {
     const double *u1 = evaluation.to.displacement.data();
-    if (evaluation.kind != Evaluation::Kind::between || !large_rotation)
+    if (evaluation.kind != Evaluation::Kind::discrete_gradient ||
+        !large_rotation)
       return gradient(clamp, u1);
     // With the mean of the normals, e_1 . d_1 - e_0 . d_0 is that times the
     // increment of d, plus the turned mean times the mean of d and the

@@ -44,14 +44,14 @@ namespace auxfem
 
       void add_residual(const Evaluation &evaluation,
                         double           *residual,
-                        EffectResults * /*results*/) const override
+                        EffectCache * /*results*/) const override
       {
         for (const auto &group : groups)
           group->add_residual(evaluation, residual, nullptr);
       }
 
       void add_tangent(const Evaluation &evaluation,
-                       const EffectResults * /*results*/,
+                       const EffectCache * /*results*/,
                        const TangentFactors &factors,
                        TangentMatrix        &matrix) const override
       {
@@ -59,12 +59,12 @@ namespace auxfem
           group->add_tangent(evaluation, nullptr, factors, matrix);
       }
 
-      void raise_forces(const Evaluation &evaluation,
-                        const EffectResults * /*results*/,
-                        double *forces) const override
+      void row_force_bounds(const Evaluation &evaluation,
+                            const EffectCache * /*results*/,
+                            double *forces) const override
       {
         for (const auto &group : groups)
-          group->raise_forces(evaluation, nullptr, forces);
+          group->row_force_bounds(evaluation, nullptr, forces);
       }
 
       void find_rates(const State &state, double *rates) const override

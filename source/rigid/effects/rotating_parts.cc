@@ -65,7 +65,7 @@ namespace auxfem
 
       void add_residual(const Evaluation &evaluation,
                         double           *residual,
-                        EffectResults * /*results*/) const override
+                        EffectCache * /*results*/) const override
       {
         const Vector &u = evaluation.to.displacement;
         for (const Joint &joint : joints)
@@ -89,7 +89,7 @@ namespace auxfem
       }
 
       void add_tangent(const Evaluation &evaluation,
-                       const EffectResults * /*results*/,
+                       const EffectCache * /*results*/,
                        const TangentFactors &factors,
                        TangentMatrix        &matrix) const override
       {
@@ -125,9 +125,9 @@ namespace auxfem
           }
       }
 
-      void raise_forces(const Evaluation &evaluation,
-                        const EffectResults * /*results*/,
-                        double *forces) const override
+      void row_force_bounds(const Evaluation &evaluation,
+                            const EffectCache * /*results*/,
+                            double *forces) const override
       {
         const Vector &u = evaluation.to.displacement;
         for (const Joint &joint : joints)
@@ -250,7 +250,7 @@ namespace auxfem
       SpaceVector lever(const Joint &joint, const Evaluation &evaluation) const
       {
         const SpaceVector end = arm(joint, evaluation.to);
-        return evaluation.kind == Evaluation::Kind::between
+        return evaluation.kind == Evaluation::Kind::discrete_gradient
           ? (arm(joint, evaluation.from) + end) / 2
           : end;
       }

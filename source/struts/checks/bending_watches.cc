@@ -48,7 +48,7 @@ namespace auxfem
           if (model.numbering.elements()[e].is_owned)
             add_element(e,
                         step.to,
-                        *results.of_effects[group.effect],
+                        *results.effect_caches[group.effect],
                         energies);
         energies = model.numbering.layout().sum(energies);
         missing += energies[0];
@@ -80,7 +80,7 @@ namespace auxfem
       /** Adds to the energies that are missed and that are there (J). */
       void add_element(const unsigned int   e,
                        const State         &state,
-                       const EffectResults &results,
+                       const EffectCache   &results,
                        std::vector<double> &energies) const
       {
         const StrutInterval &interval = model.numbering.elements()[e].interval;

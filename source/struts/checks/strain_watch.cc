@@ -91,7 +91,7 @@ namespace auxfem
             const auto       &known = beyond.largest_here();
             const StrutStrain found =
               group.forces->largest_strain(step.to,
-                                           *results.of_effects[group.effect],
+                                           *results.effect_caches[group.effect],
                                            limits,
                                            known ? known->size : 1.);
             if (found.strut != invalid_index)

@@ -52,9 +52,10 @@ namespace auxfem
     return struts;
   }
 
-  HeldStruts::HeldStruts(const LatticeModel        &model,
-                         std::vector<StrutDivision> divisions,
-                         std::vector<unsigned int>  struts)
+  ClampedStrutProblems::ClampedStrutProblems(
+    const LatticeModel        &model,
+    std::vector<StrutDivision> divisions,
+    std::vector<unsigned int>  struts)
     : large_rotation(model.plan.simulated.large_rotation)
     , counted(std::move(struts))
     , lattice(apart(model.lattice, counted))
@@ -97,7 +98,8 @@ namespace auxfem
     state = std::make_unique<State>(numbering.layout().n_local(), layout);
   }
 
-  void HeldStruts::move(const unsigned int strut, const StrutMotion &motion)
+  void ClampedStrutProblems::move(const unsigned int strut,
+                                  const StrutMotion &motion)
   {
     const unsigned int first = first_element[strut];
     instants[strut]          = motion.time;
@@ -107,7 +109,7 @@ namespace auxfem
                         *state);
   }
 
-  StrutMotion HeldStruts::motion(const unsigned int strut) const
+  StrutMotion ClampedStrutProblems::motion(const unsigned int strut) const
   {
     StrutMotion result =
       motion_of_strut(numbering, *state, first_element[strut]);
@@ -115,7 +117,8 @@ namespace auxfem
     return result;
   }
 
-  const StrutForces &HeldStruts::forces_of(const unsigned int element) const
+  const StrutForces &
+  ClampedStrutProblems::forces_of(const unsigned int element) const
   {
     const auto group =
       std::find_if(forces.begin(), forces.end(), [=](const auto &candidate) {
@@ -124,7 +127,7 @@ namespace auxfem
     return **group;
   }
 
-  void HeldStruts::add_loads()
+  void ClampedStrutProblems::add_loads()
   {
     if (loads.empty())
       return;
@@ -136,7 +139,7 @@ namespace auxfem
         state->time = instant;
         std::vector<double> now(residual.size(), 0.);
         for (const auto &effect : loads)
-          effect->add_residual(Evaluation::rates(*state, *state),
+          effect->add_residual(Evaluation::consistent_rates(*state, *state),
                                now.data(),
                                nullptr);
         for (unsigned int e = 0; e < numbering.elements().size(); ++e)
@@ -151,9 +154,9 @@ namespace auxfem
       }
   }
 
-  void HeldStruts::find_residual()
+  void ClampedStrutProblems::find_residual()
   {
-    const Evaluation evaluation = Evaluation::rates(*state, *state);
+    const Evaluation evaluation = Evaluation::consistent_rates(*state, *state);
     residual.assign(numbering.layout().n_local(), 0.);
     for (unsigned int i = 0; i < forces.size(); ++i)
       forces[i]->add_residual(evaluation, residual.data(), results[i].get());
@@ -162,9 +165,9 @@ namespace auxfem
     add_loads();
   }
 
-  std::optional<double> HeldStruts::correct()
+  std::optional<double> ClampedStrutProblems::correct()
   {
-    const Evaluation evaluation = Evaluation::rates(*state, *state);
+    const Evaluation evaluation = Evaluation::consistent_rates(*state, *state);
     tangent->reset();
     for (unsigned int i = 0; i < forces.size(); ++i)
       forces[i]->add_tangent(evaluation, results[i].get(), {}, *tangent);
@@ -191,7 +194,7 @@ namespace auxfem
     return sum;
   }
 
-  bool HeldStruts::settle()
+  bool ClampedStrutProblems::settle()
   {
     // Between its Gauss points a motion of low order has strains that are none
     // of its own: the first step removes these, others what they caused.
@@ -210,7 +213,7 @@ namespace auxfem
     return std::isfinite(strain_energy());
   }
 
-  void HeldStruts::advance(std::vector<double> &increment)
+  void ClampedStrutProblems::advance(std::vector<double> &increment)
   {
     constexpr unsigned int most_halvings = 5;
     shorten(increment);
@@ -240,15 +243,15 @@ namespace auxfem
       }
   }
 
-  double HeldStruts::out_of_balance(const unsigned int strut) const
+  double ClampedStrutProblems::out_of_balance(const unsigned int strut) const
   {
     return last_work[strut] > round_off * strain_energy() ? last_work[strut]
                                                           : 0.;
   }
 
   template <class Act>
-  void HeldStruts::for_each_unknown(const unsigned int strut,
-                                    const Act         &act) const
+  void ClampedStrutProblems::for_each_unknown(const unsigned int strut,
+                                              const Act         &act) const
   {
     // What the second ends of elements and their insides have is all that is
     // not held, each once.
@@ -261,8 +264,9 @@ namespace auxfem
             numbering.components()[i % n_components]);
   }
 
-  double HeldStruts::work_on(const unsigned int         strut,
-                             const std::vector<double> &increment) const
+  double
+  ClampedStrutProblems::work_on(const unsigned int         strut,
+                                const std::vector<double> &increment) const
   {
     double sum = 0;
     for_each_unknown(strut, [&](const int unknown, unsigned int) {
@@ -271,7 +275,7 @@ namespace auxfem
     return sum;
   }
 
-  void HeldStruts::shorten(std::vector<double> &increment) const
+  void ClampedStrutProblems::shorten(std::vector<double> &increment) const
   {
     // From a motion of low order a strut that is bent by a right angle would
     // be thrown far off at once; so the path to its equilibrium is short.
@@ -292,7 +296,7 @@ namespace auxfem
       }
   }
 
-  void HeldStruts::apply(const std::vector<double> &increment)
+  void ClampedStrutProblems::apply(const std::vector<double> &increment)
   {
     for (unsigned int i = 0; i < increment.size(); ++i)
       state->displacement[i] += increment[i];
@@ -303,7 +307,8 @@ namespace auxfem
                    state->rotations[i]);
   }
 
-  HeldStruts::EndForces HeldStruts::second_end(const unsigned int strut) const
+  ClampedStrutProblems::EndForces
+  ClampedStrutProblems::second_end(const unsigned int strut) const
   {
     const unsigned int last = first_element[strut] + n_elements(strut) - 1;
     const int *const   unknowns =
@@ -319,8 +324,9 @@ namespace auxfem
     return result;
   }
 
-  double HeldStruts::difference(const unsigned int strut,
-                                const HeldStruts  &other) const
+  double
+  ClampedStrutProblems::difference(const unsigned int          strut,
+                                   const ClampedStrutProblems &other) const
   {
     // Simpson's rule is exact for the square of a linear moment.
     constexpr double  weights[] = {1. / 6, 4. / 6, 1. / 6};
@@ -351,7 +357,7 @@ namespace auxfem
     return sum * lattice.length(lattice.struts[strut]) / n;
   }
 
-  double HeldStruts::strain_energy() const
+  double ClampedStrutProblems::strain_energy() const
   {
     double sum = 0;
     for (const auto &of_group : results)

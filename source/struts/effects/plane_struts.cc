@@ -68,7 +68,7 @@ namespace auxfem
       }
 
       template <class Number>
-      AUXFEM_ONE_PIECE static BeamEnergyOf<Number>
+      AUXFEM_FLATTEN static BeamEnergyOf<Number>
       internal_force(const BeamShape<order> &shape,
                      const AtRestOf<Number> &at_rest,
                      const MotionOf<Number> &motion,
@@ -95,11 +95,11 @@ namespace auxfem
         return motion(numbering, unknowns, evaluation.to);
       }
 
-      AUXFEM_ONE_PIECE static void tangent(const BeamShape<order> &shape,
-                                           const AtRestOf<Lanes>  &at_rest,
-                                           const MotionOf<Lanes>  &motion,
-                                           const TangentFactors   &factors,
-                                           Lanes                  *block)
+      AUXFEM_FLATTEN static void tangent(const BeamShape<order> &shape,
+                                         const AtRestOf<Lanes>  &at_rest,
+                                         const MotionOf<Lanes>  &motion,
+                                         const TangentFactors   &factors,
+                                         Lanes                  *block)
       {
         Beam2D::tangent<order, large_rotation, damped>(shape,
                                                        at_rest.frames,
@@ -168,7 +168,7 @@ namespace auxfem
       }
 
       template <class HighFrequencyDamping>
-      AUXFEM_ONE_PIECE static Beam2D::StepEnergyOf<Lanes>
+      AUXFEM_FLATTEN static Beam2D::StepEnergyOf<Lanes>
       mean_force(const BeamShape<order>     &shape,
                  const AtRestOf<Lanes>      &at_rest,
                  const StepStart            &start,
@@ -278,7 +278,7 @@ namespace auxfem
       }
 
       template <class Number, std::size_t n_motions>
-      AUXFEM_ONE_PIECE static void
+      AUXFEM_FLATTEN static void
       viscous_forces(const BeamShape<order> &shape,
                      const AtRestOf<Number> &at_rest,
                      const MotionOf<Number> (&motions)[n_motions],

@@ -52,7 +52,7 @@ namespace auxfem
 
       void add_residual(const Evaluation &evaluation,
                         double           *residual,
-                        EffectResults * /*results*/) const override
+                        EffectCache * /*results*/) const override
       {
         const double        *accelerations = evaluation.to.acceleration->data();
         const DampedVelocity velocities(evaluation);
@@ -75,7 +75,7 @@ namespace auxfem
             if (!rotary)
               continue;
             if constexpr (large_rotation)
-              if (evaluation.kind == Evaluation::Kind::between)
+              if (evaluation.kind == Evaluation::Kind::discrete_gradient)
                 {
                   add_mean_torques(e, evaluation, alpha, residual);
                   continue;
@@ -92,7 +92,7 @@ namespace auxfem
       }
 
       void add_tangent(const Evaluation &evaluation,
-                       const EffectResults * /*results*/,
+                       const EffectCache * /*results*/,
                        const TangentFactors &factors,
                        TangentMatrix        &matrix) const override
       {
@@ -288,7 +288,7 @@ namespace auxfem
             node_rotations.increment_by_spin(evaluation,
                                              numbering.rotations().with(
                                                unknowns[n_components * i + 3]));
-        if (evaluation.kind == Evaluation::Kind::between)
+        if (evaluation.kind == Evaluation::Kind::discrete_gradient)
           {
             // Those of the end, see RotaryInertia::mean_torque().
             const double turning = factors.stiffness *

@@ -72,7 +72,7 @@ namespace auxfem
       }
 
       template <class Number>
-      AUXFEM_ONE_PIECE static BeamEnergyOf<Number>
+      AUXFEM_FLATTEN static BeamEnergyOf<Number>
       internal_force(const BeamShape<order> &shape,
                      const AtRestOf<Number> &at_rest,
                      const MotionOf<Number> &motion,
@@ -321,7 +321,7 @@ namespace auxfem
       }
 
       template <class Number, std::size_t n_motions>
-      AUXFEM_ONE_PIECE static void
+      AUXFEM_FLATTEN static void
       viscous_forces(const BeamShape<order> &shape,
                      const AtRestOf<Number> &at_rest,
                      const MotionOf<Number> (&motions)[n_motions],

@@ -161,9 +161,9 @@ namespace auxfem
     std::optional<EffectMeasure> measure_strut_damping(const RunPlan &plan,
                                                        const Lattice & /**/)
     {
-      const LoadCourse course       = load_course(plan);
-      const bool       moves        = plan.time.scheme->is_dynamic();
-      double           of_stiffness = 0, of_mass = 0;
+      const LoadHistory course       = load_history(plan);
+      const bool        moves        = plan.time.scheme->is_dynamic();
+      double            of_stiffness = 0, of_mass = 0;
       for (const SectionDefinition &definition : plan.scene.sections)
         {
           of_stiffness =

@@ -34,7 +34,7 @@ namespace auxfem
 
       void add_residual(const Evaluation &evaluation,
                         double           *residual,
-                        EffectResults * /*results*/) const override
+                        EffectCache * /*results*/) const override
       {
         if constexpr (damped)
           add_forces(evaluation.to.acceleration->data(),
@@ -45,7 +45,7 @@ namespace auxfem
       }
 
       void add_tangent(const Evaluation & /*evaluation*/,
-                       const EffectResults * /*results*/,
+                       const EffectCache * /*results*/,
                        const TangentFactors &factors,
                        TangentMatrix        &matrix) const override
       {
@@ -167,7 +167,7 @@ namespace auxfem
   StrutInertia::DampedVelocity::DampedVelocity(const Evaluation &evaluation)
     : evaluation(evaluation)
   {
-    if (evaluation.kind != Evaluation::Kind::between)
+    if (evaluation.kind != Evaluation::Kind::discrete_gradient)
       return;
     const double *before = evaluation.from.velocity->data(),
                  *now    = evaluation.to.velocity->data();
@@ -182,7 +182,7 @@ namespace auxfem
   }
 
   void StrutInertia::account_step(const Evaluation & /*step*/,
-                                  const EffectResults * /*results*/,
+                                  const EffectCache * /*results*/,
                                   EnergyAccount &account) const
   {
     if (!is_damped || !account.takes_time())
@@ -198,7 +198,7 @@ namespace auxfem
   }
 
   void StrutInertia::account_stage(const Evaluation &stage,
-                                   const EffectResults * /*results*/,
+                                   const EffectCache * /*results*/,
                                    EnergyAccount &account) const
   {
     if (is_damped)

@@ -182,7 +182,7 @@ namespace auxfem
       {"kept", "every iteration"},
       "Keep a factorization as long as it serves, or full Newton."};
     const Quantity kept_reduction = {
-      "Kept reduction",
+      "Jacobian reuse threshold",
       "5",
       "1",
       {1, std::numeric_limits<double>::infinity(), true, false},

@@ -399,8 +399,8 @@ TEST(OrderChoiceOnRanks, RunThatIsResumedGoesOnAlike)
           const StepReport report = run.advance(first);
           first.step(run.solution, report);
         }
-      const Records checkpoint = run.checkpoint(first);
-      const auto    whole      = end_of(first, run);
+      const CheckpointData checkpoint = run.checkpoint(first);
+      const auto           whole      = end_of(first, run);
 
       MemoryRecorder second(scene, MPI_COMM_WORLD);
       LatticeRun     resumed(plan, MPI_COMM_WORLD);

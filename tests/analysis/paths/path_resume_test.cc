@@ -172,8 +172,8 @@ TEST(PathResume, MayHaveAnotherNumberOfRanks)
   const FollowedPath::Checkpoint &middle =
     whole.checkpoints[whole.checkpoints.size() / 2];
   // As RunCheckpoints reads those of several ranks.
-  Records all;
-  for (const Records &of_rank :
+  CheckpointData all;
+  for (const CheckpointData &of_rank :
        dealii::Utilities::MPI::all_gather(MPI_COMM_WORLD, middle.records))
     all.add(of_rank);
   const FollowedPath later(star().str(), settings, MPI_COMM_SELF, &all);

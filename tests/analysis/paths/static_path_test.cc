@@ -259,7 +259,7 @@ TEST(StaticPath, LeavesABranchToEitherSide)
   const auto sway = [&](const char *branch, const char *opposite) {
     const FollowedPath path(scene.str(),
                             {std::string("Path/Branch=") + branch,
-                             std::string("Path/Opposite side=") + opposite});
+                             std::string("Path/Reverse branch=") + opposite});
     EXPECT_EQ(path.points.back().load_factor, 1.);
     EXPECT_EQ(path.points.back().n_negative, branch[0] == '0' ? 1u : 0u);
     return path.points.back().motions[1][0];

@@ -81,12 +81,12 @@ namespace
 
   struct InFolder : Recorded<Recorder>
   {
-    explicit InFolder(const Scene           &scene,
-                      std::optional<Records> goes_on_from = {})
+    explicit InFolder(const Scene                  &scene,
+                      std::optional<CheckpointData> restart_checkpoint = {})
       : Recorded(scene,
                  make_run_output(scene,
                                  MPI_COMM_WORLD,
-                                 {{}, {}, std::move(goes_on_from)}))
+                                 {{}, {}, std::move(restart_checkpoint)}))
     {}
   };
 
@@ -125,9 +125,9 @@ namespace
     InMemory whole(scene);
     whole.start();
     Course course;
-    course.retries[0]        = whole.steps(n_first);
-    const Records checkpoint = whole.run.checkpoint(whole.recorder);
-    course.retries[1]        = whole.steps(n_steps - n_first);
+    course.retries[0]               = whole.steps(n_first);
+    const CheckpointData checkpoint = whole.run.checkpoint(whole.recorder);
+    course.retries[1]               = whole.steps(n_steps - n_first);
 
     InMemory second(scene);
     second.run.resume(checkpoint, second.recorder);
@@ -357,7 +357,7 @@ TEST(Checkpoint, AFolderIsContinuedByRowsFilesAndLargestValues)
   whole.run.checkpoint(whole.recorder);
   whole.steps(5);
   whole.finish();
-  Records checkpoint;
+  CheckpointData checkpoint;
   {
     // What is written after the checkpoint is lost.
     InFolder first(first_scene);
@@ -369,7 +369,7 @@ TEST(Checkpoint, AFolderIsContinuedByRowsFilesAndLargestValues)
   EXPECT_EQ(rows_in(folder + "_halves").size(), 2u); // at 0 and 0.27 s
   InFolder second(first_scene, checkpoint);
   second.run.resume(checkpoint, second.recorder);
-  EXPECT_EQ(second.recorder.goes_on_from(), nullptr);
+  EXPECT_EQ(second.recorder.restart_checkpoint(), nullptr);
   second.steps(5);
   second.finish();
   testing::internal::GetCapturedStdout();

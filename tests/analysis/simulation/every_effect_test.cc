@@ -124,14 +124,14 @@ namespace
       sum += std::abs(value);
 
     Vector forces(ones.size(), 0.);
-    equations.raise_forces(evaluation, results, forces.data());
+    equations.row_force_bounds(evaluation, results, forces.data());
     for (const double force : forces)
       EXPECT_TRUE(std::isfinite(force));
     EXPECT_TRUE(std::isfinite(equations.round_off_floor(evaluation, results)));
     for (const double value : equations.load_derivative(evaluation))
       EXPECT_TRUE(std::isfinite(value));
-    EXPECT_EQ(equations.why_not_finite(evaluation, results), "");
-    equations.why_not_acceptable(evaluation);
+    EXPECT_EQ(equations.nonfinite_reason(evaluation, results), "");
+    equations.rejection_reason(evaluation);
     if (evaluation.kind == Evaluation::Kind::equilibrium)
       {
         equations.dynamic_stiffness(evaluation,
@@ -171,7 +171,7 @@ namespace
         EXPECT_TRUE(
           std::isfinite(group.forces
                           ->largest_strain(evaluation.to,
-                                           *results.of_effects[group.effect],
+                                           *results.effect_caches[group.effect],
                                            limits,
                                            0.)
                           .ratio));
@@ -199,16 +199,16 @@ namespace
           return Evaluation::step(from, to, dt);
         case Kind::stage:
           return Evaluation::stage(from, to, dt, dt);
-        case Kind::between:
-          return Evaluation::between(from, to, dt);
+        case Kind::discrete_gradient:
+          return Evaluation::discrete_gradient(from, to, dt);
         case Kind::static_step:
           return Evaluation::static_step(from, to, dt);
         case Kind::equilibrium:
           return Evaluation::equilibrium(from, to);
-        case Kind::rates:
+        case Kind::consistent_rates:
           break;
       }
-    return Evaluation::rates(from, to);
+    return Evaluation::consistent_rates(from, to);
   }
 
   /** At a state where everything moves, turns and touches. */
@@ -223,7 +223,7 @@ namespace
     of_scene.equations.update_couplings(from);
     of_scene.results = of_scene.equations.make_results();
     State to         = from;
-    to.time          = kind == Kind::rates ? 0. : 0.1;
+    to.time          = kind == Kind::consistent_rates ? 0. : 0.1;
     fill_by_position(of_scene.model, 0.02, to.displacement);
     rotations.follow(evaluation_of(kind, from, to));
     for (std::optional<Vector> *rates : {&to.velocity, &to.acceleration})
@@ -235,10 +235,10 @@ namespace
   /** The kinds that a scheme brings about. */
   std::vector<Kind> kinds_of(const std::string &scheme)
   {
-    std::vector<Kind> kinds = {Kind::equilibrium, Kind::rates};
+    std::vector<Kind> kinds = {Kind::equilibrium, Kind::consistent_rates};
     kinds.push_back(scheme == "static"              ? Kind::static_step
                       : scheme == "esdirk"          ? Kind::stage
-                      : scheme == "energy-momentum" ? Kind::between
+                      : scheme == "energy-momentum" ? Kind::discrete_gradient
                                                     : Kind::step);
     return kinds;
   }

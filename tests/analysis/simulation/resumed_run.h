@@ -21,9 +21,9 @@ namespace auxfem
     {
     public:
       /** @param former checkpoint that the run goes on from; nullptr: none */
-      CheckpointRecorder(const Scene         &scene,
-                         const MPI_Comm       communicator,
-                         const Records *const former)
+      CheckpointRecorder(const Scene                &scene,
+                         const MPI_Comm              communicator,
+                         const CheckpointData *const former)
         : MemoryRecorder(scene, communicator)
         , former(former)
       {}
@@ -35,7 +35,7 @@ namespace auxfem
         MemoryRecorder::begin(equations);
       }
 
-      const Records *goes_on_from() const override
+      const CheckpointData *restart_checkpoint() const override
       {
         return former;
       }
@@ -48,21 +48,21 @@ namespace auxfem
           former = nullptr;
       }
 
-      void take(Records records) override
+      void take(CheckpointData records) override
       {
         checkpoints.push_back({std::move(records), rows().size()});
       }
 
       struct Checkpoint
       {
-        Records     records;
-        std::size_t n_rows;
+        CheckpointData records;
+        std::size_t    n_rows;
       };
 
       std::vector<Checkpoint> checkpoints;
 
     private:
-      const Records *former;
+      const CheckpointData *former;
     };
 
     /** A result with all rows from the first step on. */

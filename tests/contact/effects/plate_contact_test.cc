@@ -39,14 +39,16 @@ TEST(PlateContact, TangentIsTheDerivativeOfTheForces)
 {
   for (const ContactCase &of_case : contact_cases)
     for (const double friction : {0., 0.6})
-      for (const Kind kind :
-           {Kind::equilibrium, Kind::step, Kind::static_step, Kind::between})
+      for (const Kind kind : {Kind::equilibrium,
+                              Kind::step,
+                              Kind::static_step,
+                              Kind::discrete_gradient})
         {
           SCOPED_TRACE(of_case.name + ", friction " +
                        testing_support::text(friction) + ", kind " +
                        std::to_string(int(kind)));
           PressedStep step(above_plate(of_case, friction),
-                           kind == Kind::between);
+                           kind == Kind::discrete_gradient);
           // Of differences over 2e-6 of forces of about one.
           EXPECT_LT(error_of_tangent(step, kind), 1e-8);
         }
@@ -55,10 +57,11 @@ TEST(PlateContact, TangentIsTheDerivativeOfTheForces)
 TEST(PlateContact, ForcesOnStrutsAndPlateAreOpposite)
 {
   for (const ContactCase &of_case : contact_cases)
-    for (const Kind kind : {Kind::step, Kind::between})
+    for (const Kind kind : {Kind::step, Kind::discrete_gradient})
       {
         SCOPED_TRACE(of_case.name);
-        PressedStep step(above_plate(of_case, 0.6), kind == Kind::between);
+        PressedStep step(above_plate(of_case, 0.6),
+                         kind == Kind::discrete_gradient);
         const auto  forces =
           EvaluatedAlone(step.contact, step.evaluation(kind)).residual;
         std::array<double, 3> sums  = {{0, 0, 0}};
@@ -106,11 +109,13 @@ TEST(PlateContact, MeanForcesDoTheWorkThatIsStoredOrLost)
         PressedStep  step(above_plate(of_case, friction), true);
         State        at_start = step.from;
         const double stored_before =
-          EvaluatedAlone(step.contact, Evaluation::rates(step.from, at_start))
+          EvaluatedAlone(step.contact,
+                         Evaluation::consistent_rates(step.from, at_start))
             .accept()
             .stored();
         const EvaluatedAlone evaluated(step.contact,
-                                       step.evaluation(Kind::between));
+                                       step.evaluation(
+                                         Kind::discrete_gradient));
         const Energies       after = evaluated.accept();
         double               work  = 0;
         for (unsigned int i = 0; i < step.n; ++i)
@@ -222,7 +227,7 @@ namespace
           !(std::get<0>(names[i].name) &&
             std::get<1>(names[i].name) == of_scene.lattice.joint_of_plate(0)))
         to.displacement[i] = std::get<3>(names[i].name) == 0 ? x : y;
-    return of_scene.equations.reporting().plates->why_not_acceptable(
+    return of_scene.equations.reporting().plates->rejection_reason(
       Evaluation::step(from, to, dt));
   }
 } // namespace
@@ -259,7 +264,9 @@ namespace
     OfRanks(const ContactCase &of_case,
             const Kind         kind,
             const MPI_Comm     of_ranks)
-      : step(above_plate(of_case, 0.6), kind == Kind::between, of_ranks)
+      : step(above_plate(of_case, 0.6),
+             kind == Kind::discrete_gradient,
+             of_ranks)
     {
       const Evaluation  evaluation = step.evaluation(kind);
       EquationsOnRanks &on_ranks   = step.of_scene;
@@ -301,7 +308,7 @@ namespace
 TEST(PlateContactOnRanks, IsTheSame)
 {
   for (const ContactCase &of_case : contact_cases)
-    for (const Kind kind : {Kind::step, Kind::between})
+    for (const Kind kind : {Kind::step, Kind::discrete_gradient})
       {
         SCOPED_TRACE(of_case.name);
         const OfRanks all(of_case, kind, MPI_COMM_WORLD),

@@ -108,8 +108,8 @@ namespace auxfem
       {
         switch (kind)
           {
-            case Evaluation::Kind::between:
-              return Evaluation::between(from, to, contact_step);
+            case Evaluation::Kind::discrete_gradient:
+              return Evaluation::discrete_gradient(from, to, contact_step);
             case Evaluation::Kind::static_step:
               return Evaluation::static_step(from, to, contact_step);
             case Evaluation::Kind::equilibrium:

@@ -24,21 +24,22 @@ TEST(SmallBodyContact, HasThePotentialAndTheWorkOfLargeOnes)
 {
   for (const ContactCase &of_case : small_bodies)
     for (const Evaluation::Kind kind :
-         {Evaluation::Kind::equilibrium, Evaluation::Kind::between})
+         {Evaluation::Kind::equilibrium, Evaluation::Kind::discrete_gradient})
       {
         SCOPED_TRACE(of_case.name);
         PressedStep step(above_plate(of_case, 0),
-                         kind == Evaluation::Kind::between);
+                         kind == Evaluation::Kind::discrete_gradient);
         EXPECT_LT(error_of_tangent(step, kind), 1e-6);
         State        at_start = step.from;
         const double before =
-          EvaluatedAlone(step.contact, Evaluation::rates(step.from, at_start))
+          EvaluatedAlone(step.contact,
+                         Evaluation::consistent_rates(step.from, at_start))
             .accept()
             .stored();
         const EvaluatedAlone evaluated(step.contact, step.evaluation(kind));
         const double         after = evaluated.accept().stored();
         EXPECT_GT(after, 1e-4);
-        if (kind != Evaluation::Kind::between)
+        if (kind != Evaluation::Kind::discrete_gradient)
           continue;
         double work = 0;
         for (unsigned int i = 0; i < step.n; ++i)

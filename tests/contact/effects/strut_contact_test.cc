@@ -117,7 +117,9 @@ namespace
             const auto residual = [&](const double step) {
               State moved = pressed.to;
               moved.displacement[i] +=
-                (kind == Evaluation::Kind::between ? 1. : factors.stiffness) *
+                (kind == Evaluation::Kind::discrete_gradient
+                   ? 1.
+                   : factors.stiffness) *
                 step;
               (*moved.velocity)[i] += factors.damping * step;
               return EvaluatedAlone(pressed.effect,
@@ -172,10 +174,11 @@ TEST(StrutContact, MeanForcesConserveMomentumAndTellWhatEnergyTheyMiss)
         Pressed              pressed(pressed_struts(dimension), seed);
         const EvaluatedAlone step(
           pressed.effect,
-          pressed.evaluation(pressed.to, Evaluation::Kind::between));
+          pressed.evaluation(pressed.to, Evaluation::Kind::discrete_gradient));
         State                before = pressed.from;
         const EvaluatedAlone at_start(pressed.effect,
-                                      Evaluation::rates(pressed.from, before));
+                                      Evaluation::consistent_rates(pressed.from,
+                                                                   before));
         const double         stored_before = at_start.accept().stored(),
                      stored                = step.accept().stored();
         ASSERT_GT(stored, stored_before);

@@ -171,7 +171,8 @@ TEST(StrutProximityOnRanks, SharedLooksFindWhatOneRankFinds)
           stars->proximity.follow(u);
         }
       EXPECT_EQ(shared.proximity.near(), alone.proximity.near());
-      EXPECT_EQ(shared.proximity.may_touch(), alone.proximity.may_touch());
+      EXPECT_EQ(shared.proximity.has_contact_candidates(),
+                alone.proximity.has_contact_candidates());
     }
   EXPECT_GT(alone.proximity.near().size(), 20u);
 }

@@ -63,7 +63,9 @@ namespace
     /** Of the instant `to`. */
     std::vector<double> residual_of_rates()
     {
-      return EvaluatedAlone(*constraints, Evaluation::rates(from, to)).residual;
+      return EvaluatedAlone(*constraints,
+                            Evaluation::consistent_rates(from, to))
+        .residual;
     }
 
     /** lambda . g at the present motion with displacement @p i at @p value. */

@@ -44,8 +44,8 @@ namespace
                owned_struts(of_scene.model.numbering))
     {}
 
-    EquationsOnRanks of_scene;
-    HeldStruts       struts;
+    EquationsOnRanks     of_scene;
+    ClampedStrutProblems struts;
   };
 } // namespace
 
@@ -73,7 +73,7 @@ TEST(StrutMotion, InterpolationKeepsPolynomials)
   EXPECT_NEAR(finer.displacement[3 * 16], 1, 1e-14);
 }
 
-TEST(HeldStruts, SettleToTheEnergyOfABeamWithMovedEnds)
+TEST(ClampedStrutProblems, SettleToTheEnergyOfABeamWithMovedEnds)
 {
   // Clamped at one end, the other moved by v without rotation:
   // F = 12 EI v / (L^3 (1 + 12 EI / (kGA L^2))), which cubics have exactly.
@@ -89,7 +89,7 @@ TEST(HeldStruts, SettleToTheEnergyOfABeamWithMovedEnds)
     }
 }
 
-TEST(HeldStruts, DifferenceIsThatOfTheForcesOnTheEnds)
+TEST(ClampedStrutProblems, DifferenceIsThatOfTheForcesOnTheEnds)
 {
   // An element of order 1 that is sheared: F = kGA v / L and the moment F L / 2
   // at its end, while the beam has stiffness * v; so the difference d acts on
@@ -109,7 +109,7 @@ TEST(HeldStruts, DifferenceIsThatOfTheForcesOnTheEnds)
   EXPECT_NEAR(cubic.struts.difference(1, linear.struts), 0, 1e-20);
 }
 
-TEST(HeldStruts, RigidMotionsNeedNoForces)
+TEST(ClampedStrutProblems, RigidMotionsNeedNoForces)
 {
   // The first strut turned by a right angle about its first joint.
   const double pi = std::acos(-1.);
@@ -129,7 +129,7 @@ TEST(HeldStruts, RigidMotionsNeedNoForces)
   EXPECT_NEAR(fine.struts.difference(0, coarse.struts), 0, 1e-25);
 }
 
-TEST(HeldStruts, SettleWhereAMotionOfLowOrderIsFarFromEquilibrium)
+TEST(ClampedStrutProblems, SettleWhereAMotionOfLowOrderIsFarFromEquilibrium)
 {
   // Slender struts, the first one bent to an arc of 150 degrees. A parabola
   // through three of its points is stretched and sheared by tens of per cent.

@@ -9,8 +9,8 @@
 using namespace auxfem;
 using namespace auxfem::testing_support;
 
-// Mean forces over a step (Evaluation::Kind::between): their work is the change
-// of energy, and they have no resultants.
+// Mean forces over a step (Evaluation::Kind::discrete_gradient): their work is
+// the change of energy, and they have no resultants.
 
 namespace
 {
@@ -224,8 +224,8 @@ TEST(MeanForces, ALatticeWithEverythingBalances)
       {
         MeanStep    step(star_with_everything(1, 1), seed, large_rotation);
         const State before = step.from;
-        step.of_scene.residual(Evaluation::rates(before, step.from));
-        step.of_scene.accept(Evaluation::rates(before, step.from));
+        step.of_scene.residual(Evaluation::consistent_rates(before, step.from));
+        step.of_scene.accept(Evaluation::consistent_rates(before, step.from));
         step.find_rates();
         const Evaluation evaluation = step.evaluation();
         step.of_scene.residual(evaluation);

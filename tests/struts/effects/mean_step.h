@@ -15,7 +15,7 @@ namespace auxfem
   {
     /**
      * A scene in the plane with irregular states at the start and the end of a
-     * step, as Kind::between takes it.
+     * step, as Kind::discrete_gradient takes it.
      */
     struct MeanStep
     {
@@ -74,14 +74,16 @@ namespace auxfem
 
       Evaluation evaluation()
       {
-        return Evaluation::between(from, to, dt);
+        return Evaluation::discrete_gradient(from, to, dt);
       }
 
       /** Energies of the start, kept in it. */
       Energies at_start(const Effect &effect)
       {
         const State before = from;
-        return EvaluatedAlone(effect, Evaluation::rates(before, from)).accept();
+        return EvaluatedAlone(effect,
+                              Evaluation::consistent_rates(before, from))
+          .accept();
       }
 
       /** What forces do on the step. */

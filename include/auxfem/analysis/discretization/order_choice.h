@@ -60,7 +60,7 @@ namespace auxfem
 
   private:
     const LatticeModel       &model;
-    HeldStruts                same, finer;
+    ClampedStrutProblems      same, finer;
     std::vector<unsigned int> first_elements; ///< of the model, by struts()
     std::vector<double>       largest;        ///< errors (J), by struts()
     std::vector<StrutMotion>  motions;

@@ -99,9 +99,9 @@ namespace auxfem
                   const Evaluation &evaluation,
                   Vector           &increment) override;
 
-    void take_back(const Evaluation &evaluation,
-                   const Vector     &way_back,
-                   double            part) override;
+    void undo_increment(const Evaluation &evaluation,
+                        const Vector     &way_back,
+                        double            part) override;
 
     /** @name How far the point lies off the tangent. */
     ///@{

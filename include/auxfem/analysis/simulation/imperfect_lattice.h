@@ -21,16 +21,17 @@ namespace auxfem
 
   /** Displacements of a saved state. Throws as serialize_state(). Collective.
    */
-  Vector saved_displacement(const Equations &equations, const Records &records);
+  Vector saved_displacement(const Equations      &equations,
+                            const CheckpointData &records);
 
   /** Time of a saved state (s); on a path of equilibria its arc length (m). */
-  double time_of_saved_state(const Records &records);
+  double time_of_saved_state(const CheckpointData &records);
 
   /** Steps of the scene until a saved state, or points of a path. */
-  unsigned long step_of_saved_state(const Records &records);
+  unsigned long step_of_saved_state(const CheckpointData &records);
 
   /** Load factor of a saved state on a path of equilibria. */
-  double load_factor_of_saved_state(const Records &records);
+  double load_factor_of_saved_state(const CheckpointData &records);
 
   /**
    * The lattice of @p plan with its imperfections, for which buckling modes of

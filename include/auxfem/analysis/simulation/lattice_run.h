@@ -84,13 +84,13 @@ namespace auxfem
      * remember of the way there. The run goes on from here as one that is
      * resumed with it does, with equal digits.
      */
-    Records checkpoint(Recorder &recorder);
+    CheckpointData checkpoint(Recorder &recorder);
 
     /**
      * In place of start(): goes on from @p checkpoint. @p recorder, which has
      * begun, gets back its part. Throws InputError if a record is missing.
      */
-    void resume(const Records &checkpoint, Recorder &recorder);
+    void resume(const CheckpointData &checkpoint, Recorder &recorder);
 
     /**
      * Steps to the end time, of which @p recorder is told. Throws Interrupted
@@ -155,7 +155,7 @@ namespace auxfem
     RunResult result(const std::string &exit_state) const;
 
     /** A checkpoint() after which the run does not go on. */
-    Records last_checkpoint(Recorder &recorder);
+    CheckpointData last_checkpoint(Recorder &recorder);
 
     /** Saves or restores all that is remembered of the way. */
     void serialize(CheckpointArchive &archive, Recorder &recorder);

@@ -44,17 +44,17 @@ namespace auxfem
      * direction.
      * @param results of the evaluation of the end of the step
      */
-    virtual VanishingConnector shortest(const Evaluation    &step,
-                                        const EffectResults &results,
-                                        double               least) const = 0;
+    virtual VanishingConnector shortest(const Evaluation  &step,
+                                        const EffectCache &results,
+                                        double             least) const = 0;
 
     /** Connectors counted by this rank, in order. */
     virtual unsigned int n_reported() const = 0;
 
     /** Counted connector @p i at @p state, from the results of its evaluation. */
-    virtual ConnectorReport report(unsigned int         i,
-                                   const State         &state,
-                                   const EffectResults *results) const = 0;
+    virtual ConnectorReport report(unsigned int       i,
+                                   const State       &state,
+                                   const EffectCache *results) const = 0;
   };
 
   /**

@@ -11,7 +11,7 @@
 namespace auxfem
 {
   /** Motion and forces of a group of connectors in one evaluation. */
-  struct ConnectorResults : public EffectResults
+  struct ConnectorResults : public EffectCache
   {
     explicit ConnectorResults(const unsigned int n_connectors)
       : motion(n_connectors)
@@ -31,7 +31,7 @@ namespace auxfem
   };
 
   /** @p results of a group of connectors as what they are. */
-  inline const ConnectorResults &connector_cache(const EffectResults &results)
+  inline const ConnectorResults &connector_cache(const EffectCache &results)
   {
     return static_cast<const ConnectorResults &>(results);
   }
@@ -85,9 +85,9 @@ namespace auxfem
 
     /** What is wrong with @p results at @p time (s), if the ends of a connector
      * of the @p group meet; empty otherwise. */
-    std::string why_not_finite(const std::string      &group,
-                               double                  time,
-                               const ConnectorResults &results) const;
+    std::string nonfinite_reason(const std::string      &group,
+                                 double                  time,
+                                 const ConnectorResults &results) const;
 
     /** Whether the force is along the line between the ends as it is now. */
     const bool                 follow_ends;

@@ -51,10 +51,10 @@ namespace auxfem
   public:
     /** The largest of the struts of this rank, if any touches. */
     virtual std::optional<Penetration>
-    deepest(const EffectResults &results) const = 0;
+    deepest(const EffectCache &results) const = 0;
 
     /** All points of this rank that touch, or have in the last step. */
-    virtual std::vector<ContactReport> contacts(const EffectResults &results,
+    virtual std::vector<ContactReport> contacts(const EffectCache &results,
                                                 const State &state) const = 0;
   };
 
@@ -84,7 +84,7 @@ namespace auxfem
     virtual unsigned int n_plates() const = 0;
 
     /** By plate, over all ranks. Collective. */
-    virtual std::vector<PlateReport> reports(const EffectResults &results,
+    virtual std::vector<PlateReport> reports(const EffectCache &results,
                                              const State &state) const = 0;
 
     /** Name of a plate. */

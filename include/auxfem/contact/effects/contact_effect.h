@@ -25,7 +25,7 @@ namespace auxfem
     const auto   way = [&motion](const Vector &begin, const Vector &end) {
       return motion(end) - motion(begin);
     };
-    if (evaluation.kind == Evaluation::Kind::between)
+    if (evaluation.kind == Evaluation::Kind::discrete_gradient)
       return way(from.displacement, to.displacement) / evaluation.dt;
     if (evaluation.kind != Evaluation::Kind::static_step)
       return motion(*to.velocity);
@@ -81,7 +81,7 @@ namespace auxfem
 
   /** Points that touch in an evaluation. */
   template <class Point>
-  struct ContactResults : EffectResults
+  struct ContactResults : EffectCache
   {
     std::vector<Point> points;
   };
@@ -132,14 +132,14 @@ namespace auxfem
         }
     }
 
-    std::unique_ptr<EffectResults> make_results() const override
+    std::unique_ptr<EffectCache> make_results() const override
     {
       return std::make_unique<Results>();
     }
 
     void account(const Evaluation & /*evaluation*/,
-                 const EffectResults *results,
-                 EnergyAccount       &account) const override
+                 const EffectCache *results,
+                 EnergyAccount     &account) const override
     {
       for (const Point &point : points_of(results))
         if (is_owned(point))
@@ -147,7 +147,7 @@ namespace auxfem
     }
 
     std::optional<Penetration>
-    deepest(const EffectResults &results) const override
+    deepest(const EffectCache &results) const override
     {
       std::optional<Penetration> found;
       for (const Point &point : points_of(&results))
@@ -170,9 +170,9 @@ namespace auxfem
       return couple(restart(accepted), wanted);
     }
 
-    void account_step(const Evaluation    &step,
-                      const EffectResults *results,
-                      EnergyAccount       &account) const override
+    void account_step(const Evaluation  &step,
+                      const EffectCache *results,
+                      EnergyAccount     &account) const override
     {
       if (friction.coefficient == 0 || !account.takes_time())
         return;
@@ -180,7 +180,7 @@ namespace auxfem
       if (step.kind == Evaluation::Kind::step)
         {
           State before = step.from;
-          at_start     = touching(Evaluation::rates(step.from, before));
+          at_start = touching(Evaluation::consistent_rates(step.from, before));
         }
       friction_account.add_step(step,
                                 sliding(points_of(results), step),
@@ -189,8 +189,8 @@ namespace auxfem
     }
 
     void account_stage(const Evaluation & /*stage*/,
-                       const EffectResults *results,
-                       EnergyAccount       &account) const override
+                       const EffectCache *results,
+                       EnergyAccount     &account) const override
     {
       if (friction.coefficient == 0)
         return;
@@ -246,7 +246,7 @@ namespace auxfem
     virtual dealii::Tensor<1, 3> difference(const Point  &point,
                                             const Vector &values) const = 0;
 
-    static const std::vector<Point> &points_of(const EffectResults *results)
+    static const std::vector<Point> &points_of(const EffectCache *results)
     {
       return static_cast<const Results &>(*results).points;
     }

@@ -64,7 +64,7 @@ namespace auxfem
     double unseen_motion() const;
 
     /** Whether one of them touches, or does so soon. */
-    bool may_touch() const
+    bool has_contact_candidates() const
     {
       return touches_soon;
     }
@@ -185,7 +185,7 @@ namespace auxfem
     void remember_turning(unsigned int axis, const std::vector<double> &u);
     /** Makes near() of what was found; whether it has changed. */
     bool collect_near(const std::vector<double> &u);
-    bool some_may_touch(const std::vector<double> &u) const;
+    bool any_rank_has_contact_candidates(const std::vector<double> &u) const;
 
     /** Whether a gap becomes smaller than @p least (m) on the straight way. */
     bool comes_too_near(const AxisPair            &pair,

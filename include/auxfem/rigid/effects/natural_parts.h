@@ -70,7 +70,7 @@ namespace auxfem
 
     void add_residual(const Evaluation &evaluation,
                       double           *residual,
-                      EffectResults * /*results*/) const override
+                      EffectCache * /*results*/) const override
     {
       add_base_rows(evaluation, residual);
       add_joint_rows(evaluation, residual);
@@ -79,7 +79,7 @@ namespace auxfem
     }
 
     void add_tangent(const Evaluation &evaluation,
-                     const EffectResults * /*results*/,
+                     const EffectCache * /*results*/,
                      const TangentFactors &factors,
                      TangentMatrix        &matrix) const override
     {
@@ -92,9 +92,9 @@ namespace auxfem
         add_clamp_blocks(evaluation, factors, matrix, block);
     }
 
-    void raise_forces(const Evaluation &evaluation,
-                      const EffectResults * /*results*/,
-                      double *forces) const override
+    void row_force_bounds(const Evaluation &evaluation,
+                          const EffectCache * /*results*/,
+                          double *forces) const override
     {
       const double *u = evaluation.to.displacement.data();
       for (const Base &base : bases)
@@ -223,7 +223,7 @@ namespace auxfem
     Vec force_direction(const Base &base, const Evaluation &evaluation) const
     {
       const Vec now = gradient(base, evaluation.to.displacement.data());
-      return evaluation.kind == Evaluation::Kind::between
+      return evaluation.kind == Evaluation::Kind::discrete_gradient
         ? (gradient(base, evaluation.from.displacement.data()) + now) / 2
         : now;
     }

@@ -15,9 +15,9 @@
  * minutes of compiling of it.
  */
 #ifdef AUXFEM_SANITIZERS
-#  define AUXFEM_ONE_PIECE
+#  define AUXFEM_FLATTEN
 #else
-#  define AUXFEM_ONE_PIECE [[gnu::flatten]]
+#  define AUXFEM_FLATTEN [[gnu::flatten]]
 #endif
 
 namespace auxfem
@@ -72,18 +72,18 @@ namespace auxfem
       numerical_entry = layout.energies.enter(numerical_energy_entry());
     }
 
-    std::unique_ptr<EffectResults> make_results() const override
+    std::unique_ptr<EffectCache> make_results() const override
     {
       return std::make_unique<Results>(beams.size());
     }
 
     void add_residual(const Evaluation &evaluation,
                       double           *residual,
-                      EffectResults    *results) const override
+                      EffectCache      *results) const override
     {
       auto &of_struts  = static_cast<Results &>(*results);
       of_struts.energy = {};
-      if (evaluation.kind == Evaluation::Kind::between)
+      if (evaluation.kind == Evaluation::Kind::discrete_gradient)
         mean_forces.for_each_force(
           evaluation,
           of_struts.starts,
@@ -104,15 +104,15 @@ namespace auxfem
         });
     }
 
-    void add_tangent(const Evaluation                     &evaluation,
-                     [[maybe_unused]] const EffectResults *results,
-                     const TangentFactors                 &of_scheme,
-                     TangentMatrix &matrix) const override
+    void add_tangent(const Evaluation                   &evaluation,
+                     [[maybe_unused]] const EffectCache *results,
+                     const TangentFactors               &of_scheme,
+                     TangentMatrix                      &matrix) const override
     {
       TangentFactors factors = of_scheme;
       if (factors.stiffness == 0 && factors.damping == 0)
         return;
-      if (evaluation.kind == Evaluation::Kind::between)
+      if (evaluation.kind == Evaluation::Kind::discrete_gradient)
         {
           if constexpr (Beam::is_linear)
             factors.stiffness += mean_forces.stiffness_of_damping(evaluation);
@@ -155,24 +155,24 @@ namespace auxfem
     }
 
     void account(const Evaluation & /*evaluation*/,
-                 const EffectResults *results,
-                 EnergyAccount       &account) const override
+                 const EffectCache *results,
+                 EnergyAccount     &account) const override
     {
       account.add(strain_entry, energy_of(results).strain);
     }
 
-    void account_step(const Evaluation    &step,
-                      const EffectResults *results,
-                      EnergyAccount       &account) const override
+    void account_step(const Evaluation  &step,
+                      const EffectCache *results,
+                      EnergyAccount     &account) const override
     {
       if (mean_forces.damps_high_frequencies() &&
-          step.kind == Evaluation::Kind::between)
+          step.kind == Evaluation::Kind::discrete_gradient)
         account.add_in_step(numerical_entry, energy_of(results).taken);
       if constexpr (Beam::is_damped)
         {
           if (!account.takes_time())
             return;
-          if (step.kind == Evaluation::Kind::between)
+          if (step.kind == Evaluation::Kind::discrete_gradient)
             {
               account.add_in_step(damping_entry,
                                   energy_of(results).dissipation);
@@ -187,8 +187,8 @@ namespace auxfem
     }
 
     void account_stage(const Evaluation & /*stage*/,
-                       const EffectResults *results,
-                       EnergyAccount       &account) const override
+                       const EffectCache *results,
+                       EnergyAccount     &account) const override
     {
       if (Beam::is_damped)
         account.add_power(damping_entry, energy_of(results).dissipation);
@@ -200,24 +200,24 @@ namespace auxfem
                              : StageTerms::StageNeeds::state;
     }
 
-    void raise_forces(const Evaluation & /*evaluation*/,
-                      const EffectResults *results,
-                      double              *forces) const override
+    void row_force_bounds(const Evaluation & /*evaluation*/,
+                          const EffectCache *results,
+                          double            *forces) const override
     {
       const auto &of_struts = static_cast<const BeamResults &>(*results);
       for (unsigned int e = 0; e < beams.size(); ++e)
         raise_nodes(e, of_struts.forces[e], forces);
     }
 
-    void raise_uncertain_forces(const Evaluation &evaluation,
-                                const EffectResults * /*results*/,
-                                const LargestMotion &largest,
-                                double              *forces) const override
+    void roundoff_force_bounds(const Evaluation &evaluation,
+                               const EffectCache * /*results*/,
+                               const LargestMotion &largest,
+                               double              *forces) const override
     {
       // Mean forces take displacements relative to a node, which are those of
       // an element that turns at most: twice its length.
-      const double most =
-        !Beam::is_linear && evaluation.kind == Evaluation::Kind::between
+      const double most = !Beam::is_linear &&
+          evaluation.kind == Evaluation::Kind::discrete_gradient
         ? 4
         : std::numeric_limits<double>::infinity();
       for (unsigned int e = 0; e < beams.size(); ++e)
@@ -255,7 +255,7 @@ namespace auxfem
 
     /** Strain energy (J) and power lost by damping (W), between two states the
      * energy lost in the step (J). */
-    static const BeamEnergy &energy_of(const EffectResults *results)
+    static const BeamEnergy &energy_of(const EffectCache *results)
     {
       return static_cast<const BeamResults &>(*results).energy;
     }

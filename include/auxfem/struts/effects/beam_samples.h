@@ -25,7 +25,7 @@ namespace auxfem
   using BeamEnergy = BeamEnergyOf<double>;
 
   /** What struts do in one evaluation. */
-  struct BeamResults : public EffectResults
+  struct BeamResults : public EffectCache
   {
     explicit BeamResults(const unsigned int n_elements)
       : forces(n_elements)
@@ -164,8 +164,8 @@ namespace auxfem
       return motion;
     }
 
-    double strain_energy(const EffectResults &results,
-                         const unsigned int   of_numbering) const override
+    double strain_energy(const EffectCache &results,
+                         const unsigned int of_numbering) const override
     {
       return static_cast<const BeamResults &>(results)
         .strain_energies[index(of_numbering)];
@@ -184,7 +184,7 @@ namespace auxfem
     }
 
     StrutStrain largest_strain(const State                    &state,
-                               const EffectResults            &results,
+                               const EffectCache              &results,
                                const std::vector<StrainLimit> &limits,
                                const double least) const override
     {

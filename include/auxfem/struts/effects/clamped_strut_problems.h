@@ -14,7 +14,7 @@ namespace auxfem
    * inside is in equilibrium, or not, with its line loads and weight, and with
    * the inertia of accelerations that stay as they are. No communication.
    */
-  class HeldStruts
+  class ClampedStrutProblems
   {
   public:
     /**
@@ -24,12 +24,12 @@ namespace auxfem
      * @param divisions of the struts here, by their numbers in the lattice
      * @param struts which, of those that owned_struts() of the model tells
      */
-    HeldStruts(const LatticeModel        &model,
-               std::vector<StrutDivision> divisions,
-               std::vector<unsigned int>  struts);
+    ClampedStrutProblems(const LatticeModel        &model,
+                         std::vector<StrutDivision> divisions,
+                         std::vector<unsigned int>  struts);
 
-    HeldStruts(const HeldStruts &)            = delete;
-    HeldStruts &operator=(const HeldStruts &) = delete;
+    ClampedStrutProblems(const ClampedStrutProblems &)            = delete;
+    ClampedStrutProblems &operator=(const ClampedStrutProblems &) = delete;
 
     /** The struts, by their numbers in the lattice. */
     const std::vector<unsigned int> &struts() const
@@ -62,7 +62,8 @@ namespace auxfem
      * strut that these differences alone load (J). So it is the square of their
      * norm by the flexibility of the strut.
      */
-    double difference(unsigned int strut, const HeldStruts &other) const;
+    double difference(unsigned int                strut,
+                      const ClampedStrutProblems &other) const;
 
     /** Strain energy (J) of all struts. */
     double strain_energy() const;
@@ -102,16 +103,16 @@ namespace auxfem
     const bool                      large_rotation;
     const std::vector<unsigned int> counted;
     /** Joints apart; struts of others are none of this mesh. */
-    const Lattice                               lattice;
-    const DofNumbering                          numbering;
-    std::vector<std::unique_ptr<StrutForces>>   forces;
-    std::vector<std::unique_ptr<Effect>>        inertia, loads;
-    std::vector<std::unique_ptr<EffectResults>> results; ///< of forces
-    TangentPattern                              pattern;
-    std::unique_ptr<TangentMatrix>              tangent;
-    std::unique_ptr<StrutCondensation>          condensation;
-    std::unique_ptr<State>                      state;
-    std::vector<double>                         residual; ///< by local unknown
+    const Lattice                             lattice;
+    const DofNumbering                        numbering;
+    std::vector<std::unique_ptr<StrutForces>> forces;
+    std::vector<std::unique_ptr<Effect>>      inertia, loads;
+    std::vector<std::unique_ptr<EffectCache>> results; ///< of forces
+    TangentPattern                            pattern;
+    std::unique_ptr<TangentMatrix>            tangent;
+    std::unique_ptr<StrutCondensation>        condensation;
+    std::unique_ptr<State>                    state;
+    std::vector<double>                       residual; ///< by local unknown
     /** By strut of the lattice: its first element, the instant it is at. */
     ///@{
     std::vector<unsigned int> first_element;

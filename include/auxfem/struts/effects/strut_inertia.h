@@ -32,12 +32,12 @@ namespace auxfem
                  bool                        damped);
 
     void register_in(StateLayout &layout) override;
-    void account_step(const Evaluation    &step,
-                      const EffectResults *results,
-                      EnergyAccount       &account) const override;
-    void account_stage(const Evaluation    &stage,
-                       const EffectResults *results,
-                       EnergyAccount       &account) const override;
+    void account_step(const Evaluation  &step,
+                      const EffectCache *results,
+                      EnergyAccount     &account) const override;
+    void account_stage(const Evaluation  &stage,
+                       const EffectCache *results,
+                       EnergyAccount     &account) const override;
 
   protected:
     /**

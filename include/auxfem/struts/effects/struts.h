@@ -113,8 +113,8 @@ namespace auxfem
 
     /** Strain energy (J) of element @p e of the numbering, from the results of
      * an evaluation. */
-    virtual double strain_energy(const EffectResults &results,
-                                 unsigned int         e) const = 0;
+    virtual double strain_energy(const EffectCache &results,
+                                 unsigned int       e) const = 0;
 
     /** Axial force (N) in element @p e of the numbering at @p state, the mean
      * along it, without damping; positive in tension. */
@@ -128,7 +128,7 @@ namespace auxfem
      * @param limits by section
      */
     virtual StrutStrain largest_strain(const State                    &state,
-                                       const EffectResults            &results,
+                                       const EffectCache              &results,
                                        const std::vector<StrainLimit> &limits,
                                        double least) const = 0;
   };
