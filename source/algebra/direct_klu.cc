@@ -16,7 +16,7 @@ namespace auxfem
      * which pivots are kept for new entries.
      * @tuned judgement
      */
-    constexpr double growth_of_kept_pivots = 100;
+    constexpr double max_growth_of_reused_pivots = 100;
 
     /** 1 or -1: of the determinant of a permutation of @p n numbers. */
     int sign_of_permutation(const int *permutation, const std::size_t n)
@@ -172,7 +172,7 @@ namespace auxfem
                     symbolic,
                     numeric,
                     &common) &&
-        common.rgrowth * growth_of_kept_pivots >= fresh_growth;
+        common.rgrowth * max_growth_of_reused_pivots >= fresh_growth;
     }
 
     bool Klu::is_singular(const SparseMatrix &matrix)

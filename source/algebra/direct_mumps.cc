@@ -21,7 +21,7 @@ namespace auxfem
      * Pivots below this, beside the norm of the scaled matrix, are zeros
      * (CNTL(3)).
      */
-    constexpr double null_pivot = 1e-13;
+    constexpr double null_pivot_threshold = 1e-13;
 
     /**
      * By how much, in percent, MUMPS's room may exceed its estimate
@@ -33,7 +33,7 @@ namespace auxfem
      * A first estimate of the inverse's norm below this, by a vector of which
      * the modes in question are some part, is no sign of a singular matrix.
      */
-    constexpr double unsuspicious_norm = 1 / sqrt_round_off;
+    constexpr double regular_norm_bound = 1 / sqrt_round_off;
 
     void divide(std::vector<double> &x, const std::vector<double> &by)
     {
@@ -193,7 +193,7 @@ namespace auxfem
       setting(24) = 1;                    // finds null pivots
       setting(28) = 1;                    // METIS on one rank
       setting(33) = is_symmetric ? 0 : 1; // the determinant
-      id.cntl[2]  = null_pivot;
+      id.cntl[2]  = null_pivot_threshold;
     }
 
     FactorizationOutcome Mumps::analyse(const SparseMatrix &matrix)
@@ -206,7 +206,7 @@ namespace auxfem
       if (id.n == 0)
         return FactorizationOutcome::done;
 
-      FactorizationOutcome outcome = agree(guard_memory([&] {
+      FactorizationOutcome outcome = agree(catch_bad_alloc([&] {
                                              collect_pattern(matrix);
                                              return FactorizationOutcome::done;
                                            }),
@@ -312,7 +312,7 @@ namespace auxfem
         {
           norm = estimate_norm(*matrix.layout,
                                room,
-                               unsuspicious_norm,
+                               regular_norm_bound,
                                std::cref(apply_inverse));
         }
       catch (const std::bad_alloc &)

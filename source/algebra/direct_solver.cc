@@ -106,19 +106,20 @@ namespace auxfem
     const TangentPattern     &pattern = matrix.pattern();
     const UnknownLayout      &layout  = pattern.unknowns().layout;
     std::vector<double>       image(layout.n_owned()), sizes(layout.n_owned());
-    const std::vector<double> of_unit = largest_by_unit(pattern.unknowns(), x);
+    const std::vector<double> largest_x =
+      largest_by_unit(pattern.unknowns(), x);
     matrix.multiply(x.data(), image.data(), symmetry);
     for (std::size_t block = 0; block < pattern.n_blocks(); ++block)
       {
-        const int *const    of_block = pattern.begin(block);
-        const unsigned int  n        = pattern.size(block);
-        const double *const values   = matrix.values(block);
+        const int *const    block_unknowns = pattern.begin(block);
+        const unsigned int  n              = pattern.size(block);
+        const double *const values         = matrix.values(block);
         for (unsigned int i = 0; i < n; ++i)
-          if (layout.is_owned(of_block[i]))
+          if (layout.is_owned(block_unknowns[i]))
             for (unsigned int j = 0; j < n; ++j)
-              if (of_block[j] >= 0)
-                sizes[of_block[i]] +=
-                  std::abs(values[i * n + j]) * of_unit[of_block[j]];
+              if (block_unknowns[j] >= 0)
+                sizes[block_unknowns[i]] +=
+                  std::abs(values[i * n + j]) * largest_x[block_unknowns[j]];
       }
     double largest = 0;
     for (unsigned int i = 0; i < layout.n_owned(); ++i)
@@ -127,7 +128,7 @@ namespace auxfem
         if (pattern.unknowns().kinds[i] == UnknownKind::prescribed)
           size = std::abs(x[i]) + std::abs(b[i]);
         else if (!matrix.added_diagonal().empty())
-          size += std::abs(matrix.added_diagonal()[i]) * of_unit[i];
+          size += std::abs(matrix.added_diagonal()[i]) * largest_x[i];
         const double difference = std::abs(image[i] - b[i]);
         if (difference == 0)
           continue;
@@ -225,9 +226,9 @@ namespace auxfem
       }
   }
 
-  double estimate_norm(const UnknownLayout                              &layout,
-                       std::vector<double>                              &x,
-                       const double                                      enough,
+  double estimate_norm(const UnknownLayout &layout,
+                       std::vector<double> &x,
+                       const double         threshold,
                        const std::function<void(std::vector<double> &)> &apply)
   {
     // No pattern that a structure's modes could be orthogonal to.
@@ -242,7 +243,7 @@ namespace auxfem
           value /= size;
         apply(x);
         norm = length(layout, x);
-        if (norm < enough)
+        if (norm < threshold)
           break;
       }
     return norm;

@@ -118,17 +118,17 @@ namespace auxfem
     dealii::FullMatrix<double> root(Dense mass)
     {
       constexpr double          round_off = 1e-14;
-      const SymmetricEigenpairs of_mass(mass);
-      const unsigned int        n     = of_mass.values.size();
-      const double              least = round_off * of_mass.values(n - 1);
+      const SymmetricEigenpairs mass_pairs(mass);
+      const unsigned int        n     = mass_pairs.values.size();
+      const double              least = round_off * mass_pairs.values(n - 1);
       unsigned int              first = 0;
-      while (first < n && !(of_mass.values(first) > least))
+      while (first < n && !(mass_pairs.values(first) > least))
         ++first;
       dealii::FullMatrix<double> factor(n, n - first);
       for (unsigned int j = first; j < n; ++j)
         for (unsigned int i = 0; i < n; ++i)
           factor(i, j - first) =
-            of_mass.vectors(i, j) * std::sqrt(of_mass.values(j));
+            mass_pairs.vectors(i, j) * std::sqrt(mass_pairs.values(j));
       return factor;
     }
 
@@ -145,8 +145,8 @@ namespace auxfem
   namespace
   {
     /** A column on the rows of all ranks from what they own. */
-    std::vector<double> of_all(const UnknownLayout       &layout,
-                               const std::vector<double> &mine)
+    std::vector<double> gather_all(const UnknownLayout       &layout,
+                                   const std::vector<double> &mine)
     {
       std::vector<double> all(layout.n_global(), 0.);
       for (unsigned int i = 0; i < mine.size(); ++i)
@@ -168,7 +168,7 @@ namespace auxfem
             column(i) = factor(i, j);
           std::vector<double> x = owned(layout, column);
           act(x);
-          const std::vector<double> all = of_all(layout, x);
+          const std::vector<double> all = gather_all(layout, x);
           for (unsigned int i = 0; i < all.size(); ++i)
             result(i, j) = all[i];
         }
@@ -312,11 +312,11 @@ namespace auxfem
         constexpr double dependent = 1e-10;
         for (unsigned int i = 0; i < matrix.m(); ++i)
           {
-            const unsigned int k    = kept.size();
+            const unsigned int k    = rows.size();
             double             rest = matrix(i, i);
             for (unsigned int c = 0; c < k; ++c)
               {
-                double entry = matrix(i, kept[c]);
+                double entry = matrix(i, rows[c]);
                 for (unsigned int d = 0; d < c; ++d)
                   entry -= lower(k, d) * lower(c, d);
                 lower(k, c) = entry / lower(c, c);
@@ -325,21 +325,21 @@ namespace auxfem
             if (!(rest > dependent * matrix(i, i)))
               continue;
             lower(k, k) = std::sqrt(rest);
-            kept.push_back(i);
+            rows.push_back(i);
           }
       }
 
-      /** L^-1 S L^-T of the kept rows and columns, row after row, then column
+      /** L^-1 S L^-T of the rows rows and columns, row after row, then column
        * after column. */
       dealii::LAPACKFullMatrix<double>
       reduced(const dealii::FullMatrix<double> &matrix) const
       {
-        const unsigned int               m = kept.size();
+        const unsigned int               m = rows.size();
         dealii::LAPACKFullMatrix<double> result(m);
         for (unsigned int i = 0; i < m; ++i)
           for (unsigned int j = 0; j < m; ++j)
             {
-              double entry = matrix(kept[i], kept[j]);
+              double entry = matrix(rows[i], rows[j]);
               for (unsigned int d = 0; d < i; ++d)
                 entry -= lower(i, d) * result(d, j);
               result(i, j) = entry / lower(i, i);
@@ -356,22 +356,22 @@ namespace auxfem
       }
 
       /** L^-T of column @p j of @p vectors becomes column @p to of @p result,
-       * in the rows that are kept. */
+       * in the rows that are rows. */
       void expand(const dealii::FullMatrix<double> &vectors,
                   const unsigned int                j,
                   const unsigned int                to,
                   dealii::FullMatrix<double>       &result) const
       {
-        for (unsigned int i = kept.size(); i-- > 0;)
+        for (unsigned int i = rows.size(); i-- > 0;)
           {
             double entry = vectors(i, j);
-            for (unsigned int d = i + 1; d < kept.size(); ++d)
-              entry -= lower(d, i) * result(kept[d], to);
-            result(kept[i], to) = entry / lower(i, i);
+            for (unsigned int d = i + 1; d < rows.size(); ++d)
+              entry -= lower(d, i) * result(rows[d], to);
+            result(rows[i], to) = entry / lower(i, i);
           }
       }
 
-      std::vector<unsigned int>  kept;
+      std::vector<unsigned int>  rows;
       dealii::FullMatrix<double> lower;
     };
   } // namespace
@@ -380,7 +380,7 @@ namespace auxfem
                        const dealii::FullMatrix<double> &denominator)
   {
     const IndependentRows independent(denominator);
-    const unsigned int    m = independent.kept.size();
+    const unsigned int    m = independent.rows.size();
     RitzPairs             pairs;
     if (m == 0)
       return pairs;

@@ -62,12 +62,12 @@ namespace auxfem
         sign_of_all.reset();
         gathered.reset();
         if (n_ranks == 1)
-          return guard_memory([&] { return solver->analyse(matrix); });
+          return catch_bad_alloc([&] { return solver->analyse(matrix); });
 
         FactorizationOutcome outcome = collect_pattern(matrix);
         if (outcome == FactorizationOutcome::done && gathered)
           outcome =
-            guard_memory([&] { return solver->analyse(gathered->matrix); });
+            catch_bad_alloc([&] { return solver->analyse(gathered->matrix); });
         return agree(outcome, communicator);
       }
 
@@ -82,7 +82,8 @@ namespace auxfem
           {
             if (outcome != FactorizationOutcome::done)
               return outcome;
-            outcome = guard_memory([&] { return solver->factorize(matrix); });
+            outcome =
+              catch_bad_alloc([&] { return solver->factorize(matrix); });
             inertia_of_all = solver->inertia();
             sign_of_all    = solver->determinant_sign();
             return outcome;
@@ -100,8 +101,8 @@ namespace auxfem
         if (gathered)
           {
             gathered->matrix.is_symmetric = matrix.is_symmetric;
-            outcome =
-              guard_memory([&] { return solver->factorize(gathered->matrix); });
+            outcome                       = catch_bad_alloc(
+              [&] { return solver->factorize(gathered->matrix); });
             inertia_of_all = solver->inertia();
             sign_of_all    = solver->determinant_sign();
           }
@@ -180,7 +181,7 @@ namespace auxfem
           first_row.push_back(matrix.layout->first_of(r));
 
         const FactorizationOutcome outcome =
-          agree(guard_memory([&] {
+          agree(catch_bad_alloc([&] {
                   sort_rows(matrix);
                   if (rank == 0)
                     {

@@ -59,9 +59,9 @@ namespace auxfem
       void reduce(const double  *factors,
                   const Symmetry symmetry,
                   const int     *inner,
-                  const double  *of_inner,
+                  const double  *inner_values,
                   const int     *ends,
-                  double        *of_ends) const override
+                  double        *end_values) const override
       {
         // Rows of (A_EI A_II^-1)^T, which are those of A_II^-1 A_IE where A is
         // symmetric.
@@ -70,34 +70,34 @@ namespace auxfem
         double sums[n_ends] = {};
         for (int i = 0; i < n_inner; ++i, row += n_ends)
           {
-            const double x = of_inner[inner[i]];
+            const double x = inner_values[inner[i]];
             for (int e = 0; e < n_ends; ++e)
               sums[e] += row[e] * x;
           }
         for (int e = 0; e < n_ends; ++e)
-          of_ends[ends[e]] -= sums[e];
+          end_values[ends[e]] -= sums[e];
       }
 
       void expand(const double *factors,
                   const int    *inner,
-                  double       *of_inner,
+                  double       *inner_values,
                   const int    *ends,
-                  const double *of_ends) const override
+                  const double *end_values) const override
       {
-        double sums[n_inner] = {}, of_end[n_ends];
+        double sums[n_inner] = {}, local_ends[n_ends];
         // By columns: sums that do not wait for each other.
         const double *column = factors;
         for (int j = 0; j < n_inner; ++j, column += n_inner)
           {
-            const double x = of_inner[inner[j]];
+            const double x = inner_values[inner[j]];
             for (int i = 0; i < n_inner; ++i)
               sums[i] += column[i] * x;
           }
         for (int e = 0; e < n_ends; ++e)
-          of_end[e] = of_ends[ends[e]];
+          local_ends[e] = end_values[ends[e]];
         const double *row = factors + n_inner * n_inner;
         for (int i = 0; i < n_inner; ++i, row += n_ends)
-          of_inner[inner[i]] = sums[i] - product(row, of_end);
+          inner_values[inner[i]] = sums[i] - product(row, local_ends);
       }
 
     private:
@@ -316,7 +316,8 @@ namespace auxfem
     /** Whether the elements are as they must be; takes the eliminations. */
     bool prepare(const TangentPattern &pattern, StrutElements &elements)
     {
-      const unsigned int c = elements.n_of_node, n = elements.n_of_element;
+      const unsigned int c = elements.n_node_unknowns,
+                         n = elements.n_element_unknowns;
       if (n < 2 * c)
         return false;
       elements.between_nodes = inner_elimination({n - 2 * c, 2 * c});
@@ -330,18 +331,21 @@ namespace auxfem
           const std::size_t block = elements.first_block + e;
           if (pattern.size(block) != n)
             return false;
-          const int *const of_element = pattern.begin(block);
-          const auto       is_inside  = [&](const int unknown) {
+          const int *const element_unknowns = pattern.begin(block);
+          const auto       is_inside        = [&](const int unknown) {
             return can_be_eliminated(pattern, elements.strut, unknown);
           };
-          if (!std::all_of(of_element + 2 * c, of_element + n, is_inside))
+          if (!std::all_of(element_unknowns + 2 * c,
+                           element_unknowns + n,
+                           is_inside))
             return false;
           const auto at_joint = [&](const int unknown) {
             return is_at_joint(pattern, unknown);
           };
-          if (e == 0 && !std::all_of(of_element, of_element + c, at_joint))
+          if (e == 0 &&
+              !std::all_of(element_unknowns, element_unknowns + c, at_joint))
             return false;
-          const int *const last_node = of_element + c;
+          const int *const last_node = element_unknowns + c;
           if (e + 1 == elements.n_elements)
             {
               if (!std::all_of(last_node, last_node + c, at_joint))
@@ -384,19 +388,19 @@ namespace auxfem
             if (*i >= 0 && eliminates[*i] != nobody && eliminates[*i] != own)
               is_disturbed[eliminates[*i]] = true;
         }
-      std::size_t n_kept = 0;
+      std::size_t n_remaining = 0;
       for (std::size_t s = 0; s < found.size(); ++s)
         if (!is_disturbed[s])
-          found[n_kept++] = found[s];
-      found.resize(n_kept);
+          found[n_remaining++] = found[s];
+      found.resize(n_remaining);
     }
   } // namespace
 
   std::vector<StrutElements> find_strut_elements(const TangentPattern &pattern)
   {
     std::vector<StrutElements> found;
-    const unsigned int         n_of_node = pattern.unknowns().components.size();
-    std::size_t                block     = 0;
+    const unsigned int n_node_unknowns = pattern.unknowns().components.size();
+    std::size_t        block           = 0;
     while (block < pattern.n_blocks())
       {
         const std::optional<unsigned int> strut = strut_of(pattern, block);
@@ -408,7 +412,7 @@ namespace auxfem
             StrutElements elements{*strut,
                                    block,
                                    static_cast<unsigned int>(end - block),
-                                   n_of_node,
+                                   n_node_unknowns,
                                    pattern.size(block),
                                    nullptr,
                                    nullptr};

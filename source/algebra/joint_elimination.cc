@@ -16,7 +16,7 @@ namespace auxfem
      * with up to 10 leaves half of the rows that one with up to 4 does, and as
      * many entries. In space more than 4 cost iterations.
      */
-    unsigned int most_neighbours(const Unknowns &unknowns)
+    unsigned int max_neighbours(const Unknowns &unknowns)
     {
       return unknowns.components.size() == 3 ? 10 : 4;
     }
@@ -26,9 +26,9 @@ namespace auxfem
                                      const Unknowns     &unknowns)
     : unknowns(unknowns)
     , groups(unknowns)
-    , order(matrix, groups, unknowns, most_neighbours(unknowns))
+    , order(matrix, groups, unknowns, max_neighbours(unknowns))
     , joint_rows(make_rows())
-    , left(joint_rows.layout())
+    , reduced(joint_rows.layout())
     , first_exchange(1, 0)
   {
     for (unsigned int i = 0; i < unknowns.layout.n_local(); ++i)
@@ -101,7 +101,7 @@ namespace auxfem
     // Columns of a group are side by side mostly: its block is sought once for
     // them.
     std::optional<unsigned int> last;
-    double                     *of_row = nullptr;
+    double                     *row_block = nullptr;
     for (std::size_t i = matrix.first[row]; i < matrix.first[row + 1]; ++i)
       {
         const int column = matrix.columns[i];
@@ -109,12 +109,12 @@ namespace auxfem
           continue;
         if (const unsigned int other = *groups.group[column]; other != last)
           {
-            last   = other;
-            of_row = &blocks[order.block_at_first(group, other)] +
+            last      = other;
+            row_block = &blocks[order.initial_block(group, other)] +
               groups.number[row] * size(other);
           }
         const double entry = matrix.entries[i] * scale[row] * scale[column];
-        of_row[groups.number[column]] = entry;
+        row_block[groups.number[column]] = entry;
         largest_in_row[row] = std::max(largest_in_row[row], std::abs(entry));
       }
   }
@@ -166,18 +166,18 @@ namespace auxfem
 
   JointRows JointElimination::make_rows() const
   {
-    std::vector<int> taken;
-    for (const unsigned int group : order.left())
-      taken.insert(taken.end(),
-                   groups.rows[group].begin(),
-                   groups.rows[group].end());
-    return JointRows(unknowns, taken);
+    std::vector<int> selected;
+    for (const unsigned int group : order.remaining())
+      selected.insert(selected.end(),
+                      groups.rows[group].begin(),
+                      groups.rows[group].end());
+    return JointRows(unknowns, selected);
   }
 
   void JointElimination::make_pattern(const SparseMatrix &matrix)
   {
-    const std::size_t n_entries = count_entries_left(matrix);
-    left.columns.reserve(n_entries);
+    const std::size_t n_entries = count_reduced_entries(matrix);
+    reduced.columns.reserve(n_entries);
     sources.reserve(n_entries);
     std::vector<Source> row_of_sources;
     for (unsigned int row = 0; row < joint_rows.layout().n_owned(); ++row)
@@ -188,20 +188,20 @@ namespace auxfem
           row_of_sources.assign(1, {row, 0});
         for (const Source &source : row_of_sources)
           {
-            left.columns.push_back(source.column);
+            reduced.columns.push_back(source.column);
             sources.push_back(source.position);
           }
-        left.first[row + 1] = left.columns.size();
+        reduced.first[row + 1] = reduced.columns.size();
       }
-    left.entries.resize(left.columns.size());
+    reduced.entries.resize(reduced.columns.size());
   }
 
   std::size_t
-  JointElimination::count_entries_left(const SparseMatrix &matrix) const
+  JointElimination::count_reduced_entries(const SparseMatrix &matrix) const
   {
     // Rows that stand for nothing have one.
     std::size_t sum = joint_rows.layout().n_owned();
-    for (const unsigned int group : order.left())
+    for (const unsigned int group : order.remaining())
       {
         std::size_t n_columns = 0;
         for (const JointOrder::Link &link : order.links(group))
@@ -239,17 +239,18 @@ namespace auxfem
 
   void JointElimination::fill_matrix(const SparseMatrix &matrix)
   {
-    left.is_symmetric = matrix.is_symmetric;
+    reduced.is_symmetric = matrix.is_symmetric;
     for (unsigned int row = 0; row < joint_rows.layout().n_owned(); ++row)
       {
         const auto unknown = joint_rows.unknown(row);
-        for (std::size_t i = left.first[row]; i < left.first[row + 1]; ++i)
+        for (std::size_t i = reduced.first[row]; i < reduced.first[row + 1];
+             ++i)
           if (!unknown)
-            left.entries[i] = stiffness;
-          else if (joint_rows.layout().is_owned(left.columns[i]))
-            left.entries[i] = blocks[sources[i]];
+            reduced.entries[i] = stiffness;
+          else if (joint_rows.layout().is_owned(reduced.columns[i]))
+            reduced.entries[i] = blocks[sources[i]];
           else
-            left.entries[i] = matrix.entries[sources[i]] * scale[*unknown] *
+            reduced.entries[i] = matrix.entries[sources[i]] * scale[*unknown] *
               scale[matrix.columns[sources[i]]];
       }
   }
@@ -313,7 +314,7 @@ namespace auxfem
     std::size_t sum = blocks.capacity() * sizeof(double) +
       exchanges.capacity() * sizeof(int) +
       sources.capacity() * sizeof(std::size_t);
-    return sum + order.memory() + left.entries.capacity() * sizeof(double) +
-      left.columns.capacity() * sizeof(int);
+    return sum + order.memory() + reduced.entries.capacity() * sizeof(double) +
+      reduced.columns.capacity() * sizeof(int);
   }
 } // namespace auxfem

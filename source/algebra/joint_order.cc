@@ -11,28 +11,28 @@ namespace auxfem
 
     /**
      * Component @p moved of the motion at @p arm that the unit motion of
-     * component @p of_body of a rigid body makes.
+     * component @p body_component of a rigid body makes.
      */
-    double motion(const unsigned int          of_body,
+    double motion(const unsigned int          body_component,
                   const unsigned int          moved,
                   const dealii::Tensor<1, 3> &arm)
     {
-      if (of_body == moved)
+      if (body_component == moved)
         return 1.;
-      if (of_body < first_rotation || moved >= first_rotation)
+      if (body_component < first_rotation || moved >= first_rotation)
         return 0.;
       dealii::Tensor<1, 3> axis;
-      axis[of_body - first_rotation] = 1.;
+      axis[body_component - first_rotation] = 1.;
       return dealii::cross_product_3d(axis, arm)[moved];
     }
   } // namespace
 
-  JointRows::JointRows(const Unknowns &all, const std::vector<int> &taken)
+  JointRows::JointRows(const Unknowns &all, const std::vector<int> &selected)
     : unknowns(all)
     , rows(all.kinds.size())
   {
     std::unordered_map<unsigned int, std::vector<unsigned int>> blocks;
-    for (const int unknown : taken)
+    for (const int unknown : selected)
       add(unknown, blocks[unknowns.joint[unknown]]);
     share();
   }
@@ -61,23 +61,25 @@ namespace auxfem
 
   void JointRows::share()
   {
-    const UnknownLayout                     &of_unknowns = unknowns.layout;
-    const UnknownLayout                      owned(of_unknowns.communicator(),
+    const UnknownLayout &unknown_layout = unknowns.layout;
+    const UnknownLayout  owned(unknown_layout.communicator(),
                               unknown_of_row.size(),
                               {});
     std::vector<std::optional<unsigned int>> numbers = rows;
     for (std::optional<unsigned int> &number : numbers)
       if (number)
         number = owned.global(*number);
-    of_unknowns.update_ghosts(numbers);
+    unknown_layout.update_ghosts(numbers);
     std::vector<int> ghosts;
-    for (unsigned int i = of_unknowns.n_owned(); i < of_unknowns.n_local(); ++i)
+    for (unsigned int i = unknown_layout.n_owned();
+         i < unknown_layout.n_local();
+         ++i)
       if (numbers[i])
         {
           rows[i] = unknown_of_row.size() + ghosts.size();
           ghosts.push_back(*numbers[i]);
         }
-    row_layout = std::make_unique<UnknownLayout>(of_unknowns.communicator(),
+    row_layout = std::make_unique<UnknownLayout>(unknown_layout.communicator(),
                                                  unknown_of_row.size(),
                                                  ghosts);
   }
@@ -194,30 +196,30 @@ namespace auxfem
   JointOrder::JointOrder(const SparseMatrix &matrix,
                          const JointGroups  &groups,
                          const Unknowns     &unknowns,
-                         const unsigned int  most_neighbours)
+                         const unsigned int  max_neighbours)
     : groups(groups)
     , adjacent(groups.rows.size())
-    , is_gone(groups.rows.size(), false)
+    , is_eliminated(groups.rows.size(), false)
     , must_stay(groups.rows.size(), false)
   {
     connect(matrix, unknowns);
-    at_first = adjacent;
-    eliminate_groups(most_neighbours);
+    initial_links = adjacent;
+    eliminate_groups(max_neighbours);
     for (unsigned int group = 0; group < groups.rows.size(); ++group)
-      if (!is_gone[group])
-        staying.push_back(group);
+      if (!is_eliminated[group])
+        remaining_groups.push_back(group);
   }
 
-  std::size_t JointOrder::block_at_first(const unsigned int row,
-                                         const unsigned int column) const
+  std::size_t JointOrder::initial_block(const unsigned int row,
+                                        const unsigned int column) const
   {
-    return find_link(at_first[row], column)->block;
+    return find_link(initial_links[row], column)->block;
   }
 
   std::size_t JointOrder::memory() const
   {
     std::size_t sum = 0;
-    for (const Links &links : at_first)
+    for (const Links &links : initial_links)
       sum += sizeof(Links) + links.capacity() * sizeof(Link);
     for (const Links &links : adjacent)
       sum += sizeof(Links) + links.capacity() * sizeof(Link);
@@ -255,10 +257,10 @@ namespace auxfem
       }
   }
 
-  void JointOrder::eliminate_groups(const std::size_t most_neighbours)
+  void JointOrder::eliminate_groups(const std::size_t max_neighbours)
   {
     const auto may_go = [&](const unsigned int group) {
-      return !is_gone[group] && !must_stay[group];
+      return !is_eliminated[group] && !must_stay[group];
     };
     const auto degree = [this](const unsigned int group) {
       return adjacent[group].size() - 1;
@@ -267,10 +269,10 @@ namespace auxfem
     for (unsigned int group = 0; group < groups.rows.size(); ++group)
       if (may_go(group))
         queue.push(group, degree(group));
-    while (const std::optional<unsigned int> group = queue.pop(most_neighbours))
+    while (const std::optional<unsigned int> group = queue.pop(max_neighbours))
       {
         // The numbers change; only the last entry of a group counts.
-        if (is_gone[*group] || degree(*group) != queue.degree())
+        if (is_eliminated[*group] || degree(*group) != queue.degree())
           continue;
         eliminate(*group);
         for (const Link &link : order.back().right)
@@ -290,15 +292,15 @@ namespace auxfem
         pivot.right.push_back(link);
     for (const Link &link : pivot.right)
       {
-        Links     &of_neighbour = adjacent[link.group];
-        const auto back         = find_link(of_neighbour, group);
+        Links     &neighbour_links = adjacent[link.group];
+        const auto back            = find_link(neighbour_links, group);
         pivot.left.push_back({link.group, back->block});
-        of_neighbour.erase(back);
+        neighbour_links.erase(back);
       }
     for (const Link &row : pivot.right)
       for (const Link &column : pivot.right)
         pivot.between.push_back(block(row.group, column.group));
-    is_gone[group] = true;
+    is_eliminated[group] = true;
     Links().swap(adjacent[group]);
     order.push_back(std::move(pivot));
   }

@@ -7,29 +7,30 @@ namespace auxfem
   namespace
   {
     /** All but what is eliminated, on whichever rank. Collective. */
-    std::vector<bool> find_kept(const TangentPattern             &pattern,
-                                const std::vector<StrutElements> &struts)
+    std::vector<bool> find_retained(const TangentPattern             &pattern,
+                                    const std::vector<StrutElements> &struts)
     {
       const Unknowns     &unknowns = pattern.unknowns();
-      std::vector<double> is_kept(unknowns.layout.n_local(), 1.);
+      std::vector<double> is_retained(unknowns.layout.n_local(), 1.);
       for (const StrutElements &elements : struts)
         for (std::size_t b = elements.first_block;
              b < elements.first_block + elements.n_elements;
              ++b)
           for (const int *i = pattern.begin(b); i != pattern.end(b); ++i)
             if (unknowns.strut[*i])
-              is_kept[*i] = 0;
-      unknowns.layout.update_ghosts(is_kept.data());
-      return std::vector<bool>(is_kept.begin(), is_kept.end());
+              is_retained[*i] = 0;
+      unknowns.layout.update_ghosts(is_retained.data());
+      return std::vector<bool>(is_retained.begin(), is_retained.end());
     }
   } // namespace
 
   JointSystem::JointSystem(const TangentPattern             &pattern,
                            const std::vector<StrutElements> &struts)
     : struts(struts)
-    , selection(std::make_unique<UnknownSelection>(pattern.unknowns().layout,
-                                                   find_kept(pattern, struts)))
-    , of_joints(selection->layout)
+    , selection(
+        std::make_unique<UnknownSelection>(pattern.unknowns().layout,
+                                           find_retained(pattern, struts)))
+    , joint_unknowns(selection->layout)
     , n_ends(2 * pattern.unknowns().components.size())
   {
     for (const StrutElements &elements : struts)
@@ -37,11 +38,11 @@ namespace auxfem
         const int *const first = pattern.begin(elements.first_block);
         const int *const last =
           pattern.begin(elements.first_block + elements.n_elements - 1);
-        for (unsigned int i = 0; i < elements.n_of_node; ++i)
+        for (unsigned int i = 0; i < elements.n_node_unknowns; ++i)
           end_unknowns.push_back(selection->number[first[i]]);
-        for (unsigned int i = 0; i < elements.n_of_node; ++i)
+        for (unsigned int i = 0; i < elements.n_node_unknowns; ++i)
           end_unknowns.push_back(
-            selection->number[last[elements.n_of_node + i]]);
+            selection->number[last[elements.n_node_unknowns + i]]);
       }
     positions_to_send.resize(struts.size());
     if (selection->layout.n_ranks() > 1)
@@ -90,13 +91,13 @@ namespace auxfem
           n_to_send += n_ends * n_ends;
         }
     to_send.resize(n_to_send);
-    const auto of_others = exchange_lists(unknowns, layout.communicator());
-    blocks               = NeighbourExchange(layout.communicator(),
-                               lengths(unknowns, n_ends),
-                               lengths(of_others, n_ends));
+    const auto received_lists = exchange_lists(unknowns, layout.communicator());
+    block_exchange            = NeighbourExchange(layout.communicator(),
+                                       lengths(unknowns, n_ends),
+                                       lengths(received_lists, n_ends));
 
     // Joints at the far ends may be new to this rank.
-    const std::vector<int> globals = one_after_the_other(of_others);
+    const std::vector<int> globals = concatenated(received_lists);
     layout.add_ghosts(globals);
     for (const int global : globals)
       received_unknowns.push_back(layout.local(global));
@@ -109,11 +110,11 @@ namespace auxfem
     for (const auto &[rank, neighbour] : neighbours)
       for (const int ghost : neighbour.ghosts)
         globals[rank].push_back(layout.global(ghost));
-    const auto of_others = exchange_lists(globals, layout.communicator());
-    ends_of_others       = NeighbourExchange(layout.communicator(),
-                                       lengths(globals),
-                                       lengths(of_others));
-    for (const int global : one_after_the_other(of_others))
+    const auto received_lists = exchange_lists(globals, layout.communicator());
+    end_exchange              = NeighbourExchange(layout.communicator(),
+                                     lengths(globals),
+                                     lengths(received_lists));
+    for (const int global : concatenated(received_lists))
       received_ends.push_back(layout.local(global));
   }
 
@@ -129,34 +130,34 @@ namespace auxfem
       for (unsigned int i = 0; i < layout.n_local(); ++i)
         take(i, static_cast<unsigned int>(values[i]));
     };
-    of_joints = Unknowns(layout);
+    joint_unknowns = Unknowns(layout);
     fill([&](const int i) { return all.kinds[i]; },
          [&](const unsigned int i, const unsigned int value) {
-           of_joints.kinds[i] = static_cast<UnknownKind>(value);
+           joint_unknowns.kinds[i] = static_cast<UnknownKind>(value);
          });
     fill([&](const int i) { return all.is_rotation[i]; },
          [&](const unsigned int i, const unsigned int value) {
-           of_joints.is_rotation[i] = value != 0;
+           joint_unknowns.is_rotation[i] = value != 0;
          });
     // Zero: none.
     fill([&](const int i) { return all.strut[i] ? *all.strut[i] + 1. : 0.; },
          [&](const unsigned int i, const unsigned int value) {
            if (value > 0)
-             of_joints.strut[i] = value - 1;
+             joint_unknowns.strut[i] = value - 1;
          });
     fill([&](const int i) { return all.joint[i]; },
          [&](const unsigned int i, const unsigned int value) {
-           of_joints.joint[i] = value;
+           joint_unknowns.joint[i] = value;
          });
     fill([&](const int i) { return all.component[i]; },
          [&](const unsigned int i, const unsigned int value) {
-           of_joints.component[i] = value;
+           joint_unknowns.component[i] = value;
          });
-    of_joints.positions  = all.positions;
-    of_joints.components = all.components;
-    of_joints.length     = all.length;
+    joint_unknowns.positions  = all.positions;
+    joint_unknowns.components = all.components;
+    joint_unknowns.length     = all.length;
     for (unsigned int i = 0; i < layout.n_local(); ++i)
-      if (of_joints.kinds[i] == UnknownKind::prescribed)
+      if (joint_unknowns.kinds[i] == UnknownKind::prescribed)
         prescribed_unknowns.push_back(i);
   }
 
@@ -165,10 +166,10 @@ namespace auxfem
     std::vector<std::size_t> first(1, 0);
     std::vector<int>         unknowns;
     const auto               append = [&](const int unknown) {
-      unknowns.push_back(unknown >= 0 &&
-                             of_joints.kinds[unknown] != UnknownKind::prescribed
-                           ? unknown
-                           : -1);
+      unknowns.push_back(
+        unknown >= 0 && joint_unknowns.kinds[unknown] != UnknownKind::prescribed
+          ? unknown
+          : -1);
     };
     const auto append_struts = [&](const std::vector<int> &all_ends) {
       for (std::size_t i = 0; i < all_ends.size(); i += n_ends)
@@ -181,13 +182,13 @@ namespace auxfem
     append_struts(end_unknowns);
     append_struts(received_unknowns);
 
-    const auto is_kept = [&](const int unknown) {
+    const auto is_retained = [&](const int unknown) {
       return unknown < 0 || selection->number[unknown] >= 0;
     };
     for (std::size_t b = 0; b < pattern.n_blocks(); ++b)
-      if (std::all_of(pattern.begin(b), pattern.end(b), is_kept))
+      if (std::all_of(pattern.begin(b), pattern.end(b), is_retained))
         {
-          others.push_back(b);
+          other_blocks.push_back(b);
           for (const int *i = pattern.begin(b); i != pattern.end(b); ++i)
             append(*i < 0 ? -1 : selection->number[*i]);
           first.push_back(unknowns.size());
@@ -201,7 +202,7 @@ namespace auxfem
     return assembly->matrix();
   }
 
-  const std::vector<int> &JointSystem::kept() const
+  const std::vector<int> &JointSystem::retained_unknowns() const
   {
     return selection->unknowns;
   }
@@ -210,7 +211,7 @@ namespace auxfem
   {
     assembly->reset(symmetry);
     for (unsigned int i = 0; i < selection->layout.n_owned(); ++i)
-      if (of_joints.kinds[i] == UnknownKind::prescribed)
+      if (joint_unknowns.kinds[i] == UnknownKind::prescribed)
         assembly->add_to_diagonal(i, 1.);
   }
 
@@ -226,15 +227,15 @@ namespace auxfem
     std::size_t next = struts.size();
     if (selection->layout.n_ranks() > 1)
       {
-        const std::vector<double> received = blocks.exchange(to_send);
+        const std::vector<double> received = block_exchange.exchange(to_send);
         for (std::size_t i = 0; i < received.size(); i += n_ends * n_ends)
           assembly->add(next++, received.data() + i);
       }
-    for (const std::size_t block : others)
+    for (const std::size_t block : other_blocks)
       assembly->add(next++, matrix.values(block));
     if (!matrix.added_diagonal().empty())
       for (unsigned int i = 0; i < selection->layout.n_owned(); ++i)
-        if (of_joints.kinds[i] != UnknownKind::prescribed)
+        if (joint_unknowns.kinds[i] != UnknownKind::prescribed)
           assembly->add_to_diagonal(
             i,
             matrix.added_diagonal()[selection->unknowns[i]]);
@@ -244,11 +245,11 @@ namespace auxfem
   {
     if (selection->layout.n_ranks() == 1)
       return;
-    std::vector<double> of_ghosts;
+    std::vector<double> ghost_values;
     for (const auto &[rank, neighbour] : neighbours)
       for (const int ghost : neighbour.ghosts)
-        of_ghosts.push_back(values[ghost]);
-    const std::vector<double> received = ends_of_others.exchange(of_ghosts);
+        ghost_values.push_back(values[ghost]);
+    const std::vector<double> received = end_exchange.exchange(ghost_values);
     for (std::size_t i = 0; i < received.size(); ++i)
       values[received_ends[i]] += received[i];
   }

@@ -27,7 +27,7 @@ namespace auxfem
       FactorizationOutcome analyse(const SparseMatrix &matrix,
                                    const Unknowns     &unknowns) override
       {
-        Assert(unknowns.n_of(UnknownKind::multiplier) == 0,
+        Assert(unknowns.n_of_kind(UnknownKind::multiplier) == 0,
                dealii::ExcMessage("Multipliers are left to direct solvers."));
         n_before       = n_iterations();
         layout         = &unknowns.layout;
@@ -39,16 +39,16 @@ namespace auxfem
 
       FactorizationOutcome factorize(const SparseMatrix &matrix) override
       {
-        const bool has_wrong =
+        const bool has_nonfinite =
           std::any_of(matrix.entries.begin(),
                       matrix.entries.end(),
                       [](const double entry) { return !std::isfinite(entry); });
-        if (layout->largest(has_wrong ? 1. : 0.) > 0)
+        if (layout->largest(has_nonfinite ? 1. : 0.) > 0)
           return FactorizationOutcome::not_finite;
         if (!elimination->factorize(matrix))
           return FactorizationOutcome::singular;
         n_negative_eliminated = count_negative(matrix);
-        if (nothing_is_left())
+        if (is_fully_eliminated())
           return FactorizationOutcome::done;
         if (!krylov->factorize(elimination->matrix(),
                                elimination->rows(),
@@ -61,12 +61,12 @@ namespace auxfem
 
       std::string solve(double *x) override
       {
-        left.resize(elimination->rows().layout().n_owned());
-        elimination->reduce(x, left.data());
+        joint_values.resize(elimination->rows().layout().n_owned());
+        elimination->reduce(x, joint_values.data());
         std::string failure;
-        if (!nothing_is_left())
-          failure = krylov->solve(left.data(), left.data());
-        elimination->expand(left.data(), x);
+        if (!is_fully_eliminated())
+          failure = krylov->solve(joint_values.data(), joint_values.data());
+        elimination->expand(joint_values.data(), x);
         return failure;
       }
 
@@ -87,7 +87,7 @@ namespace auxfem
 
       std::optional<unsigned long> n_negative_at_least() override
       {
-        if (n_negative_eliminated != 0 || nothing_is_left())
+        if (n_negative_eliminated != 0 || is_fully_eliminated())
           return n_negative_eliminated;
         return krylov->n_negative();
       }
@@ -98,13 +98,14 @@ namespace auxfem
       }
 
     private:
-      bool nothing_is_left() const
+      bool is_fully_eliminated() const
       {
         return elimination->rows().layout().n_global() == 0;
       }
 
       /** Negative eigenvalues of all that is eliminated; nothing if @p matrix is
-       * not symmetric. Without any, conjugate gradients may serve the rest. */
+       * not symmetric. Without any, conjugate gradients may serve the residual.
+       */
       std::optional<unsigned long>
       count_negative(const SparseMatrix &matrix) const
       {
@@ -124,7 +125,8 @@ namespace auxfem
       bool                         is_new_pattern = true;
       std::optional<unsigned long> n_negative_eliminated;
       unsigned long                n_before = 0;
-      std::vector<double> left; ///< right-hand side of S, then its solution
+      std::vector<double>
+        joint_values; ///< right-hand side of S, then its solution
     };
   } // namespace
 
@@ -242,10 +244,10 @@ namespace auxfem
     catch (const dealii::SolverControl::NoConvergence &)
       {
         // Where round-off rules the tolerance may be missed by little.
-        OwnedVector rest(b);
-        free.vmult(rest, x);
-        rest -= b;
-        if (!(rest.l2_norm() <= 10 * tolerance * size))
+        OwnedVector residual(b);
+        free.vmult(residual, x);
+        residual -= b;
+        if (!(residual.l2_norm() <= 10 * tolerance * size))
           return false;
       }
     for (unsigned int i = 0; i < layout.n_owned(); ++i)
@@ -297,7 +299,7 @@ namespace auxfem
                              const double               tolerance,
                              std::vector<double>       &x)
   {
-    constexpr unsigned int most_iterations = 400, n_kept = 120;
+    constexpr unsigned int most_iterations = 400, n_directions = 120;
     DistributedVector right_side = make_vector(equations), solution(right_side),
                       preconditioned(right_side);
     std::copy(b.begin(), b.end(), right_side.begin());
@@ -311,7 +313,8 @@ namespace auxfem
                                       tolerance * preconditioned.l2_norm());
         dealii::SolverGMRES<DistributedVector> solver(
           control,
-          dealii::SolverGMRES<DistributedVector>::AdditionalData(n_kept + 2));
+          dealii::SolverGMRES<DistributedVector>::AdditionalData(n_directions +
+                                                                 2));
         solver.solve(matrix, solution, right_side, preconditioner);
       }
     catch (const dealii::SolverControl::NoConvergence &)

@@ -14,7 +14,7 @@ namespace auxfem
 {
   namespace
   {
-    const LinearSolverChoice with_pivoting =
+    const LinearSolverChoice mumps_with_pivoting =
       {LinearSolverType::mumps, "indefinite matrix that needs pivoting"};
   } // namespace
 
@@ -22,8 +22,10 @@ namespace auxfem
                              const TangentMatrix    &matrix)
     : parameters(parameters)
     , matrix(matrix)
-    , n_prescribed(matrix.pattern().unknowns().n_of(UnknownKind::prescribed))
-    , n_multipliers(matrix.pattern().unknowns().n_of(UnknownKind::multiplier))
+    , n_prescribed(
+        matrix.pattern().unknowns().n_of_kind(UnknownKind::prescribed))
+    , n_multipliers(
+        matrix.pattern().unknowns().n_of_kind(UnknownKind::multiplier))
     , condensation(matrix)
   {}
 
@@ -40,13 +42,13 @@ namespace auxfem
         if (matrix.pattern().unknowns().layout.n_ranks() > 1)
           throw;
       }
-    why_failed = message(outcome);
+    failure_reason = message(outcome);
     return outcome;
   }
 
-  Symmetry LinearSolver::wanted_symmetry(const Exactness exactness)
+  Symmetry LinearSolver::choose_symmetry(const Exactness exactness)
   {
-    serves_matrix          = true;
+    solves_given_matrix    = true;
     const double asymmetry = matrix.asymmetry();
     // Entries that are no numbers are found by those that factorize.
     if (!(asymmetry > TangentMatrix::symmetric_to_round_off))
@@ -54,35 +56,35 @@ namespace auxfem
     if (exactness == Exactness::exact && matrix.is_symmetric())
       return Symmetry::enforced;
     const bool takes_unsymmetric = parameters.type != "cholmod";
-    serves_matrix                = takes_unsymmetric &&
+    solves_given_matrix          = takes_unsymmetric &&
       !(exactness == Exactness::approximate &&
         symmetric_part_pays(parameters,
                             asymmetry,
                             matrix.pattern().unknowns().layout.n_global()));
-    return serves_matrix ? Symmetry::none : Symmetry::enforced;
+    return solves_given_matrix ? Symmetry::none : Symmetry::enforced;
   }
 
   FactorizationOutcome LinearSolver::try_to_factorize(const Exactness exactness)
   {
-    symmetry                     = wanted_symmetry(exactness);
+    symmetry                     = choose_symmetry(exactness);
     FactorizationOutcome outcome = condensation.condense(symmetry);
     if (outcome != FactorizationOutcome::done)
       return outcome;
     const LinearSolverChoice choice =
       choose_linear_solver(parameters, equations_at_joints());
-    outcome                      = factorize_joints(choice);
-    const bool may_do_with_mumps = parameters.type == "auto" &&
+    outcome                       = factorize_joints(choice);
+    const bool retries_with_mumps = parameters.type == "auto" &&
       ((outcome == FactorizationOutcome::singular &&
         choice.type == LinearSolverType::cholmod) ||
        (outcome == FactorizationOutcome::too_large &&
         choice.type != LinearSolverType::mumps));
-    if (!may_do_with_mumps)
+    if (!retries_with_mumps)
       return outcome;
     if (outcome == FactorizationOutcome::too_large)
       return factorize_joints(
         {LinearSolverType::mumps,
          "factors too large for " + name_of(choice.type)});
-    return factorize_joints(with_pivoting);
+    return factorize_joints(mumps_with_pivoting);
   }
 
   EquationsAtJoints LinearSolver::equations_at_joints() const
@@ -154,7 +156,7 @@ namespace auxfem
   std::optional<Inertia> LinearSolver::inertia()
   {
     const std::optional<Inertia> inner = condensation.inner_inertia();
-    if (current == nullptr || !why_failed.empty() || !inner)
+    if (current == nullptr || !failure_reason.empty() || !inner)
       return std::nullopt;
     std::optional<Inertia> sum = current->inertia();
     // KLU, which is quickest where there are few unknowns and multipliers, does
@@ -173,7 +175,7 @@ namespace auxfem
   std::optional<NegativeModes> LinearSolver::negative_modes()
   {
     const std::optional<Inertia> inner = condensation.inner_inertia();
-    if (current == nullptr || !why_failed.empty() || !inner)
+    if (current == nullptr || !failure_reason.empty() || !inner)
       return std::nullopt;
     if (const std::optional<Inertia> all = inertia())
       return NegativeModes{all->negative -
@@ -188,7 +190,7 @@ namespace auxfem
 
   std::optional<int> LinearSolver::determinant_sign() const
   {
-    if (current == nullptr || !why_failed.empty() || !serves_matrix)
+    if (current == nullptr || !failure_reason.empty() || !solves_given_matrix)
       return std::nullopt;
     std::optional<int> sign = current->determinant_sign();
     if (sign)
@@ -213,9 +215,9 @@ namespace auxfem
 #ifdef DEBUG
     const std::vector<double> right_side = values;
 #endif
-    condensation.reduce(values, of_joints);
-    why_failed = current->solve(of_joints.data());
-    if (!why_failed.empty())
+    condensation.reduce(values, joint_values);
+    failure_reason = current->solve(joint_values.data());
+    if (!failure_reason.empty())
       {
         // A failed solution must show: the next residual is then not finite.
         std::fill(values.begin(),
@@ -223,7 +225,7 @@ namespace auxfem
                   std::numeric_limits<double>::quiet_NaN());
         return false;
       }
-    condensation.expand(of_joints, values);
+    condensation.expand(joint_values, values);
 #ifdef DEBUG
     // Far above round-off, also where stiffness stands beside constraints; far
     // below what a wrong factor would leave.

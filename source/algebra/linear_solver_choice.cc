@@ -64,8 +64,8 @@ namespace auxfem
      */
     constexpr unsigned long iteration_limit = 1000000;
 
-    LinearSolverChoice asked_for(const SolverParameters  &parameters,
-                                 const EquationsAtJoints &equations)
+    LinearSolverChoice requested_solver(const SolverParameters  &parameters,
+                                        const EquationsAtJoints &equations)
     {
       const std::string reason = "Solver/Type = " + parameters.type;
       if (parameters.type == "klu")
@@ -172,7 +172,7 @@ namespace auxfem
                                           const EquationsAtJoints &equations)
   {
     if (parameters.type != "auto")
-      return asked_for(parameters, equations);
+      return requested_solver(parameters, equations);
 
     const std::string size = size_text(equations);
     if (is_in_space(equations) && !parameters.needs_inertia &&

@@ -126,8 +126,8 @@ namespace auxfem
                 MPI_STATUSES_IGNORE);
   }
 
-  SizesByRank sizes_from_others(const SizesByRank &sent,
-                                const MPI_Comm     communicator)
+  SizesByRank received_sizes(const SizesByRank &sent,
+                             const MPI_Comm     communicator)
   {
     int n_ranks = 0;
     MPI_Comm_size(communicator, &n_ranks);

@@ -88,19 +88,19 @@ namespace auxfem
                             n_negative))
           failed = &struts[s];
         else
-          system->add_strut(s, room.of_strut.data());
+          system->add_strut(s, room.strut.data());
         n_inner += struts[s].n_elements * struts[s].n_between_nodes() +
-          (struts[s].n_elements - 1) * struts[s].n_of_node;
+          (struts[s].n_elements - 1) * struts[s].n_node_unknowns;
       }
 
     // All ranks tell of the last strut of all that failed.
     const UnknownLayout &layout = tangent.pattern().unknowns().layout;
     const double last = layout.largest(failed != nullptr ? failed->strut : -1.);
     inertia.reset();
-    why_not.clear();
+    failure_place.clear();
     if (last >= 0)
       {
-        why_not = "the inside of strut " +
+        failure_place = "the inside of strut " +
           std::to_string(static_cast<unsigned int>(last));
         const bool is_finite = failed == nullptr || has_finite_entries(*failed);
         return layout.largest(is_finite ? 0. : 1.) > 0
@@ -111,14 +111,14 @@ namespace auxfem
     keep_prescribed_entries();
     const std::vector<double> sums =
       layout.sum(std::vector<double>{double(n_negative), double(n_inner)});
-    Inertia of_all;
-    of_all.negative = sums[0];
-    determinant     = determinant_sign(of_all);
+    Inertia total;
+    total.negative = sums[0];
+    determinant    = determinant_sign(total);
     // Else what counts as negative is what turns the sign of the determinant.
     if (symmetry != Symmetry::none)
       {
-        of_all.positive = sums[1] - sums[0];
-        inertia         = of_all;
+        total.positive = sums[1] - sums[0];
+        inertia        = total;
       }
     return FactorizationOutcome::done;
   }
@@ -126,7 +126,7 @@ namespace auxfem
   bool
   StrutCondensation::has_finite_entries(const StrutElements &elements) const
   {
-    const std::size_t   n = elements.n_of_element;
+    const std::size_t   n = elements.n_element_unknowns;
     std::vector<double> room;
     const auto          are_finite = [](const double *begin, std::size_t size) {
       return std::all_of(begin, begin + size, [](const double value) {
@@ -137,7 +137,7 @@ namespace auxfem
       {
         const std::size_t  block    = elements.first_block + e;
         const int *const   unknowns = tangent.pattern().begin(block);
-        const unsigned int c        = elements.n_of_node;
+        const unsigned int c        = elements.n_node_unknowns;
         if (!are_finite(tangent.values(block), n * n))
           return false;
         // The strut's first node may be another rank's.
@@ -164,7 +164,7 @@ namespace auxfem
   }
 
   bool StrutCondensation::condense_strut(const StrutElements &elements,
-                                         double              *of_strut,
+                                         double              *strut_factors,
                                          Room                &room,
                                          unsigned long       &n_negative) const
   {
@@ -172,21 +172,21 @@ namespace auxfem
       {
         const std::size_t block = elements.first_block + e;
         EliminationResult result =
-          condense_element(elements, block, of_strut, room);
+          condense_element(elements, block, strut_factors, room);
         n_negative += result.n_negative;
         if (!result.is_regular)
           return false;
         if (elements.between_nodes != nullptr)
-          of_strut += elements.between_nodes->factor_size(symmetry);
+          strut_factors += elements.between_nodes->factor_size(symmetry);
         if (e == 0)
-          room.of_strut = room.of_element;
+          room.strut = room.element;
         else
           {
-            result = eliminate_node(elements, block, of_strut, room);
+            result = eliminate_node(elements, block, strut_factors, room);
             n_negative += result.n_negative;
             if (!result.is_regular)
               return false;
-            of_strut += node_size(elements);
+            strut_factors += node_size(elements);
           }
       }
     return true;
@@ -195,23 +195,23 @@ namespace auxfem
   EliminationResult
   StrutCondensation::condense_element(const StrutElements &elements,
                                       const std::size_t    block,
-                                      double              *of_element,
+                                      double              *element_factors,
                                       Room                &room) const
   {
-    const unsigned int n_ends  = 2 * elements.n_of_node,
-                       n       = elements.n_of_element;
+    const unsigned int n_ends  = 2 * elements.n_node_unknowns,
+                       n       = elements.n_element_unknowns;
     const double *const values = tangent.values(block);
-    room.of_element.resize(n_ends * n_ends);
+    room.element.resize(n_ends * n_ends);
     if (elements.between_nodes != nullptr)
       return elements.between_nodes->eliminate(
         values,
         added(tangent.pattern().begin(block) + n_ends, n - n_ends, room.inner),
         symmetry,
-        of_element,
-        room.of_element.data());
+        element_factors,
+        room.element.data());
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j < n; ++j)
-        room.of_element[i * n + j] = symmetry == Symmetry::enforced
+        room.element[i * n + j] = symmetry == Symmetry::enforced
           ? (values[i * n + j] + values[j * n + i]) / 2
           : values[i * n + j];
     return {};
@@ -220,12 +220,12 @@ namespace auxfem
   EliminationResult
   StrutCondensation::eliminate_node(const StrutElements &elements,
                                     const std::size_t    block,
-                                    double              *of_node,
+                                    double              *node_factors,
                                     Room                &room) const
   {
     // The strut so far acts on its first node and on this one, the element on
     // this one and its last: which stand third, first and second around it.
-    const unsigned int c = elements.n_of_node, n = 3 * c;
+    const unsigned int c = elements.n_node_unknowns, n = 3 * c;
     room.around_node.assign(n * n, 0.);
     const auto spread = [&](const std::vector<double>         &part,
                             const std::array<unsigned int, 2> &nodes) {
@@ -234,15 +234,15 @@ namespace auxfem
           room.around_node[(nodes[i / c] * c + i % c) * n + nodes[j / c] * c +
                            j % c] += part[i * 2 * c + j];
     };
-    spread(room.of_strut, {{0, 2}});
-    spread(room.of_element, {{2, 1}});
+    spread(room.strut, {{0, 2}});
+    spread(room.element, {{2, 1}});
     return elements.node->eliminate(room.around_node.data(),
                                     added(tangent.pattern().begin(block),
                                           c,
                                           room.inner),
                                     symmetry_of_nodes(),
-                                    of_node,
-                                    room.of_strut.data());
+                                    node_factors,
+                                    room.strut.data());
   }
 
   void StrutCondensation::keep_prescribed_entries()
@@ -276,14 +276,15 @@ namespace auxfem
     const double *block = prescribed_entries.data();
     for (const std::size_t b : prescribed_blocks)
       {
-        const int *const  of_block = tangent.pattern().begin(b);
-        const std::size_t n        = tangent.pattern().size(b);
+        const int *const  block_unknowns = tangent.pattern().begin(b);
+        const std::size_t n              = tangent.pattern().size(b);
         for (unsigned int i = 0; i < n; ++i)
-          if (layout.is_owned(of_block[i]) && !is_prescribed(of_block[i]))
+          if (layout.is_owned(block_unknowns[i]) &&
+              !is_prescribed(block_unknowns[i]))
             for (unsigned int j = 0; j < n; ++j)
-              if (is_prescribed(of_block[j]))
-                values[of_block[i]] -=
-                  block[i * n + j] * prescribed[of_block[j]];
+              if (is_prescribed(block_unknowns[j]))
+                values[block_unknowns[i]] -=
+                  block[i * n + j] * prescribed[block_unknowns[j]];
         block += n * n;
       }
   }
@@ -296,12 +297,17 @@ namespace auxfem
     Room room;
     for (std::size_t s = 0; s < struts.size(); ++s)
       {
-        const StrutElements &elements = struts[s];
-        const double *const  of_strut = factors.data() + first_factor[s];
+        const StrutElements &elements      = struts[s];
+        const double *const  strut_factors = factors.data() + first_factor[s];
         if (elements.n_elements > 1)
-          reduce_chain(elements, of_strut, values, system->ends(s), g, room);
+          reduce_chain(elements,
+                       strut_factors,
+                       values,
+                       system->ends(s),
+                       g,
+                       room);
         else if (elements.between_nodes != nullptr)
-          elements.between_nodes->reduce(of_strut,
+          elements.between_nodes->reduce(strut_factors,
                                          symmetry,
                                          inner_unknowns(elements, 0),
                                          values.data(),
@@ -309,75 +315,75 @@ namespace auxfem
                                          g.data());
       }
     system->add_ghosts_to_owners(g);
-    const std::vector<int> &kept    = system->kept();
-    const int               n_owned = system->unknowns().layout.n_owned();
+    const std::vector<int> &retained = system->retained_unknowns();
+    const int               n_owned  = system->unknowns().layout.n_owned();
     for (int k = 0; k < n_owned; ++k)
-      g[k] += values[kept[k]];
+      g[k] += values[retained[k]];
     for (const int k : system->prescribed())
       if (k < n_owned)
-        g[k] = values[kept[k]];
+        g[k] = values[retained[k]];
   }
 
   const int *StrutCondensation::inner_unknowns(const StrutElements &elements,
                                                const unsigned int   e) const
   {
     return tangent.pattern().begin(elements.first_block + e) +
-      2 * elements.n_of_node;
+      2 * elements.n_node_unknowns;
   }
 
   void StrutCondensation::reduce_chain(const StrutElements &elements,
-                                       const double        *of_strut,
+                                       const double        *strut_factors,
                                        std::vector<double> &values,
                                        const int           *ends,
                                        std::vector<double> &g,
                                        Room                &room) const
   {
-    const unsigned int c = elements.n_of_node;
-    room.of_strut.assign(2 * c, 0.);
+    const unsigned int c = elements.n_node_unknowns;
+    room.strut.assign(2 * c, 0.);
     for (unsigned int e = 0; e < elements.n_elements; ++e)
       {
-        room.of_element.assign(2 * c, 0.);
+        room.element.assign(2 * c, 0.);
         if (elements.between_nodes != nullptr)
           {
-            elements.between_nodes->reduce(of_strut,
+            elements.between_nodes->reduce(strut_factors,
                                            symmetry,
                                            inner_unknowns(elements, e),
                                            values.data(),
                                            in_order,
-                                           room.of_element.data());
-            of_strut += elements.between_nodes->factor_size(symmetry);
+                                           room.element.data());
+            strut_factors += elements.between_nodes->factor_size(symmetry);
           }
         if (e == 0)
           {
-            room.of_strut = room.of_element;
+            room.strut = room.element;
             continue;
           }
         const int *const node =
           tangent.pattern().begin(elements.first_block + e);
         for (unsigned int i = 0; i < c; ++i)
           {
-            values[node[i]] += room.of_strut[c + i] + room.of_element[i];
-            room.of_strut[c + i] = room.of_element[c + i];
+            values[node[i]] += room.strut[c + i] + room.element[i];
+            room.strut[c + i] = room.element[c + i];
           }
-        elements.node->reduce(of_strut,
+        elements.node->reduce(strut_factors,
                               symmetry_of_nodes(),
                               node,
                               values.data(),
                               in_order,
-                              room.of_strut.data());
-        of_strut += node_size(elements);
+                              room.strut.data());
+        strut_factors += node_size(elements);
       }
     for (unsigned int i = 0; i < 2 * c; ++i)
-      g[ends[i]] += room.of_strut[i];
+      g[ends[i]] += room.strut[i];
   }
 
   void StrutCondensation::expand(std::vector<double> &z,
                                  std::vector<double> &values) const
   {
     system->unknowns().layout.update_ghosts(z.data());
-    const std::vector<int> &kept = system->kept();
-    for (std::size_t k = 0; k < kept.size(); ++k)
-      values[kept[k]] = z[k];
+    const std::vector<int> &retained = system->retained_unknowns();
+    for (std::size_t k = 0; k < retained.size(); ++k)
+      values[retained[k]] = z[k];
     // What prescribed ends do to the inside is in its right-hand side.
     for (const int k : system->prescribed())
       z[k] = 0;
@@ -385,12 +391,17 @@ namespace auxfem
     Room room;
     for (std::size_t s = 0; s < struts.size(); ++s)
       {
-        const StrutElements &elements = struts[s];
-        const double *const  of_strut = factors.data() + first_factor[s];
+        const StrutElements &elements      = struts[s];
+        const double *const  strut_factors = factors.data() + first_factor[s];
         if (elements.n_elements > 1)
-          expand_chain(elements, of_strut, values, system->ends(s), z, room);
+          expand_chain(elements,
+                       strut_factors,
+                       values,
+                       system->ends(s),
+                       z,
+                       room);
         else if (elements.between_nodes != nullptr)
-          elements.between_nodes->expand(of_strut,
+          elements.between_nodes->expand(strut_factors,
                                          inner_unknowns(elements, 0),
                                          values.data(),
                                          system->ends(s),
@@ -400,51 +411,52 @@ namespace auxfem
   }
 
   void StrutCondensation::expand_chain(const StrutElements       &elements,
-                                       const double              *of_strut,
+                                       const double              *strut_factors,
                                        std::vector<double>       &values,
                                        const int                 *ends,
                                        const std::vector<double> &z,
                                        Room                      &room) const
   {
-    const unsigned int c = elements.n_of_node, n_elements = elements.n_elements;
-    const std::size_t  of_element = elements.between_nodes != nullptr
-       ? elements.between_nodes->factor_size(symmetry)
-       : 0;
-    const std::size_t  of_node    = node_size(elements);
+    const unsigned int c                = elements.n_node_unknowns,
+                       n_elements       = elements.n_elements;
+    const std::size_t n_element_factors = elements.between_nodes != nullptr
+      ? elements.between_nodes->factor_size(symmetry)
+      : 0;
+    const std::size_t n_node_factors    = node_size(elements);
     // Last the node that was eliminated first.
-    std::vector<double> &of_nodes = room.around_node;
-    of_nodes.resize((n_elements + 1) * c);
+    std::vector<double> &node_values = room.around_node;
+    node_values.resize((n_elements + 1) * c);
     for (unsigned int i = 0; i < c; ++i)
       {
-        of_nodes[i]                  = z[ends[i]];
-        of_nodes[n_elements * c + i] = z[ends[c + i]];
+        node_values[i]                  = z[ends[i]];
+        node_values[n_elements * c + i] = z[ends[c + i]];
       }
-    room.of_element.resize(2 * c);
+    room.element.resize(2 * c);
     for (unsigned int e = n_elements - 1; e > 0; --e)
       {
         const int *const node =
           tangent.pattern().begin(elements.first_block + e);
-        std::copy_n(of_nodes.begin(), c, room.of_element.begin());
-        std::copy_n(of_nodes.begin() + (e + 1) * c,
+        std::copy_n(node_values.begin(), c, room.element.begin());
+        std::copy_n(node_values.begin() + (e + 1) * c,
                     c,
-                    room.of_element.begin() + c);
-        elements.node->expand(of_strut + (e + 1) * of_element +
-                                (e - 1) * of_node,
+                    room.element.begin() + c);
+        elements.node->expand(strut_factors + (e + 1) * n_element_factors +
+                                (e - 1) * n_node_factors,
                               node,
                               values.data(),
                               in_order,
-                              room.of_element.data());
+                              room.element.data());
         for (unsigned int i = 0; i < c; ++i)
-          of_nodes[e * c + i] = values[node[i]];
+          node_values[e * c + i] = values[node[i]];
       }
     if (elements.between_nodes == nullptr)
       return;
     for (unsigned int e = 0; e < n_elements; ++e)
-      elements.between_nodes->expand(of_strut + e * of_element +
-                                       (e > 0 ? (e - 1) * of_node : 0),
+      elements.between_nodes->expand(strut_factors + e * n_element_factors +
+                                       (e > 0 ? (e - 1) * n_node_factors : 0),
                                      inner_unknowns(elements, e),
                                      values.data(),
                                      in_order,
-                                     &of_nodes[e * c]);
+                                     &node_values[e * c]);
   }
 } // namespace auxfem

@@ -14,7 +14,7 @@ namespace auxfem
   void TangentPattern::reset(const Unknowns &unknowns)
   {
     all = &unknowns;
-    of_blocks.clear();
+    block_unknowns.clear();
     first.assign(1, 0);
     ++changes;
   }
@@ -22,14 +22,14 @@ namespace auxfem
   std::size_t TangentPattern::register_block(const int         *unknowns,
                                              const unsigned int n)
   {
-    of_blocks.insert(of_blocks.end(), unknowns, unknowns + n);
-    first.push_back(of_blocks.size());
+    block_unknowns.insert(block_unknowns.end(), unknowns, unknowns + n);
+    first.push_back(block_unknowns.size());
     ++changes;
     return n_blocks() - 1;
   }
 
   TangentMatrix::TangentMatrix(const TangentPattern &pattern)
-    : of_pattern(pattern)
+    : tangent_pattern(pattern)
   {
     reset();
   }
@@ -37,18 +37,19 @@ namespace auxfem
   void TangentMatrix::reset()
   {
     further_diagonal.clear();
-    if (first.empty() || built_version != of_pattern.version())
+    if (first.empty() || built_version != tangent_pattern.version())
       {
         first.assign(1, 0);
-        first.reserve(of_pattern.n_blocks() + 1);
-        for (std::size_t b = 0; b < of_pattern.n_blocks(); ++b)
+        first.reserve(tangent_pattern.n_blocks() + 1);
+        for (std::size_t b = 0; b < tangent_pattern.n_blocks(); ++b)
           first.push_back(first.back() +
-                          std::size_t(of_pattern.size(b)) * of_pattern.size(b));
+                          std::size_t(tangent_pattern.size(b)) *
+                            tangent_pattern.size(b));
         // What it no longer needs must not count twice against the memory.
         if (entries.capacity() < first.back())
           entries = std::vector<double>();
         entries.resize(first.back());
-        built_version = of_pattern.version();
+        built_version = tangent_pattern.version();
       }
     std::fill(entries.begin(), entries.end(), 0.);
   }
@@ -70,17 +71,17 @@ namespace auxfem
   template <class Action>
   void TangentMatrix::for_each_block(const Action &action) const
   {
-    Assert(built_version == of_pattern.version(),
+    Assert(built_version == tangent_pattern.version(),
            dealii::ExcMessage("The pattern has changed; reset the matrix."));
     for (std::size_t b = 0; b + 1 < first.size(); ++b)
-      action(of_pattern.begin(b), of_pattern.size(b), values(b));
+      action(tangent_pattern.begin(b), tangent_pattern.size(b), values(b));
   }
 
   void TangentMatrix::transpose()
   {
     for (std::size_t b = 0; b + 1 < first.size(); ++b)
       {
-        const unsigned int n      = of_pattern.size(b);
+        const unsigned int n      = tangent_pattern.size(b);
         double *const      values = entries.data() + first[b];
         for (unsigned int i = 0; i < n; ++i)
           for (unsigned int j = 0; j < i; ++j)
@@ -92,7 +93,7 @@ namespace auxfem
   {
     for (std::size_t b = 0; b + 1 < first.size(); ++b)
       {
-        const unsigned int n      = of_pattern.size(b);
+        const unsigned int n      = tangent_pattern.size(b);
         double *const      values = entries.data() + first[b];
         for (unsigned int i = 0; i < n; ++i)
           for (unsigned int j = 0; j < i; ++j)
@@ -114,61 +115,63 @@ namespace auxfem
     add(other.further_diagonal, further_diagonal);
   }
 
-  void TangentMatrix::add_to_diagonal(const std::vector<double> &of_owned)
+  void TangentMatrix::add_to_diagonal(const std::vector<double> &values)
   {
-    const Unknowns &unknowns = of_pattern.unknowns();
+    const Unknowns &unknowns = tangent_pattern.unknowns();
     further_diagonal.resize(unknowns.layout.n_owned(), 0.);
     for (unsigned int i = 0; i < further_diagonal.size(); ++i)
       if (unknowns.kinds[i] != UnknownKind::prescribed)
-        further_diagonal[i] += of_owned[i];
+        further_diagonal[i] += values[i];
   }
 
   std::vector<double> TangentMatrix::diagonal() const
   {
-    const Unknowns     &unknowns = of_pattern.unknowns();
+    const Unknowns     &unknowns = tangent_pattern.unknowns();
     const int           n_owned  = unknowns.layout.n_owned();
     std::vector<double> sums     = further_diagonal;
     sums.resize(n_owned, 0.);
-    for_each_block(
-      [&](const int *of_block, const unsigned int n, const double *block) {
-        // An unknown may stand in several rows of a block.
-        for (unsigned int i = 0; i < n; ++i)
-          if (of_block[i] >= 0 && of_block[i] < n_owned)
-            for (unsigned int j = 0; j < n; ++j)
-              if (of_block[j] == of_block[i])
-                sums[of_block[i]] += block[i * n + j];
-      });
+    for_each_block([&](const int         *block_unknowns,
+                       const unsigned int n,
+                       const double      *block) {
+      // An unknown may stand in several rows of a block.
+      for (unsigned int i = 0; i < n; ++i)
+        if (block_unknowns[i] >= 0 && block_unknowns[i] < n_owned)
+          for (unsigned int j = 0; j < n; ++j)
+            if (block_unknowns[j] == block_unknowns[i])
+              sums[block_unknowns[i]] += block[i * n + j];
+    });
     for (int i = 0; i < n_owned; ++i)
       if (unknowns.kinds[i] == UnknownKind::prescribed)
         sums[i] = 1;
     return sums;
   }
 
-  void TangentMatrix::set_diagonal(const std::vector<double> &of_owned)
+  void TangentMatrix::set_diagonal(const std::vector<double> &values)
   {
     std::vector<double> difference = diagonal();
     for (unsigned int i = 0; i < difference.size(); ++i)
-      difference[i] = of_owned[i] - difference[i];
+      difference[i] = values[i] - difference[i];
     add_to_diagonal(difference);
   }
 
   std::vector<double> TangentMatrix::row_sizes() const
   {
-    const Unknowns     &unknowns = of_pattern.unknowns();
+    const Unknowns     &unknowns = tangent_pattern.unknowns();
     const int           n_owned  = unknowns.layout.n_owned();
     std::vector<double> sizes    = further_diagonal;
     sizes.resize(n_owned, 0.);
     for (double &size : sizes)
       size = std::abs(size);
-    for_each_block(
-      [&](const int *of_block, const unsigned int n, const double *block) {
-        for (unsigned int i = 0; i < n; ++i)
-          if (of_block[i] >= 0 && of_block[i] < n_owned)
-            for (unsigned int j = 0; j < n; ++j)
-              if (of_block[j] >= 0)
-                sizes[of_block[i]] =
-                  std::max(sizes[of_block[i]], std::abs(block[i * n + j]));
-      });
+    for_each_block([&](const int         *block_unknowns,
+                       const unsigned int n,
+                       const double      *block) {
+      for (unsigned int i = 0; i < n; ++i)
+        if (block_unknowns[i] >= 0 && block_unknowns[i] < n_owned)
+          for (unsigned int j = 0; j < n; ++j)
+            if (block_unknowns[j] >= 0)
+              sizes[block_unknowns[i]] =
+                std::max(sizes[block_unknowns[i]], std::abs(block[i * n + j]));
+    });
     for (int i = 0; i < n_owned; ++i)
       if (unknowns.kinds[i] == UnknownKind::prescribed)
         sizes[i] = 1;
@@ -179,45 +182,46 @@ namespace auxfem
                                       double        *y,
                                       const Symmetry symmetry) const
   {
-    const Unknowns     &unknowns = of_pattern.unknowns();
+    const Unknowns     &unknowns = tangent_pattern.unknowns();
     const int           n_owned  = unknowns.layout.n_owned();
     const bool          enforced = symmetry == Symmetry::enforced;
-    std::vector<double> of_block, free;
+    std::vector<double> block_x, block_x_free;
     std::fill(y, y + n_owned, 0.);
-    for_each_block(
-      [&](const int *in_block, const unsigned int n, const double *block) {
-        of_block.assign(n, 0.);
-        for (unsigned int j = 0; j < n; ++j)
-          if (in_block[j] >= 0)
-            of_block[j] = x[in_block[j]];
-        if (enforced)
-          {
-            // (B x + B^T x_free + B x_prescribed)/2
-            free = of_block;
-            for (unsigned int j = 0; j < n; ++j)
-              if (in_block[j] >= 0 &&
-                  unknowns.kinds[in_block[j]] == UnknownKind::prescribed)
-                {
-                  free[j] = 0;
-                  of_block[j] *= 2;
-                }
-          }
-        for (unsigned int i = 0; i < n; ++i)
-          {
-            if (in_block[i] < 0 || in_block[i] >= n_owned)
-              continue;
-            double sum = 0;
-            for (unsigned int j = 0; j < n; ++j)
-              sum += block[i * n + j] * of_block[j];
-            if (enforced)
+    for_each_block([&](const int         *block_unknowns,
+                       const unsigned int n,
+                       const double      *block) {
+      block_x.assign(n, 0.);
+      for (unsigned int j = 0; j < n; ++j)
+        if (block_unknowns[j] >= 0)
+          block_x[j] = x[block_unknowns[j]];
+      if (enforced)
+        {
+          // (B x + B^T x_free + B x_prescribed)/2
+          block_x_free = block_x;
+          for (unsigned int j = 0; j < n; ++j)
+            if (block_unknowns[j] >= 0 &&
+                unknowns.kinds[block_unknowns[j]] == UnknownKind::prescribed)
               {
-                for (unsigned int j = 0; j < n; ++j)
-                  sum += block[j * n + i] * free[j];
-                sum /= 2;
+                block_x_free[j] = 0;
+                block_x[j] *= 2;
               }
-            y[in_block[i]] += sum;
-          }
-      });
+        }
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          if (block_unknowns[i] < 0 || block_unknowns[i] >= n_owned)
+            continue;
+          double sum = 0;
+          for (unsigned int j = 0; j < n; ++j)
+            sum += block[i * n + j] * block_x[j];
+          if (enforced)
+            {
+              for (unsigned int j = 0; j < n; ++j)
+                sum += block[j * n + i] * block_x_free[j];
+              sum /= 2;
+            }
+          y[block_unknowns[i]] += sum;
+        }
+    });
     for (std::size_t i = 0; i < further_diagonal.size(); ++i)
       y[i] += further_diagonal[i] * x[i];
   }
@@ -227,7 +231,7 @@ namespace auxfem
                                const Symmetry symmetry) const
   {
     multiply_blocks(x, y, symmetry);
-    const Unknowns &unknowns = of_pattern.unknowns();
+    const Unknowns &unknowns = tangent_pattern.unknowns();
     for (unsigned int i = 0; i < unknowns.layout.n_owned(); ++i)
       if (unknowns.kinds[i] == UnknownKind::prescribed)
         y[i] = x[i];
@@ -235,31 +239,33 @@ namespace auxfem
 
   double TangentMatrix::asymmetry() const
   {
-    const Unknowns     &unknowns = of_pattern.unknowns();
-    std::vector<double> weights(unknowns.layout.n_local(), 0.), of_block;
+    const Unknowns     &unknowns = tangent_pattern.unknowns();
+    std::vector<double> weights(unknowns.layout.n_local(), 0.), block_weights;
     for (unsigned int i = 0; i < weights.size(); ++i)
       if (unknowns.kinds[i] != UnknownKind::prescribed)
         weights[i] = unknowns.unit(i) * unknowns.unit(i);
     double difference = 0, size = 0;
-    for_each_block(
-      [&](const int *in_block, const unsigned int n, const double *block) {
-        of_block.resize(n);
-        for (unsigned int i = 0; i < n; ++i)
-          of_block[i] = in_block[i] >= 0 ? weights[in_block[i]] : 0.;
-        for (unsigned int i = 0; i < n; ++i)
-          {
-            const double entry  = block[i * n + i];
-            double       of_row = of_block[i] * entry * entry, off_pair = 0;
-            for (unsigned int j = 0; j < i; ++j)
-              {
-                const double lower = block[i * n + j], upper = block[j * n + i];
-                off_pair += of_block[j] * (lower - upper) * (lower - upper);
-                of_row += of_block[j] * (lower * lower + upper * upper);
-              }
-            difference += of_block[i] * 2 * off_pair;
-            size += of_block[i] * of_row;
-          }
-      });
+    for_each_block([&](const int         *block_unknowns,
+                       const unsigned int n,
+                       const double      *block) {
+      block_weights.resize(n);
+      for (unsigned int i = 0; i < n; ++i)
+        block_weights[i] =
+          block_unknowns[i] >= 0 ? weights[block_unknowns[i]] : 0.;
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          const double entry   = block[i * n + i];
+          double       row_sum = block_weights[i] * entry * entry, off_pair = 0;
+          for (unsigned int j = 0; j < i; ++j)
+            {
+              const double lower = block[i * n + j], upper = block[j * n + i];
+              off_pair += block_weights[j] * (lower - upper) * (lower - upper);
+              row_sum += block_weights[j] * (lower * lower + upper * upper);
+            }
+          difference += block_weights[i] * 2 * off_pair;
+          size += block_weights[i] * row_sum;
+        }
+    });
     const std::vector<double> sums =
       unknowns.layout.sum(std::vector<double>{difference, size});
     return sums[1] > 0 ? std::sqrt(sums[0] / sums[1]) : 0.;
@@ -267,22 +273,22 @@ namespace auxfem
 
   double TangentMatrix::asymmetry_of_sum() const
   {
-    const Unknowns      &unknowns = of_pattern.unknowns();
+    const Unknowns      &unknowns = tangent_pattern.unknowns();
     const UnknownLayout &layout   = unknowns.layout;
     std::vector<double>  x(layout.n_local(), 0.), product(layout.n_owned()),
-      of_symmetric_part(layout.n_owned());
+      symmetric_product(layout.n_owned());
     for (unsigned int i = 0; i < x.size(); ++i)
       if (unknowns.kinds[i] != UnknownKind::prescribed)
         x[i] = unknowns.unit(i) * std::cos(1. + 3. * layout.global(i));
     multiply(x.data(), product.data());
-    multiply(x.data(), of_symmetric_part.data(), Symmetry::enforced);
+    multiply(x.data(), symmetric_product.data(), Symmetry::enforced);
     std::vector<double> sums = {0., 0.};
     for (unsigned int i = 0; i < layout.n_owned(); ++i)
       if (unknowns.kinds[i] != UnknownKind::prescribed)
         {
           const double unit = unknowns.unit(i);
           sums[0] +=
-            std::pow(2 * unit * (product[i] - of_symmetric_part[i]), 2);
+            std::pow(2 * unit * (product[i] - symmetric_product[i]), 2);
           sums[1] += std::pow(unit * product[i], 2);
         }
     sums = layout.sum(sums);
@@ -292,10 +298,10 @@ namespace auxfem
   bool TangentMatrix::is_symmetric() const
   {
     // What Newton's tolerance leaves of moments that balance.
-    constexpr double unbalanced = 1e-6;
-    const double     of_blocks  = asymmetry();
-    return !(of_blocks > symmetric_to_round_off) ||
+    constexpr double moment_imbalance = 1e-6;
+    const double     block_asymmetry  = asymmetry();
+    return !(block_asymmetry > symmetric_to_round_off) ||
       asymmetry_of_sum() <=
-      std::max(symmetric_to_round_off, unbalanced * of_blocks);
+      std::max(symmetric_to_round_off, moment_imbalance * block_asymmetry);
   }
 } // namespace auxfem

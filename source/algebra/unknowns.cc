@@ -12,14 +12,14 @@ namespace auxfem
 
   UnknownLayout::UnknownLayout(const MPI_Comm          communicator,
                                const unsigned int      n_owned,
-                               const std::vector<int> &of_others)
+                               const std::vector<int> &ghost_numbers)
     : comm(communicator)
     , my_rank(MPI::this_mpi_process(communicator))
     , first(1, 0)
   {
     for (const unsigned int n : MPI::all_gather(communicator, n_owned))
       first.push_back(first.back() + n);
-    for (const int global : of_others)
+    for (const int global : ghost_numbers)
       {
         local_of_ghost[global] = n_local();
         ghosts.push_back(global);
@@ -184,7 +184,7 @@ namespace auxfem
     return std::lround(layout.sum(mine));
   }
 
-  unsigned long Unknowns::n_of(const UnknownKind kind) const
+  unsigned long Unknowns::n_of_kind(const UnknownKind kind) const
   {
     const auto first = kinds.begin();
     return std::lround(

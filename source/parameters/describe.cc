@@ -17,7 +17,10 @@ namespace auxfem
 {
   namespace
   {
-    /** Names that parameters had once, in lower case, and have now. */
+    /**
+     * Former names of renamed parameters, in lower case, and their present
+     * names.
+     */
     constexpr std::array<std::pair<const char *, const char *>, 4> renamed = {
       {{"together", "Refine together"},
        {"opposite side", "Reverse branch"},
@@ -69,8 +72,8 @@ namespace auxfem
     {
       const std::size_t shorter  = std::min(a.size(), b.size());
       const std::size_t distance = edit_distance(a, b);
-      // Beyond a third of the letters suggestions mislead; a short name needs
-      // one letter of freedom, but not to become any other of its length.
+      // Suggestions that differ in more letters mislead. A short name may
+      // differ in one letter, but not in all.
       const std::size_t limit =
         std::max<std::size_t>(1, std::max(a.size(), b.size()) / 3);
       return (distance <= limit && distance < shorter) || distance == 0 ||
@@ -81,15 +84,15 @@ namespace auxfem
   std::vector<std::string> nearest_names(const std::string              &name,
                                          const std::vector<std::string> &known)
   {
-    const std::string wanted = lower_case(name);
+    const std::string lower_name = lower_case(name);
     for (const auto &[former, present] : renamed)
-      if (wanted == former &&
+      if (lower_name == former &&
           std::find(known.begin(), known.end(), present) != known.end())
         return {present};
     std::vector<std::pair<std::size_t, std::string>> near;
     for (const auto &candidate : known)
-      if (is_near(wanted, lower_case(candidate)))
-        near.emplace_back(edit_distance(wanted, lower_case(candidate)),
+      if (is_near(lower_name, lower_case(candidate)))
+        near.emplace_back(edit_distance(lower_name, lower_case(candidate)),
                           candidate);
     std::sort(near.begin(), near.end());
     near.erase(std::unique(near.begin(), near.end()), near.end());
@@ -116,7 +119,7 @@ namespace auxfem
   {
     using Form = SubsectionSchema::Form;
 
-    /** Sentence and what is allowed, for a comment. */
+    /** Sentence and allowed values, for a comment. */
     std::string sentences_of(const Parameter &parameter)
     {
       return parameter.sentence +
@@ -130,7 +133,7 @@ namespace auxfem
       return text.empty() ? " =" : " = " + text;
     }
 
-    /** Lines of a commented .prm file, indented as it would be. */
+    /** Lines of a commented and indented .prm file. */
     class TerminalText
     {
     public:
@@ -207,7 +210,7 @@ namespace auxfem
       unsigned int       depth = 0;
     };
 
-    /** What holds for all parameters: a heading and its paragraphs. */
+    /** Section of the reference that concerns all parameters. */
     struct Chapter
     {
       std::string              heading;
@@ -221,33 +224,32 @@ namespace auxfem
         units += (units.empty() ? "" : "; ") + line;
       return {
         {"Units",
-         {"A number without unit word is in the unit of its parameter; any "
-          "fitting unit word may follow it: `10 mm`, `70 GPa`, `20 kN/m`, "
+         {"A number without unit word is in the unit of its parameter. Any "
+          "fitting unit word may follow: `10 mm`, `70 GPa`, `20 kN/m`, "
           "`5 N s/m`, `1140 kg/m3`. Products are written with a blank or `*`, "
           "powers as `m3` or `m^3`.",
           units + "."}},
         {"Functions of time",
-         {"An expression in `t` (s), e.g. `2e7*t^3` or `100*min(t/0.01, 1)`, in "
-          "the SI unit of the parameter; or a number with or without unit "
-          "word; or a table.",
-          "`table: FILE` takes the second column of a text file as the value "
-          "(SI) at the times (s) in the first, `table: FILE, 3` the third "
-          "column. A relative name starts from the folder of the parameter "
-          "file. Columns are separated by commas, semicolons or blanks; there "
-          "may be one line of headings, and comments after `#`. Times do not "
-          "decrease; two rows at one time are a jump.",
-          "One rule serves loads and motions: straight lines join the rows, and "
-          "before the first and after the last row the value is constant. With "
-          "inertia a moved support strikes at each row where its velocity jumps. "
-          "`smooth table: FILE` lays a cubic spline through the rows instead, for "
+         {"An expression in `t` (s) in SI units, e.g. `2e7*t^3` or "
+          "`100*min(t/0.01, 1)`; or a number with or without unit word; or a "
+          "table.",
+          "`table: FILE` reads times (s) from the first column of a text file "
+          "and values (SI) from the second, `table: FILE, 3` from the third. A "
+          "relative name starts from the folder of the parameter file. Columns "
+          "are separated by commas, semicolons or blanks. One line of headings "
+          "and comments after `#` are allowed. Times must not decrease; two "
+          "rows at one time are a jump.",
+          "Loads and motions are interpolated linearly and constant beyond the "
+          "rows. With inertia, a moved support strikes at each row where its "
+          "velocity jumps. `smooth table: FILE` uses a cubic spline, for "
           "motions measured at many times: velocities and accelerations are "
           "continuous, but the spline overshoots next to corners. A scale may "
-          "stand in front: `0.001 * table: FILE`, `-2 kg * table: FILE`; it is a "
+          "precede: `0.001 * table: FILE`, `-2 kg * table: FILE`; it is a "
           "number with or without unit word, or an expression of constants."}},
         {"Expressions",
-         {"Functions of time and conditions of sets know the constants of the "
-          "scene, and:",
-          Expression::known()}}};
+         {"Functions of time and conditions of sets may use the constants of "
+          "the scene, and:",
+          Expression::syntax_help()}}};
     }
 
     void describe_entries(const SubsectionSchema &schema, TerminalText &text)
@@ -270,10 +272,10 @@ namespace auxfem
         text.open(schema.name);
       text.comment(schema.sentence);
       if (schema.form == Form::free_entries)
-        text.line("set NAME = TEXT   # any number, the names are yours");
+        text.line("set NAME = TEXT   # any number, with names of your choice");
       if (schema.form == Form::named_groups)
         {
-          text.comment("Any number of subsections, the names are yours:");
+          text.comment("Any number of subsections, with names of your choice:");
           text.open("NAME");
         }
       text.line("");
@@ -294,7 +296,7 @@ namespace auxfem
       return result;
     }
 
-    /** Indented lines of a text become items of a list. */
+    /** Turns indented lines of a text into list items. */
     std::string as_list(const std::string &text)
     {
       std::istringstream lines(text);
@@ -352,10 +354,10 @@ namespace auxfem
           << schema.sentence << "\n\n";
       if (schema.form == Form::named_groups)
         out << "Any number of `subsection NAME` inside `subsection "
-            << schema.name << "`, the names are yours, each with:\n\n";
+            << schema.name << "`, with names of your choice, each with:\n\n";
       if (schema.form == Form::free_entries)
         out << "Any number of `set NAME = TEXT` inside `subsection "
-            << schema.name << "`, the names are yours.\n\n";
+            << schema.name << "`, with names of your choice.\n\n";
     }
 
     Json json_of(const Parameters &parameters)
@@ -410,7 +412,7 @@ namespace auxfem
   {
     std::ostringstream out;
     out << "# Parameters\n\n"
-           "Made by `auxfem` from its own declarations.\n\n";
+           "Generated by `auxfem` from its declarations.\n\n";
     for (const Chapter &chapter : chapters())
       {
         out << "## " << chapter.heading << "\n\n";

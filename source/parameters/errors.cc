@@ -18,7 +18,7 @@ namespace auxfem
 
   void Mistakes::throw_if_any(const std::string &file) const
   {
-    // at two or three lines a mistake, these fill a screen
+    // Mistakes of two or three lines each then fill a screen.
     constexpr std::size_t n_shown = 10;
     if (messages.empty())
       return;
@@ -38,14 +38,15 @@ namespace auxfem
   {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
-    const unsigned long mebibytes = usage.ru_maxrss >> 10; // it counts in KiB
+    const unsigned long mebibytes =
+      usage.ru_maxrss >> 10; // ru_maxrss is in KiB
     return "out of memory on rank " +
       std::to_string(dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD)) +
       " of " +
       std::to_string(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD)) +
       ", which has had up to " + std::to_string(mebibytes) +
-      " MiB in use.\nTake fewer cells, a lower Discretization/Order or fewer "
-      "Global refinements; or more memory (see `ulimit -v` and the limits of the "
+      " MiB in use.\nReduce the number of cells, Discretization/Order or Global "
+      "refinements; or provide more memory (see `ulimit -v` and the limits of the "
       "batch system), more ranks on more machines, or another Solver/Type.";
   }
 } // namespace auxfem

@@ -13,11 +13,11 @@ namespace auxfem
 {
   namespace
   {
-    /** Hash of the decisions of the evaluation that this thread is in. */
+    /** Hash of the decisions in this thread's current evaluation. */
     thread_local std::uint64_t branches = 0;
 
-    /** Adds @p decision, an integer, to the hash and returns it. */
-    double decided(const double decision)
+    /** Adds the integer @p decision to the hash and returns it. */
+    double record_decision(const double decision)
     {
       constexpr std::uint64_t prime = 0x100000001b3; // FNV-1a
       std::uint64_t           bits;
@@ -30,47 +30,49 @@ namespace auxfem
                        const double then_value,
                        const double else_value)
     {
-      return decided(condition != 0) != 0 ? then_value : else_value;
+      return record_decision(condition != 0) != 0 ? then_value : else_value;
     }
 
     double floor_function(const double x)
     {
-      return decided(std::floor(x));
+      return record_decision(std::floor(x));
     }
 
     double sign_function(const double x)
     {
-      return decided((x > 0) - (x < 0));
+      return record_decision((x > 0) - (x < 0));
     }
 
     double tangent(const double x)
     {
-      decided(std::cos(x) < 0);
+      record_decision(std::cos(x) < 0);
       return std::tan(x);
     }
 
     double angle_of_point(const double y, const double x)
     {
-      decided(2 * (x < 0) + (y < 0));
+      record_decision(2 * (x < 0) + (y < 0));
       return std::atan2(y, x);
     }
 
     double quotient(const double x, const double divisor)
     {
-      decided(divisor < 0);
+      record_decision(divisor < 0);
       return x / divisor;
     }
 
-    /** The operand that @p precedes all others. */
+    /** The operand that precedes all others. */
     template <typename Order>
     double first_of(const double *x, const int n, const Order &precedes)
     {
       const double *first = std::min_element(x, x + n, precedes);
-      decided(first - x);
+      record_decision(first - x);
       return *first;
     }
 
-    /** `=` that is not part of `==`, `<=`, `>=`, `!=`: muParser would assign.
+    /**
+     * Whether there is a `=` outside `==`, `<=`, `>=`, `!=`: muParser would
+     * assign.
      */
     bool has_assignment(const std::string &text)
     {
@@ -86,7 +88,10 @@ namespace auxfem
       return false;
     }
 
-    /** Functions besides muParser's own, or in their place to note branches. */
+    /**
+     * Defines functions that muParser lacks, and replaces those that branch to
+     * record their branches.
+     */
     void define_functions(mu::Parser &parser)
     {
       parser.DefineFun("if", &if_function);
@@ -98,11 +103,13 @@ namespace auxfem
         parser.DefineFun(name, +function);
       };
       define("pow", [](double x, double y) { return std::pow(x, y); });
-      define("ceil", [](double x) { return decided(std::ceil(x)); });
-      define("rint", [](double x) { return decided(std::floor(x + 0.5)); });
-      // In some versions of muParser this is the decimal one.
+      define("ceil", [](double x) { return record_decision(std::ceil(x)); });
+      define("rint",
+             [](double x) { return record_decision(std::floor(x + 0.5)); });
+      // In some versions of muParser `log` is the decimal logarithm.
       define("log", [](double x) { return std::log(x); });
-      define("abs", [](double x) { return decided(x < 0) != 0 ? -x : x; });
+      define("abs",
+             [](double x) { return record_decision(x < 0) != 0 ? -x : x; });
       define("min", [](const double *x, int n) {
         return first_of(x, n, std::less<>());
       });
@@ -112,8 +119,8 @@ namespace auxfem
     }
 
     /**
-     * All binary operators, with the precedences of muParser: its own note no
-     * branches, and it replaces all of them or none.
+     * Defines all binary operators with muParser's precedences. Its own record
+     * no branches, and it replaces all of them or none.
      */
     void define_operators(mu::Parser &parser)
     {
@@ -132,19 +139,23 @@ namespace auxfem
       define("&&", mu::prLAND, [](double a, double b) -> double {
         return a != 0 && b != 0;
       });
-      define("<", mu::prCMP, [](double a, double b) { return decided(a < b); });
-      define(">", mu::prCMP, [](double a, double b) { return decided(a > b); });
+      define("<", mu::prCMP, [](double a, double b) {
+        return record_decision(a < b);
+      });
+      define(">", mu::prCMP, [](double a, double b) {
+        return record_decision(a > b);
+      });
       define("<=", mu::prCMP, [](double a, double b) {
-        return decided(a <= b);
+        return record_decision(a <= b);
       });
       define(">=", mu::prCMP, [](double a, double b) {
-        return decided(a >= b);
+        return record_decision(a >= b);
       });
       define("==", mu::prCMP, [](double a, double b) {
-        return decided(a == b);
+        return record_decision(a == b);
       });
       define("!=", mu::prCMP, [](double a, double b) {
-        return decided(a != b);
+        return record_decision(a != b);
       });
       define("+", mu::prADD_SUB, [](double a, double b) { return a + b; });
       define("-", mu::prADD_SUB, [](double a, double b) { return a - b; });
@@ -153,7 +164,7 @@ namespace auxfem
       define("^", mu::prPOW, [](double a, double b) { return std::pow(a, b); });
     }
 
-    /** Functions of every formula besides muParser's own functions. */
+    /** Defines what every formula may use besides muParser's own functions. */
     void define_common(mu::Parser &parser)
     {
       define_functions(parser);
@@ -195,7 +206,7 @@ namespace auxfem
       }
   }
 
-  std::string Expression::known()
+  std::string Expression::syntax_help()
   {
     mu::Parser parser;
     define_common(parser);
@@ -216,7 +227,7 @@ namespace auxfem
         };
         const std::string problem =
           "'" + name + "' cannot be the name of a constant: ";
-        // muParser would let the constant hide the other.
+        // muParser would hide the variable behind the constant.
         if (std::any_of(variables.begin(), variables.end(), has_name) ||
             std::any_of(own_constants.begin(), own_constants.end(), has_name))
           throw mu::ParserError(problem +
@@ -244,11 +255,11 @@ namespace auxfem
     if (n_results != 1)
       throw mu::ParserError("A comma stands outside of a function.");
 
-    // GetUsedVar() lets unknown names pass and leaves its own compiled form
-    // behind, so it comes second and the text is set once more.
+    // GetUsedVar() ignores unknown names and leaves its own compiled form
+    // behind: it is called second, and the text is set again.
     constant = parser.GetUsedVar().empty();
     parser.SetExpr(text);
-    // The first evaluation folds constants, whose decisions are none later.
+    // The first evaluation folds constants, whose decisions do not recur.
     parser.Eval();
   }
 
@@ -271,7 +282,7 @@ namespace auxfem
       }
     catch (const ExpressionError &)
       {
-        // A unit word is none of an expression's names.
+        // A unit word is not a name in an expression.
       }
     try
       {

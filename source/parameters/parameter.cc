@@ -36,7 +36,7 @@ namespace auxfem
                              const std::string &item,
                              const double       value)
     {
-      // the number is repeated only where a unit word has changed it
+      // The number is repeated only if a unit word changes it.
       const bool converted = !split_quantity(item).unit.empty();
       return "\"" + item + "\"" +
         (converted ? " (" + short_text(value) +
@@ -51,7 +51,7 @@ namespace auxfem
       try
         {
           const ParsedQuantity parsed = split_quantity(item);
-          // exact at the bounds unless a conversion is needed
+          // A number without conversion is exact at the bounds.
           const double value =
             (parsed.unit.empty() ? parsed.number
                                  : parse_quantity(item, parameter.unit) /
@@ -111,7 +111,7 @@ namespace auxfem
                              const std::string &value)
     {
       if (value.find("table:") != std::string::npos)
-        return ""; // its scale may have a unit
+        return ""; // the scale may have a unit
       std::string unit;
       try
         {
@@ -119,10 +119,10 @@ namespace auxfem
         }
       catch (const InputError &)
         {
-          return ""; // no number in front: an expression or a table
+          return ""; // an expression or a table
         }
       if (unit.empty() || !std::isalpha(static_cast<unsigned char>(unit[0])))
-        return ""; // a plain number, or an operator that goes on with it
+        return ""; // a plain number or an expression
       const std::string problem = quantity_problem(parameter, value);
       return problem.empty()
         ? ""
@@ -130,10 +130,10 @@ namespace auxfem
     }
 
     std::string number_phrase(const Parameter   &parameter,
-                              const std::string &what)
+                              const std::string &noun)
     {
       const std::string range = parameter.range.text();
-      return what + (range.empty() ? "" : " " + range) +
+      return noun + (range.empty() ? "" : " " + range) +
         (parameter.unit == "1" ? "" : " in " + parameter.unit);
     }
 
@@ -271,7 +271,7 @@ namespace auxfem
   {
     constexpr double   infinity = std::numeric_limits<double>::infinity();
     std::ostringstream out;
-    // enough digits for every whole number an unsigned int holds
+    // Digits for every unsigned int.
     out.precision(10);
     if (minimum > -infinity)
       out << (minimum_open ? "> " : ">= ") << minimum;
@@ -448,8 +448,8 @@ namespace auxfem
   {
     if (is_word(text))
       return text;
-    // only a number with a unit word depends on units, and only such a text
-    // is a quantity as a whole
+    // Only a number with a unit word is converted, and only such a text is a
+    // quantity as a whole.
     try
       {
         const ParsedQuantity parsed = split_quantity(text);

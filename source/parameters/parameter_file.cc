@@ -24,12 +24,12 @@ namespace auxfem
                            std::generic_category().message(error) + ")"};
     }
 
-    /** A file open for reading, closed with the object. */
+    /** File descriptor for reading, closed by the destructor. */
     class InputDescriptor
     {
     public:
       explicit InputDescriptor(const std::string &file)
-        // Without O_NONBLOCK a FIFO blocks until somebody writes.
+        // O_NONBLOCK: opening a FIFO would block until a process writes.
         : number(
             ::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC))
       {
@@ -82,7 +82,7 @@ namespace auxfem
     std::array<char, 65536> buffer;
     while (const std::size_t n = input.read_some(buffer.data(), buffer.size()))
       {
-        // The size that the system tells of a file need not be true.
+        // The file size reported by the system may be wrong.
         if (content.size() + n > most_bytes)
           throw UnreadableFile{"has more than " + std::to_string(most_bytes) +
                                " bytes"};
@@ -95,9 +95,11 @@ namespace auxfem
   {
     using dealii::Utilities::trim;
 
-    /** Files that a scene may include, and their bytes. A frame of a million
-     * joints takes 100 MB; more is taken for files that include each other. */
-    constexpr unsigned int most_files = 1000;
+    /**
+     * Limits that stop files which include each other. A frame of a million
+     * joints takes 100 MB.
+     */
+    constexpr unsigned int max_files  = 1000;
     constexpr std::size_t  most_bytes = std::size_t(1) << 30;
 
     std::string directory_of(const std::string &file)
@@ -115,7 +117,7 @@ namespace auxfem
         : std::make_pair(line.substr(0, end), trim(line.substr(end)));
     }
 
-    /** Joins words by single blanks: names may be laid out freely. */
+    /** Joins words by single blanks; the spacing of names is free. */
     std::string single_blanks(const std::string &text)
     {
       std::istringstream words(text);
@@ -125,8 +127,7 @@ namespace auxfem
       return result;
     }
 
-    /** Turns lines into the tree; goes on after a mistake, to find the others.
-     */
+    /** Parses lines into the tree; continues after a mistake to report all. */
     class Scanner
     {
     public:
@@ -134,11 +135,10 @@ namespace auxfem
       {
         const std::string where =
           open_files.empty() ? "" : location().text() + ": ";
-        if (++n_files > most_files)
+        if (++n_files > max_files)
           throw InputError(where + "the scene is read from more than " +
-                           std::to_string(most_files) +
-                           " files; look for files that include others again "
-                           "and again");
+                           std::to_string(max_files) +
+                           " files; look for files that include each other");
         std::string content;
         try
           {
@@ -162,7 +162,7 @@ namespace auxfem
         open_files.push_back({name, 0});
         std::string line;
         while (next_line(stream, line))
-          understand(line, outer_depth);
+          parse_line(line, outer_depth);
         while (depth() > outer_depth)
           {
             mistakes.add(stack.back()->location.text() + ": subsection \"" +
@@ -190,7 +190,7 @@ namespace auxfem
         return open_files.back();
       }
 
-      /** The next line with continuations, without comments. */
+      /** Next line with its continuations, without comments. */
       bool next_line(std::istream &stream, std::string &line)
       {
         line.clear();
@@ -202,7 +202,7 @@ namespace auxfem
             const bool comment_only =
               !trim(piece).empty() && trim(piece)[0] == '#';
             piece = trim(piece.substr(0, piece.find('#')));
-            // comments may stand between the parts of a continued line
+            // Comments may stand between the parts of a continued line.
             if (continued && comment_only)
               continue;
             continued = !piece.empty() && piece.back() == '\\';
@@ -218,7 +218,7 @@ namespace auxfem
         return false;
       }
 
-      void understand(const std::string &line, const std::size_t outer_depth)
+      void parse_line(const std::string &line, const std::size_t outer_depth)
       {
         if (line.empty())
           return;
@@ -248,11 +248,11 @@ namespace auxfem
       {
         ParameterSubsection &parent = current();
         ParameterSubsection *first  = parent.find_subsection(name);
-        // A file may add to what one that it includes has begun.
+        // A file may extend subsections of a file that it includes.
         if (first != nullptr && !stack.empty() &&
             first->location.file == location().file)
           {
-            mistakes.add(location().text() + ": " + path_of_open() + name +
+            mistakes.add(location().text() + ": " + open_path() + name +
                          " is given a second time; the first is at " +
                          first->location.text() +
                          ". Give one of them another name, or make them one "
@@ -267,8 +267,8 @@ namespace auxfem
         stack.push_back(first);
       }
 
-      /** `Supports/ground/` within these subsections. */
-      std::string path_of_open() const
+      /** Path of the open subsections, e.g. `Supports/ground/`. */
+      std::string open_path() const
       {
         std::string path;
         for (const ParameterSubsection *subsection : stack)
@@ -293,7 +293,7 @@ namespace auxfem
             current().entries.push_back({name, value, location()});
             return;
           }
-        mistakes.add(location().text() + ": " + path_of_open() + name +
+        mistakes.add(location().text() + ": " + open_path() + name +
                      " is given a second time (value \"" + value +
                      "\"); the first is at " + first->location.text() +
                      " (value \"" + first->value + "\"); remove one of them");
@@ -327,32 +327,32 @@ namespace auxfem
 
 
   const ParameterEntry *
-  ParameterSubsection::find_entry(const std::string &wanted) const
+  ParameterSubsection::find_entry(const std::string &name) const
   {
-    return find_by_name(entries, wanted);
+    return find_by_name(entries, name);
   }
 
 
 
-  ParameterEntry *ParameterSubsection::find_entry(const std::string &wanted)
+  ParameterEntry *ParameterSubsection::find_entry(const std::string &name)
   {
-    return find_by_name(entries, wanted);
+    return find_by_name(entries, name);
   }
 
 
 
   const ParameterSubsection *
-  ParameterSubsection::find_subsection(const std::string &wanted) const
+  ParameterSubsection::find_subsection(const std::string &name) const
   {
-    return find_by_name(subsections, wanted);
+    return find_by_name(subsections, name);
   }
 
 
 
   ParameterSubsection *
-  ParameterSubsection::find_subsection(const std::string &wanted)
+  ParameterSubsection::find_subsection(const std::string &name)
   {
-    return find_by_name(subsections, wanted);
+    return find_by_name(subsections, name);
   }
 
 

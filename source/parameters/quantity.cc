@@ -102,8 +102,7 @@ namespace auxfem
                        did_you_mean(word, known));
     }
 
-    /** One `mm^4` of a unit expression and where its word stands in the text.
-     */
+    /** One factor of a unit expression, e.g. `mm^4`. */
     struct Factor
     {
       std::string word; // empty for the literal 1
@@ -111,7 +110,7 @@ namespace auxfem
       std::size_t position;
     };
 
-    /** Cuts a unit expression into factors. */
+    /** Splits a unit expression into factors. */
     class UnitScanner
     {
     public:
@@ -129,7 +128,8 @@ namespace auxfem
           else if (text[position] == '/' || text[position] == '*')
             {
               const bool divide = (text[position++] == '/');
-              // "/s" may begin a unit ("5 /s"), "*s" or "m//s" may not
+              // A unit may begin with "/s" ("5 /s"), but not with "*s" or
+              // "m//s".
               if (sign < 0 || (expect_factor && !(divide && result.empty())))
                 fail();
               sign          = (divide ? -1 : 1);
@@ -197,7 +197,7 @@ namespace auxfem
 
     bool begins_number(const std::string &token)
     {
-      // the unit word of "5 1/s"
+      // The unit word of "5 1/s".
       const bool is_unit = token.compare(0, 2, "1/") == 0 && token.size() > 2 &&
         is_letter(token[2]);
       return !is_unit &&
@@ -205,7 +205,10 @@ namespace auxfem
          token[0] == '.');
     }
 
-    /** Reads a number at @p begin, moves @p begin behind it; false if none. */
+    /**
+     * Reads a number at @p begin and moves @p begin behind it; false if there
+     * is none.
+     */
     bool read_number(const char *&begin, const char *end, double &number)
     {
       const auto answer = std::from_chars(begin, end, number);
@@ -256,10 +259,10 @@ namespace auxfem
     const Unit           declared = parse_unit(unit);
     if (quantity.unit.empty())
       return quantity.number * declared.factor;
-    const Unit given = parse_unit(quantity.unit);
-    if (given.dimension != declared.dimension)
+    const Unit unit_word = parse_unit(quantity.unit);
+    if (unit_word.dimension != declared.dimension)
       throw InputError("unit word \"" + quantity.unit + "\" does not fit");
-    return quantity.number * given.factor;
+    return quantity.number * unit_word.factor;
   }
 
 

@@ -10,7 +10,7 @@ namespace auxfem
   {
     using Form = SubsectionSchema::Form;
 
-    /** Names become columns, paths of overrides and file names. */
+    /** Names become column names, paths of overrides and file names. */
     std::string name_problem(const std::string &name)
     {
       const bool good = std::all_of(name.begin(), name.end(), [](const char c) {
@@ -22,7 +22,7 @@ namespace auxfem
                     "blanks only";
     }
 
-    /** Checks one subsection that holds entries against one schema. */
+    /** Checks one subsection with entries against one schema. */
     class SubsectionCheck
     {
     public:
@@ -45,10 +45,10 @@ namespace auxfem
           if (const Parameter *declared = find_by_name(allowed, entry.name))
             check_value(entry, *declared);
           else
-            report_stray(entry);
+            report_unexpected(entry);
         for (const Parameter &declared : allowed)
           if (declared.required)
-            check_given(declared);
+            check_required(declared);
         return good;
       }
 
@@ -99,7 +99,7 @@ namespace auxfem
                    "\n  Meaning: " + declared.sentence);
       }
 
-      void check_given(const Parameter &declared)
+      void check_required(const Parameter &declared)
       {
         const ParameterEntry *entry = found.find_entry(declared.name);
         if (entry == nullptr || entry->value.empty())
@@ -109,14 +109,14 @@ namespace auxfem
                    "\n  Allowed: " + declared.allowed_with_units());
       }
 
-      /** An entry that is not allowed: of another choice, or of none. */
-      void report_stray(const ParameterEntry &entry)
+      /** Reports an entry of another choice or an unknown one. */
+      void report_unexpected(const ParameterEntry &entry)
       {
         std::vector<std::string> owners;
         for (const SubsectionVariant &other : schema.variants)
           if (find_by_name(other.parameters, entry.name) != nullptr)
             owners.push_back(other.name);
-        // without a valid choice, nothing can be said about its entries
+        // Without a valid choice, its entries cannot be judged.
         if (!owners.empty() && variant == nullptr)
           good = false;
         else if (!owners.empty())
@@ -142,7 +142,7 @@ namespace auxfem
       bool                       good    = true;
     };
 
-    /** Adds subsections inside @p found, where none are allowed. */
+    /** Reports subsections inside @p found, where none are allowed. */
     void refuse_subsections(const ParameterSubsection &found,
                             const std::string         &path,
                             Mistakes                  &mistakes)

@@ -10,8 +10,10 @@ namespace auxfem
 {
   namespace
   {
-    /** Number of bytes of the character of UTF-8 that begins with @p first; 0
-     * for none. */
+    /**
+     * Number of bytes of the UTF-8 character that begins with @p first; 0 if
+     * invalid.
+     */
     std::size_t length_of_character(const unsigned char first)
     {
       if (first < 0x80)
@@ -26,7 +28,7 @@ namespace auxfem
       return (byte & 0xC0) == 0x80;
     }
 
-    /** Length of the character at the begin of @p text; 0 if it is no UTF-8. */
+    /** Length of the first character of @p text; 0 if it is not UTF-8. */
     std::size_t valid_length(const std::string_view text)
     {
       const std::size_t length = length_of_character(text[0]);
@@ -44,7 +46,7 @@ namespace auxfem
       if (character.size() == 1)
         return (first < 0x20 && first != '\n' && first != '\t') ||
           first == 0x7F;
-      // U+0080 to U+009F.
+      // U+0080 to U+009F are control characters.
       return first == 0xC2 && static_cast<unsigned char>(character[1]) < 0xA0;
     }
   } // namespace
@@ -127,7 +129,7 @@ namespace auxfem
 
   namespace
   {
-    /** The first position from @p position on where a character of UTF-8 begins. */
+    /** First position from @p location on where a UTF-8 character begins. */
     std::size_t character_from(const std::string &text, std::size_t location)
     {
       while (location < text.size() && (text[location] & 0xC0) == 0x80)

@@ -104,26 +104,28 @@ namespace
   }
 
   void expect_solution(DirectSolver      &solver,
-                       DistributedMatrix &of,
+                       DistributedMatrix &system,
                        const double       tolerance = 1e-12)
   {
-    ASSERT_EQ(solver.factorize(of.matrix), FactorizationOutcome::done);
-    const std::vector<double> b = of.right_side();
+    ASSERT_EQ(solver.factorize(system.matrix), FactorizationOutcome::done);
+    const std::vector<double> b = system.right_side();
     // Twice: the factors must outlast a solution.
     for (unsigned int i = 0; i < 2; ++i)
       {
         std::vector<double> x = b;
         solver.solve(x.data());
-        EXPECT_LT(of.residual(x, b), tolerance);
+        EXPECT_LT(system.residual(x, b), tolerance);
       }
   }
 
-  FactorizationOutcome outcome(const Kind &kind, const DistributedMatrix &of)
+  FactorizationOutcome outcome(const Kind              &kind,
+                               const DistributedMatrix &system)
   {
     const auto solver = kind.make();
-    const auto result = solver->analyse(of.matrix);
-    return result == FactorizationOutcome::done ? solver->factorize(of.matrix)
-                                                : result;
+    const auto result = solver->analyse(system.matrix);
+    return result == FactorizationOutcome::done
+      ? solver->factorize(system.matrix)
+      : result;
   }
 
   FactorizationOutcome outcome(const Kind &kind, const Entries &entries)
@@ -187,30 +189,30 @@ TEST(DirectSolver, AllSolveDefiniteMatrices)
     for (const Kind &kind : kinds)
       {
         SCOPED_TRACE(kind.name + ", " + std::to_string(entries.size()));
-        DistributedMatrix of(entries);
+        DistributedMatrix system(entries);
         const auto        solver = kind.make();
-        ASSERT_EQ(solver->analyse(of.matrix), FactorizationOutcome::done);
-        expect_solution(*solver, of);
+        ASSERT_EQ(solver->analyse(system.matrix), FactorizationOutcome::done);
+        expect_solution(*solver, system);
         if (kind.has_inertia)
           expect_inertia(*solver, {0, 0, entries.size()});
         else
           EXPECT_FALSE(solver->inertia());
-        EXPECT_GE(of.layout.sum(solver->memory()), entries.size() * 8.);
+        EXPECT_GE(system.layout.sum(solver->memory()), entries.size() * 8.);
       }
 }
 
 TEST(DirectSolver, LatticesThatMetisOrdersAreSolved)
 {
   const Entries     entries = supported_grid(45, 1e3);
-  DistributedMatrix of(entries);
+  DistributedMatrix system(entries);
   for (const Kind &kind : kinds)
     {
       SCOPED_TRACE(kind.name);
       const auto solver = kind.make();
-      ASSERT_EQ(solver->analyse(of.matrix), FactorizationOutcome::done);
-      expect_solution(*solver, of);
+      ASSERT_EQ(solver->analyse(system.matrix), FactorizationOutcome::done);
+      expect_solution(*solver, system);
       // Less than a tenth of the square.
-      EXPECT_LT(of.layout.sum(solver->memory()),
+      EXPECT_LT(system.layout.sum(solver->memory()),
                 0.1 * 8 * entries.size() * entries.size());
     }
 }
@@ -227,20 +229,21 @@ TEST(DirectSolver, InertiaIsThatOfTheEigenvalues)
       const Inertia expected = inertia_by_eigenvalues(entries);
       ASSERT_EQ(expected.zero, 0u);
       ASSERT_GT(expected.negative, 0u);
-      DistributedMatrix of(entries);
+      DistributedMatrix system(entries);
       for (const Kind &kind : kinds)
         {
           SCOPED_TRACE(kind.name + ", trial " + std::to_string(trial));
           const auto solver = kind.make();
-          ASSERT_EQ(solver->analyse(of.matrix), FactorizationOutcome::done);
+          ASSERT_EQ(solver->analyse(system.matrix), FactorizationOutcome::done);
           if (!kind.pivots &&
-              solver->factorize(of.matrix) == FactorizationOutcome::singular)
+              solver->factorize(system.matrix) ==
+                FactorizationOutcome::singular)
             {
               EXPECT_FALSE(solver->inertia());
               continue;
             }
           n_without_pivoting += !kind.pivots;
-          expect_solution(*solver, of, kind.pivots ? 1e-11 : 1e-8);
+          expect_solution(*solver, system, kind.pivots ? 1e-11 : 1e-8);
           if (kind.has_inertia)
             expect_inertia(*solver, expected);
         }
@@ -265,13 +268,13 @@ TEST(DirectSolver, ZeroEigenvaluesAreCounted)
         }
       const Inertia expected = inertia_by_eigenvalues(entries);
       ASSERT_EQ(expected.zero, 3u);
-      DistributedMatrix of(entries);
+      DistributedMatrix system(entries);
       for (const Kind &kind : kinds)
         {
           SCOPED_TRACE(kind.name + ", " + std::to_string(n));
           const auto solver = kind.make();
-          ASSERT_EQ(solver->analyse(of.matrix), FactorizationOutcome::done);
-          EXPECT_EQ(solver->factorize(of.matrix),
+          ASSERT_EQ(solver->analyse(system.matrix), FactorizationOutcome::done);
+          EXPECT_EQ(solver->factorize(system.matrix),
                     FactorizationOutcome::singular);
           if (kind.counts_zeros)
             expect_inertia(*solver, expected);
@@ -286,14 +289,15 @@ TEST(DirectSolver, UnsymmetricMatricesAreSolved)
   std::mt19937 random(3);
   for (const int n : {2, 7, 50, 300})
     {
-      DistributedMatrix of(unsymmetric(n, random), false);
+      DistributedMatrix system(unsymmetric(n, random), false);
       for (const Kind &kind : kinds)
         if (kind.takes_unsymmetric)
           {
             SCOPED_TRACE(kind.name + ", " + std::to_string(n));
             const auto solver = kind.make();
-            ASSERT_EQ(solver->analyse(of.matrix), FactorizationOutcome::done);
-            expect_solution(*solver, of);
+            ASSERT_EQ(solver->analyse(system.matrix),
+                      FactorizationOutcome::done);
+            expect_solution(*solver, system);
             EXPECT_FALSE(solver->inertia());
           }
     }
@@ -304,12 +308,12 @@ TEST(DirectSolver, FreeLatticesAreSingular)
   for (const int n : {2, 5, 12, 60})
     for (const double slenderness : {1., 1e2, 1e4})
       {
-        const DistributedMatrix of(free_grid(n, slenderness));
+        const DistributedMatrix system(free_grid(n, slenderness));
         for (const Kind &kind : kinds)
           {
             SCOPED_TRACE(kind.name + ", " + std::to_string(n) +
                          ", slenderness " + std::to_string(slenderness));
-            EXPECT_EQ(outcome(kind, of), FactorizationOutcome::singular);
+            EXPECT_EQ(outcome(kind, system), FactorizationOutcome::singular);
           }
       }
 }
@@ -349,14 +353,14 @@ TEST(DirectSolver, UnitsDoNotMatter)
     for (auto &[j, entry] : entries[i])
       entry *=
         std::pow(10., 7. * std::cos(i)) * std::pow(10., 7. * std::cos(j));
-  DistributedMatrix of(entries);
+  DistributedMatrix system(entries);
   for (const Kind &kind : kinds)
     if (kind.pivots)
       {
         SCOPED_TRACE(kind.name);
         const auto solver = kind.make();
-        ASSERT_EQ(solver->analyse(of.matrix), FactorizationOutcome::done);
-        EXPECT_EQ(solver->factorize(of.matrix), FactorizationOutcome::done);
+        ASSERT_EQ(solver->analyse(system.matrix), FactorizationOutcome::done);
+        EXPECT_EQ(solver->factorize(system.matrix), FactorizationOutcome::done);
         if (kind.has_inertia)
           expect_inertia(*solver, {5, 0, 60});
       }
@@ -384,7 +388,7 @@ TEST(DirectSolver, EntriesThatAreNotFiniteAreFoundOnAllRanks)
   for (const double value : {not_a_number, infinity, -infinity})
     for (const int row : {0, 29})
       {
-        DistributedMatrix of(good), bad(good);
+        DistributedMatrix system(good), bad(good);
         // Of one rank only.
         if (const int local = bad.layout.local(row); bad.layout.is_owned(local))
           bad.matrix.entries[bad.matrix.first[local]] = value;
@@ -395,7 +399,7 @@ TEST(DirectSolver, EntriesThatAreNotFiniteAreFoundOnAllRanks)
             ASSERT_EQ(solver->analyse(bad.matrix), FactorizationOutcome::done);
             EXPECT_EQ(solver->factorize(bad.matrix),
                       FactorizationOutcome::not_finite);
-            expect_solution(*solver, of);
+            expect_solution(*solver, system);
           }
       }
 }
@@ -403,14 +407,16 @@ TEST(DirectSolver, EntriesThatAreNotFiniteAreFoundOnAllRanks)
 TEST(DirectSolver, RanksMayHaveNoRows)
 {
   std::mt19937      random(7);
-  DistributedMatrix of(definite(30, random), true, Spread::not_over_the_last);
+  DistributedMatrix system(definite(30, random),
+                           true,
+                           Spread::not_over_the_last);
   DistributedMatrix one({{{0, 4.}}}), none({});
   for (const Kind &kind : kinds)
     {
       SCOPED_TRACE(kind.name);
       const auto solver = kind.make();
-      ASSERT_EQ(solver->analyse(of.matrix), FactorizationOutcome::done);
-      expect_solution(*solver, of);
+      ASSERT_EQ(solver->analyse(system.matrix), FactorizationOutcome::done);
+      expect_solution(*solver, system);
       ASSERT_EQ(solver->analyse(one.matrix), FactorizationOutcome::done);
       expect_solution(*solver, one);
       ASSERT_EQ(solver->analyse(none.matrix), FactorizationOutcome::done);
@@ -429,32 +435,34 @@ TEST(DirectSolver, NewEntriesAndPatternsFollow)
     {
       SCOPED_TRACE(kind.name);
       const auto        solver = kind.make();
-      DistributedMatrix of(definite(40, random));
-      ASSERT_EQ(solver->analyse(of.matrix), FactorizationOutcome::done);
-      expect_solution(*solver, of);
+      DistributedMatrix system(definite(40, random));
+      ASSERT_EQ(solver->analyse(system.matrix), FactorizationOutcome::done);
+      expect_solution(*solver, system);
       // Pivots of before must not be kept at any price.
       for (const double factor : {1., 1e-3, 1e-6, -1., 1e6})
         {
-          for (unsigned int row = 0; row < of.layout.n_owned(); ++row)
-            for (std::size_t i = of.matrix.first[row];
-                 i < of.matrix.first[row + 1];
+          for (unsigned int row = 0; row < system.layout.n_owned(); ++row)
+            for (std::size_t i = system.matrix.first[row];
+                 i < system.matrix.first[row + 1];
                  ++i)
-              if (of.matrix.columns[i] == static_cast<int>(row))
-                of.matrix.entries[i] *= factor;
+              if (system.matrix.columns[i] == static_cast<int>(row))
+                system.matrix.entries[i] *= factor;
           if (kind.pivots)
-            expect_solution(*solver, of, 1e-11);
+            expect_solution(*solver, system, 1e-11);
         }
       // What was singular does not stay so.
-      const std::vector<double> before = of.matrix.entries;
-      std::fill(of.matrix.entries.begin(), of.matrix.entries.end(), 0.);
-      EXPECT_EQ(solver->factorize(of.matrix), FactorizationOutcome::singular);
-      of.matrix.entries = before;
+      const std::vector<double> before = system.matrix.entries;
+      std::fill(system.matrix.entries.begin(), system.matrix.entries.end(), 0.);
+      EXPECT_EQ(solver->factorize(system.matrix),
+                FactorizationOutcome::singular);
+      system.matrix.entries = before;
       if (kind.pivots)
-        expect_solution(*solver, of, 1e-11);
+        expect_solution(*solver, system, 1e-11);
 
-      DistributedMatrix of_other(other);
-      ASSERT_EQ(solver->analyse(of_other.matrix), FactorizationOutcome::done);
-      expect_solution(*solver, of_other);
+      DistributedMatrix other_system(other);
+      ASSERT_EQ(solver->analyse(other_system.matrix),
+                FactorizationOutcome::done);
+      expect_solution(*solver, other_system);
     }
 }
 
@@ -463,29 +471,30 @@ TEST(DirectSolver, LackOfMemoryIsReported)
 #ifdef AUXFEM_SANITIZERS
   GTEST_SKIP() << "The address sanitizer takes all addresses there are.";
 #endif
-  DistributedMatrix of(supported_grid(25, 10.));
+  DistributedMatrix system(supported_grid(25, 10.));
   const auto        without_memory_on = [&](const unsigned int rank,
                                      const auto        &action) {
     std::unique_ptr<NoMoreMemory> no_more_memory;
-    if (of.layout.rank() == rank)
+    if (system.layout.rank() == rank)
       no_more_memory = std::make_unique<NoMoreMemory>();
     return action();
   };
   for (const Kind &kind : kinds)
-    for (const unsigned int rank : {0u, of.layout.n_ranks() - 1})
+    for (const unsigned int rank : {0u, system.layout.n_ranks() - 1})
       {
         SCOPED_TRACE(kind.name + ", rank " + std::to_string(rank));
-        const auto solver = kind.make();
-        const auto analysis =
-          without_memory_on(rank, [&] { return solver->analyse(of.matrix); });
+        const auto solver   = kind.make();
+        const auto analysis = without_memory_on(rank, [&] {
+          return solver->analyse(system.matrix);
+        });
         EXPECT_EQ(analysis, FactorizationOutcome::out_of_memory);
-        ASSERT_EQ(solver->analyse(of.matrix), FactorizationOutcome::done);
+        ASSERT_EQ(solver->analyse(system.matrix), FactorizationOutcome::done);
         // The factors of all but MUMPS are the first rank's.
         const auto factorization =
           without_memory_on(kind.name == "MUMPS" ? rank : 0,
-                            [&] { return solver->factorize(of.matrix); });
+                            [&] { return solver->factorize(system.matrix); });
         EXPECT_EQ(factorization, FactorizationOutcome::out_of_memory);
-        ASSERT_EQ(solver->analyse(of.matrix), FactorizationOutcome::done);
-        expect_solution(*solver, of);
+        ASSERT_EQ(solver->analyse(system.matrix), FactorizationOutcome::done);
+        expect_solution(*solver, system);
       }
 }

@@ -44,13 +44,13 @@ namespace auxfem::testing_support
     {
       matrix.is_symmetric = is_symmetric;
       const int     begin = layout.first_of(layout.rank());
-      std::set<int> of_others;
+      std::set<int> ghosts;
       for (unsigned int row = 0; row < layout.n_owned(); ++row)
         for (const auto &[column, entry] : entries[begin + row])
           if (layout.local(column) < 0)
-            of_others.insert(column);
+            ghosts.insert(column);
       // The order of ghosts is not that of global numbers.
-      layout.add_ghosts({of_others.rbegin(), of_others.rend()});
+      layout.add_ghosts({ghosts.rbegin(), ghosts.rend()});
 
       for (unsigned int row = 0; row < layout.n_owned(); ++row)
         {

@@ -16,7 +16,7 @@ namespace
   // Blocks are about one, and well conditioned.
   constexpr double solver_round_off = 1e-11;
 
-  SolverParameters of_type(const std::string &type)
+  SolverParameters with_type(const std::string &type)
   {
     SolverParameters parameters;
     parameters.type = type;
@@ -76,7 +76,7 @@ TEST(LinearSolver, SolvesSymmetricEquations)
       {
         SCOPED_TRACE(type);
         const StrutNetwork network(shape);
-        LinearSolver       solver(of_type(type), *network.matrix);
+        LinearSolver       solver(with_type(type), *network.matrix);
         ASSERT_EQ(solver.factorize(Exactness::exact),
                   FactorizationOutcome::done);
         EXPECT_EQ(solver.why(), "");
@@ -92,7 +92,7 @@ TEST(LinearSolver, SolvesWithoutTheEntriesOfTheMatrix)
   for (const NetworkShape &shape : shapes(0, 0.1))
     {
       const StrutNetwork network(shape);
-      LinearSolver       solver(of_type("auto"), *network.matrix);
+      LinearSolver       solver(with_type("auto"), *network.matrix);
       ASSERT_EQ(solver.factorize(Exactness::exact), FactorizationOutcome::done);
       std::vector<double> expected = network.owned(network.right_side()),
                           x        = expected;
@@ -111,7 +111,7 @@ TEST(LinearSolver, SolvesEquationsWithMultipliers)
         {
           SCOPED_TRACE(type);
           const StrutNetwork network(shape);
-          LinearSolver       solver(of_type(type), *network.matrix);
+          LinearSolver       solver(with_type(type), *network.matrix);
           ASSERT_EQ(solver.factorize(Exactness::exact),
                     FactorizationOutcome::done);
           expect_solution(network, solver, Symmetry::none);
@@ -125,7 +125,7 @@ TEST(LinearSolver, SymmetricPartOnlyWhereItIsAllowedAndNear)
       {
         SCOPED_TRACE(type);
         const StrutNetwork network(shape);
-        LinearSolver       solver(of_type(type), *network.matrix);
+        LinearSolver       solver(with_type(type), *network.matrix);
         ASSERT_EQ(solver.factorize(Exactness::approximate),
                   FactorizationOutcome::done);
         EXPECT_TRUE(solver.is_exact());
@@ -136,7 +136,7 @@ TEST(LinearSolver, SymmetricPartOnlyWhereItIsAllowedAndNear)
       {
         SCOPED_TRACE(type);
         const StrutNetwork network(shape);
-        LinearSolver       solver(of_type(type), *network.matrix);
+        LinearSolver       solver(with_type(type), *network.matrix);
         ASSERT_EQ(solver.factorize(Exactness::approximate),
                   FactorizationOutcome::done);
         EXPECT_FALSE(solver.is_exact());
@@ -151,7 +151,7 @@ TEST(LinearSolver, SymmetricPartOnlyWhereItIsAllowedAndNear)
       }
   // A symmetric matrix is its symmetric part.
   const StrutNetwork symmetric;
-  LinearSolver       solver(of_type("auto"), *symmetric.matrix);
+  LinearSolver       solver(with_type("auto"), *symmetric.matrix);
   ASSERT_EQ(solver.factorize(Exactness::approximate),
             FactorizationOutcome::done);
   EXPECT_TRUE(solver.is_exact());
@@ -162,11 +162,11 @@ TEST(LinearSolver, TypesThatKnowOneKindOfMatrixKeepToIt)
   NetworkShape shape;
   shape.asymmetry = 0.3;
   const StrutNetwork network(shape);
-  LinearSolver       cholmod(of_type("cholmod"), *network.matrix);
+  LinearSolver       cholmod(with_type("cholmod"), *network.matrix);
   ASSERT_EQ(cholmod.factorize(Exactness::exact), FactorizationOutcome::done);
   EXPECT_FALSE(cholmod.is_exact());
   // To KLU the symmetric part is no easier.
-  LinearSolver klu(of_type("klu"), *network.matrix);
+  LinearSolver klu(with_type("klu"), *network.matrix);
   ASSERT_EQ(klu.factorize(Exactness::approximate), FactorizationOutcome::done);
   EXPECT_TRUE(klu.is_exact());
 }
@@ -181,7 +181,7 @@ TEST(LinearSolver, CountsEigenvaluesOfAllFreeUnknowns)
           // Of the number of an element's unknowns.
           shape.shift = shift * 3 * shape.n_components;
           const StrutNetwork network(shape);
-          LinearSolver       solver(of_type(type), *network.matrix);
+          LinearSolver       solver(with_type(type), *network.matrix);
           ASSERT_EQ(solver.factorize(Exactness::exact),
                     FactorizationOutcome::done);
           const DenseMatrix free =
@@ -219,7 +219,7 @@ TEST(LinearSolver, KnowsTheSignOfTheDeterminant)
               {
                 shape.shift = shift * 3 * shape.n_components;
                 const StrutNetwork network(shape);
-                LinearSolver       solver(of_type(type), *network.matrix);
+                LinearSolver       solver(with_type(type), *network.matrix);
                 ASSERT_EQ(solver.factorize(Exactness::exact),
                           FactorizationOutcome::done);
                 dealii::LAPACKFullMatrix<double> dense(network.n_unknowns());
@@ -241,7 +241,7 @@ TEST(LinearSolver, ServesThePatternAsItIsNow)
   for (const std::string type : {"cholmod", "klu", "mumps"})
     {
       StrutNetwork network;
-      LinearSolver solver(of_type(type), *network.matrix);
+      LinearSolver solver(with_type(type), *network.matrix);
       solver.factorize(Exactness::exact);
       const int twice[2] = {3, 4};
       network.pattern->register_block(twice, 2);
@@ -260,7 +260,7 @@ TEST(LinearSolver, SingularMatricesAreToldFromThoseThatAreNoNumbers)
         NetworkShape shape;
         shape.order = order;
         StrutNetwork network(shape);
-        LinearSolver solver(of_type(type), *network.matrix);
+        LinearSolver solver(with_type(type), *network.matrix);
         network.matrix->reset();
         EXPECT_EQ(solver.factorize(Exactness::exact),
                   FactorizationOutcome::singular);
@@ -287,7 +287,7 @@ TEST(LinearSolver, SingularMatricesAreToldFromThoseThatAreNoNumbers)
 TEST(LinearSolver, ARightSideThatIsNoNumberIsSeen)
 {
   const StrutNetwork network;
-  LinearSolver       solver(of_type("auto"), *network.matrix);
+  LinearSolver       solver(with_type("auto"), *network.matrix);
   ASSERT_EQ(solver.factorize(Exactness::exact), FactorizationOutcome::done);
   std::vector<double> x(network.layout->n_local(),
                         std::numeric_limits<double>::quiet_NaN());
@@ -298,9 +298,9 @@ TEST(LinearSolver, ARightSideThatIsNoNumberIsSeen)
 
 TEST(LinearSolverChoice, DependsOnTheEquations)
 {
-  const auto chosen = [](const EquationsAtJoints &of_equations) {
+  const auto chosen = [](const EquationsAtJoints &at_joints) {
     const LinearSolverChoice choice =
-      choose_linear_solver(SolverParameters(), of_equations);
+      choose_linear_solver(SolverParameters(), at_joints);
     EXPECT_NE(choice.reason, "");
     return choice.type;
   };
@@ -318,9 +318,9 @@ TEST(LinearSolverChoice, DependsOnTheEquations)
   EXPECT_EQ(chosen(equations(none, 900000, 0, 1)), LinearSolverType::mumps);
   const auto in_space = [&](const Symmetry      symmetry,
                             const unsigned long n_unknowns) {
-    EquationsAtJoints of_space = equations(symmetry, n_unknowns, 0, 1);
-    of_space.n_components      = 6;
-    return chosen(of_space);
+    EquationsAtJoints space_equations = equations(symmetry, n_unknowns, 0, 1);
+    space_equations.n_components      = 6;
+    return chosen(space_equations);
   };
   EXPECT_EQ(in_space(given, 20000), LinearSolverType::cholmod);
   EXPECT_EQ(in_space(given, 50000), LinearSolverType::mumps);
@@ -353,21 +353,21 @@ TEST(LinearSolverChoice, MumpsHasAllRanksWhereThatIsQuicker)
 TEST(LinearSolverChoice, FollowsTheUser)
 {
   const EquationsAtJoints some = equations(Symmetry::given, 1000, 0, 1);
-  EXPECT_EQ(choose_linear_solver(of_type("klu"), some).type,
+  EXPECT_EQ(choose_linear_solver(with_type("klu"), some).type,
             LinearSolverType::klu);
-  EXPECT_EQ(choose_linear_solver(of_type("mumps"), some).type,
+  EXPECT_EQ(choose_linear_solver(with_type("mumps"), some).type,
             LinearSolverType::mumps);
-  EXPECT_EQ(choose_linear_solver(of_type("cholmod"), some).type,
+  EXPECT_EQ(choose_linear_solver(with_type("cholmod"), some).type,
             LinearSolverType::cholmod);
-  EXPECT_EQ(choose_linear_solver(of_type("gmres"), some).type,
+  EXPECT_EQ(choose_linear_solver(with_type("gmres"), some).type,
             LinearSolverType::iterative);
-  EXPECT_EQ(choose_linear_solver(of_type("gmres"),
+  EXPECT_EQ(choose_linear_solver(with_type("gmres"),
                                  equations(Symmetry::given, 1000, 7, 1))
               .type,
             LinearSolverType::mumps);
   try
     {
-      choose_linear_solver(of_type("cholmod"),
+      choose_linear_solver(with_type("cholmod"),
                            equations(Symmetry::given, 1000, 7, 1));
       ADD_FAILURE();
     }

@@ -25,20 +25,20 @@ namespace
 
   /** Global numbers of the network by those of the condensed equations: in the
    * same order. */
-  std::vector<unsigned int> kept_unknowns(const StrutNetwork &network)
+  std::vector<unsigned int> retained_unknowns(const StrutNetwork &network)
   {
-    std::vector<unsigned int> kept;
+    std::vector<unsigned int> retained;
     for (unsigned int global = 0; global < network.n_unknowns(); ++global)
       if (!is_condensed(network, network.unknown(global)))
-        kept.push_back(global);
-    return kept;
+        retained.push_back(global);
+    return retained;
   }
 
   /** Schur's complement of the condensed unknowns, prescribed columns aside. */
   DenseMatrix reference(const StrutNetwork &network, const Symmetry symmetry)
   {
-    DenseMatrix                     dense = network.dense(symmetry);
-    const std::vector<unsigned int> kept  = kept_unknowns(network);
+    DenseMatrix                     dense    = network.dense(symmetry);
+    const std::vector<unsigned int> retained = retained_unknowns(network);
     std::vector<unsigned int>       inside;
     for (unsigned int global = 0; global < network.n_unknowns(); ++global)
       {
@@ -49,15 +49,15 @@ namespace
           for (unsigned int row = 0; row < network.n_unknowns(); ++row)
             dense(row, global) = row == global ? 1. : 0.;
       }
-    DenseMatrix joints(kept.size());
-    joints.extract_submatrix_from(dense, kept, kept);
+    DenseMatrix joints(retained.size());
+    joints.extract_submatrix_from(dense, retained, retained);
     if (inside.empty())
       return joints;
-    DenseMatrix inner(inside.size()), to_inner(kept.size(), inside.size()),
-      from_inner(inside.size(), kept.size());
+    DenseMatrix inner(inside.size()), to_inner(retained.size(), inside.size()),
+      from_inner(inside.size(), retained.size());
     inner.extract_submatrix_from(dense, inside, inside);
-    to_inner.extract_submatrix_from(dense, kept, inside);
-    from_inner.extract_submatrix_from(dense, inside, kept);
+    to_inner.extract_submatrix_from(dense, retained, inside);
+    from_inner.extract_submatrix_from(dense, inside, retained);
     inner.gauss_jordan();
     joints.triple_product(inner, to_inner, from_inner, false, false, -1.);
     return joints;
@@ -87,11 +87,12 @@ namespace
     found.add(-1., expected);
     EXPECT_LT(found.linfty_norm(), condensation_round_off);
 
-    const std::vector<unsigned int> kept   = kept_unknowns(network);
-    const Unknowns                 &joints = condensation.joints();
+    const std::vector<unsigned int> retained = retained_unknowns(network);
+    const Unknowns                 &joints   = condensation.joints();
     for (unsigned int i = 0; i < joints.layout.n_local(); ++i)
       {
-        const auto &unknown = network.unknown(kept[joints.layout.global(i)]);
+        const auto &unknown =
+          network.unknown(retained[joints.layout.global(i)]);
         EXPECT_EQ(joints.kinds[i], unknown.kind);
         EXPECT_EQ(joints.is_rotation[i], unknown.is_rotation);
         EXPECT_EQ(joints.joint[i], unknown.joint);

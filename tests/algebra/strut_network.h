@@ -157,10 +157,10 @@ namespace auxfem::testing_support
     /** Owned rows of global values, with room for ghosts. */
     std::vector<double> owned(const dealii::Vector<double> &values) const
     {
-      std::vector<double> of_owned(layout->n_local(), -7e77);
+      std::vector<double> values(layout->n_local(), -7e77);
       for (unsigned int i = 0; i < layout->n_owned(); ++i)
-        of_owned[i] = values(layout->global(i));
-      return of_owned;
+        values[i] = values(layout->global(i));
+      return values;
     }
 
     /** The solution of the dense equations for right_side(). */
@@ -265,16 +265,16 @@ namespace auxfem::testing_support
             {
               const std::vector<int> next =
                 e + 1 == shape.n_elements ? last : add_node(owner, s, 0);
-              std::vector<int> of_element = node;
+              std::vector<int> element_unknowns = node;
               const auto       append = [&](const std::vector<int> &further) {
-                of_element.insert(of_element.end(),
-                                  further.begin(),
-                                  further.end());
+                element_unknowns.insert(element_unknowns.end(),
+                                        further.begin(),
+                                        further.end());
               };
               append(next);
               for (unsigned int k = 1; k < shape.order; ++k)
                 append(add_node(owner, s, 0));
-              add_block(of_element);
+              add_block(element_unknowns);
               node = next;
             }
           last_inside.push_back(all.size() - 1);
@@ -300,9 +300,9 @@ namespace auxfem::testing_support
         }
     }
 
-    void add_block(const std::vector<int> &of_block)
+    void add_block(const std::vector<int> &block_unknowns)
     {
-      const unsigned int               n = of_block.size();
+      const unsigned int               n = block_unknowns.size();
       std::mt19937                     random(blocks.size() + 1);
       std::uniform_real_distribution<> entry(-1., 1.);
       std::vector<double>              values(n * n);
@@ -317,7 +317,7 @@ namespace auxfem::testing_support
             }
           values[i * n + i] = n + entry(random) - shape.shift;
         }
-      blocks.push_back({of_block, values});
+      blocks.push_back({block_unknowns, values});
     }
 
     void number_unknowns()

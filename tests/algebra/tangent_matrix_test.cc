@@ -176,17 +176,17 @@ TEST(TangentMatrix, FreeBlockIsAssembledWithoutSupports)
   for (unsigned int row = 0; row < free.layout.n_owned(); ++row)
     {
       const int           global = network.layout->global(free.unknowns[row]);
-      std::vector<double> of_row(network.n_unknowns(), 0.);
+      std::vector<double> dense_row(network.n_unknowns(), 0.);
       for (std::size_t i = matrix.first[row]; i < matrix.first[row + 1]; ++i)
-        of_row[network.layout->global(free.unknowns[matrix.columns[i]])] +=
+        dense_row[network.layout->global(free.unknowns[matrix.columns[i]])] +=
           matrix.entries[i];
-      for (int column = 0; column < int(of_row.size()); ++column)
+      for (int column = 0; column < int(dense_row.size()); ++column)
         {
           const bool is_free =
             network.unknown(column).kind != UnknownKind::prescribed;
           const double expected =
             dense(global, column) + (column == global ? 2. : 0.);
-          EXPECT_NEAR(of_row[column],
+          EXPECT_NEAR(dense_row[column],
                       is_free ? expected : 0.,
                       tangent_round_off);
         }

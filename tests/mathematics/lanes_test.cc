@@ -36,7 +36,7 @@ namespace
 
   /** Numbers that differ from lane to lane. */
   template <class Array>
-  EachLane<Array> of_each_lane(const unsigned int seed)
+  EachLane<Array> irregular_lanes(const unsigned int seed)
   {
     EachLane<Array> result;
     for (std::size_t lane = 0; lane < n_lanes; ++lane)
@@ -51,10 +51,10 @@ namespace
                     const std::array<Lanes, std::tuple_size_v<Array>> &lanes,
                     const std::size_t                                  lane)
   {
-    Array of_difference = numbers;
+    Array deviation = numbers;
     for (std::size_t i = 0; i < numbers.size(); ++i)
-      of_difference[i] -= number_in(lanes[i], lane);
-    return largest(of_difference) / largest(numbers);
+      deviation[i] -= number_in(lanes[i], lane);
+    return largest(deviation) / largest(numbers);
   }
 
   /** Plane elements of different lengths, directions and curvatures. */
@@ -66,15 +66,15 @@ namespace
     using Matrix               = typename Beam::Matrix;
     const EachLane<Beam> beams = one_each<Beam>(
       {{1.6, 0.4, 0.}, {0.7, 2., 0.8}, {2.2, -1., -0.3}, {1., 3., 0.}});
-    const EachLane<Vector> u = of_each_lane<Vector>(1),
-                           v = of_each_lane<Vector>(11);
+    const EachLane<Vector> u = irregular_lanes<Vector>(1),
+                           v = irregular_lanes<Vector>(11);
 
     std::array<Beam2D::FrameOf<Lanes>, order> frames() const
     {
-      EachLane<std::array<Beam2D::Frame, order>> of_beams;
+      EachLane<std::array<Beam2D::Frame, order>> by_beam;
       for (std::size_t lane = 0; lane < n_lanes; ++lane)
-        std::copy_n(beams[lane].gauss_frames(), order, of_beams[lane].begin());
-      return in_lanes<std::array<Beam2D::FrameOf<Lanes>, order>>(of_beams);
+        std::copy_n(beams[lane].gauss_frames(), order, by_beam[lane].begin());
+      return in_lanes<std::array<Beam2D::FrameOf<Lanes>, order>>(by_beam);
     }
 
     Lanes jacobian() const
@@ -84,9 +84,9 @@ namespace
 
     Beam2D::StiffnessOf<Lanes> section() const
     {
-      EachLane<Beam2D::Stiffness> of_beams;
-      of_beams.fill(beams[0].section);
-      return in_lanes<Beam2D::StiffnessOf<Lanes>>(of_beams);
+      EachLane<Beam2D::Stiffness> by_beam;
+      by_beam.fill(beams[0].section);
+      return in_lanes<Beam2D::StiffnessOf<Lanes>>(by_beam);
     }
   };
 
@@ -124,29 +124,29 @@ namespace
       {
         SCOPED_TRACE("lane " + std::to_string(lane));
         const auto &beam = elements.beams[lane];
-        Vector      of_beam;
-        const auto  energy_of_beam =
+        Vector      beam_force;
+        const auto  beam_energy =
           beam.template force<large_rotation, damped>(elements.u[lane],
                                                       elements.v[lane],
-                                                      of_beam);
-        const Matrix matrix_of_beam =
+                                                      beam_force);
+        const Matrix beam_tangent =
           beam.template tangent<large_rotation, damped>(elements.u[lane],
                                                         elements.v[lane],
                                                         0.9,
                                                         2.5);
-        EXPECT_NEAR(number_in(energy.strain, lane) / energy_of_beam.strain,
+        EXPECT_NEAR(number_in(energy.strain, lane) / beam_energy.strain,
                     1,
                     lanes_round_off);
         if (damped)
           {
             EXPECT_NEAR(number_in(energy.dissipation, lane) /
-                          energy_of_beam.dissipation,
+                          beam_energy.dissipation,
                         1,
                         lanes_round_off);
           }
 
-        EXPECT_LT(difference(of_beam, force, lane), lanes_round_off);
-        EXPECT_LT(difference(matrix_of_beam, matrix, lane), lanes_round_off);
+        EXPECT_LT(difference(beam_force, force, lane), lanes_round_off);
+        EXPECT_LT(difference(beam_tangent, matrix, lane), lanes_round_off);
       }
   }
 
@@ -170,8 +170,9 @@ namespace
 
     SpaceElements()
     {
-      const auto u = of_each_lane<Vector>(1), v = of_each_lane<Vector>(11),
-                 w = of_each_lane<Vector>(21);
+      const auto u = irregular_lanes<Vector>(1),
+                 v = irregular_lanes<Vector>(11),
+                 w = irregular_lanes<Vector>(21);
       for (std::size_t lane = 0; lane < n_lanes; ++lane)
         {
           nodes[lane] = Beam::nodes_of(u[lane]);
@@ -188,10 +189,10 @@ namespace
 
     std::array<Beam3D::FrameOf<Lanes>, order> frames() const
     {
-      EachLane<const std::array<Beam3D::Frame, order> *> of_beams;
+      EachLane<const std::array<Beam3D::Frame, order> *> by_beam;
       for (std::size_t lane = 0; lane < n_lanes; ++lane)
-        of_beams[lane] = &beams[lane].frames;
-      return in_lanes<std::array<Beam3D::FrameOf<Lanes>, order>>(of_beams);
+        by_beam[lane] = &beams[lane].frames;
+      return in_lanes<std::array<Beam3D::FrameOf<Lanes>, order>>(by_beam);
     }
 
     Lanes jacobian() const
@@ -201,9 +202,9 @@ namespace
 
     Beam3D::StiffnessOf<Lanes> section() const
     {
-      EachLane<Beam3D::Stiffness> of_beams;
-      of_beams.fill(beams[0].section);
-      return in_lanes<Beam3D::StiffnessOf<Lanes>>(of_beams);
+      EachLane<Beam3D::Stiffness> by_beam;
+      by_beam.fill(beams[0].section);
+      return in_lanes<Beam3D::StiffnessOf<Lanes>>(by_beam);
     }
   };
 
@@ -306,8 +307,8 @@ TEST(Lanes, AreFilledWithTheNumbersOfObjectsInTheirOrder)
   using LanesNodes = std::array<Beam3D::NodeOf<Lanes>, 2>;
   EachLane<Nodes> nodes;
   double          number = 0;
-  for (Nodes &of_lane : nodes)
-    for (Beam3D::Node &node : of_lane)
+  for (Nodes &lane_nodes : nodes)
+    for (Beam3D::Node &node : lane_nodes)
       {
         for (int i = 0; i < 3; ++i)
           node.displacement[i] = ++number;
@@ -384,7 +385,7 @@ TEST(Lanes, BeamsInSpaceAreWhatTheyAreOneByOne)
           {
             SCOPED_TRACE("lane " + std::to_string(lane));
             const auto                   &beam = elements.beams[lane];
-            const SpaceResults<p, double> of_beam(
+            const SpaceResults<p, double> single(
               beam.shape,
               beam.frames.data(),
               beam.jacobian,
@@ -392,15 +393,15 @@ TEST(Lanes, BeamsInSpaceAreWhatTheyAreOneByOne)
               elements.nodes[lane].data(),
               elements.velocities[lane].data(),
               elements.by_spin[lane].data());
-            EXPECT_NEAR(number_in(lanes.energy, lane) / of_beam.energy,
+            EXPECT_NEAR(number_in(lanes.energy, lane) / single.energy,
                         1,
                         lanes_round_off);
-            EXPECT_NEAR(number_in(lanes.power, lane) / of_beam.power,
+            EXPECT_NEAR(number_in(lanes.power, lane) / single.power,
                         1,
                         lanes_round_off);
-            EXPECT_LT(difference(of_beam.force, lanes.force, lane),
+            EXPECT_LT(difference(single.force, lanes.force, lane),
                       lanes_round_off);
-            EXPECT_LT(difference(of_beam.matrix, lanes.matrix, lane),
+            EXPECT_LT(difference(single.matrix, lanes.matrix, lane),
                       lanes_round_off);
           }
       });
@@ -416,7 +417,7 @@ TEST(Lanes, SmallDisplacementsInSpaceAreWhatTheyAreOneByOne)
         const SpaceElements<p> elements;
         using Vector             = typename SpaceElements<p>::Vector;
         const auto frames        = elements.frames();
-        const auto displacements = of_each_lane<Vector>(31);
+        const auto displacements = irregular_lanes<Vector>(31);
         const auto u =
           in_lanes<std::array<Lanes, std::tuple_size_v<Vector>>>(displacements);
         const SmallDisplacementResults<p, Lanes> lanes(elements.beams[0].shape,
@@ -428,18 +429,18 @@ TEST(Lanes, SmallDisplacementsInSpaceAreWhatTheyAreOneByOne)
           {
             SCOPED_TRACE("lane " + std::to_string(lane));
             const auto &beam = elements.beams[lane];
-            const SmallDisplacementResults<p, double> of_beam(
+            const SmallDisplacementResults<p, double> single(
               beam.shape,
               beam.frames.data(),
               beam.jacobian,
               beam.section,
               displacements[lane].data());
-            EXPECT_NEAR(number_in(lanes.energy, lane) / of_beam.energy,
+            EXPECT_NEAR(number_in(lanes.energy, lane) / single.energy,
                         1,
                         lanes_round_off);
-            EXPECT_LT(difference(of_beam.force, lanes.force, lane),
+            EXPECT_LT(difference(single.force, lanes.force, lane),
                       lanes_round_off);
-            EXPECT_LT(difference(of_beam.matrix, lanes.matrix, lane),
+            EXPECT_LT(difference(single.matrix, lanes.matrix, lane),
                       lanes_round_off);
           }
       });

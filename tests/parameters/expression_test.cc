@@ -33,7 +33,7 @@ namespace
   }
 } // namespace
 
-TEST(Expression, KnowsFunctionsAndConstants)
+TEST(Expression, EvaluatesFunctionsAndConstants)
 {
   EXPECT_EQ(value_of("if(x < xmax, F0, 7)", 3), 2.5);
   EXPECT_EQ(value_of("x < xmax ? F0 : 7", 5), 7);
@@ -42,7 +42,7 @@ TEST(Expression, KnowsFunctionsAndConstants)
   EXPECT_EQ(value_of("pi"), std::acos(-1.));
 }
 
-TEST(Expression, FollowsItsVariables)
+TEST(Expression, UsesPresentValuesOfVariables)
 {
   double           x = 1;
   const Expression twice("2 * x", {{"x", &x}}, {}, {});
@@ -53,7 +53,7 @@ TEST(Expression, FollowsItsVariables)
   EXPECT_TRUE(Expression("2 * 3", {{"x", &x}}, {}, {}).is_constant());
 }
 
-TEST(Expression, SaysWhatIsWrong)
+TEST(Expression, ReportsErrors)
 {
   EXPECT_EQ(problem_of("2 * x", {}), "");
   EXPECT_EQ(problem_of("x = 2", {}), "= assigns; to compare, write \"==\".");
@@ -83,7 +83,7 @@ TEST(ConstantValue, IsANumberAQuantityOrAnExpressionOfConstants)
   EXPECT_DOUBLE_EQ(value("3 1/ms"), 3000);
   EXPECT_DOUBLE_EQ(value("L / 4"), 0.005);
   EXPECT_DOUBLE_EQ(value("min(L, 1) * pi"), 0.02 * std::acos(-1.));
-  // A constant of the user comes before a unit word.
+  // A constant of the user takes precedence over a unit word.
   EXPECT_DOUBLE_EQ(value("2/s"), 0.5);
   expect_parts(input_error_of([&] { value("q"); }), {"\"q\"", "constants"});
   expect_parts(input_error_of([&] { value("1/(s - 4)"); }), {"no unit"});

@@ -14,7 +14,7 @@ TEST(Json, NumbersAreReadBackExactly)
     EXPECT_EQ(Json::parse(json_text(value)).get<double>(), value);
 }
 
-TEST(Json, WhatIsNotFiniteIsNull)
+TEST(Json, NonFiniteNumbersAreNull)
 {
   EXPECT_EQ(json_text(std::numeric_limits<double>::infinity()), "null");
   EXPECT_EQ(json_text(std::numeric_limits<double>::quiet_NaN()), "null");

@@ -35,7 +35,7 @@ namespace
         << "no \"" << part << "\" in: " << message;
   }
 
-  /** Files in a folder of their own, removed at the end. */
+  /** Temporary folder with files, removed at the end. */
   class TemporaryFolder
   {
   public:
@@ -62,7 +62,7 @@ namespace
     const std::filesystem::path path;
   };
 
-  TEST(ParameterFile, ReadsSubsectionsEntriesAndPlaces)
+  TEST(ParameterFile, ReadsSubsectionsEntriesAndLocations)
   {
     const ParameterSubsection root =
       parse_parameter_text("# comment\n"
@@ -110,7 +110,7 @@ namespace
 
 
 
-  TEST(ParameterFile, RefusesWhatItDoesNotUnderstand)
+  TEST(ParameterFile, RefusesInvalidLines)
   {
     expect_message(
       "set A = 1\nsett B = 2\n",
@@ -237,7 +237,7 @@ namespace
 
 
 
-  TEST(ParameterFile, FilesThatIncludeEachOtherEnd)
+  TEST(ParameterFile, LimitsFilesThatIncludeEachOther)
   {
     const TemporaryFolder folder;
     for (unsigned int i = 0; i < 30; ++i)

@@ -140,7 +140,7 @@ namespace
 
 
 
-  TEST(Parameter, WhatIsNotAllowedIsAProblem)
+  TEST(Parameter, InvalidValuesAreProblems)
   {
     const auto refuses = [](const Parameter &parameter, const char *value) {
       EXPECT_NE(parameter.problem(value), "")
@@ -169,7 +169,7 @@ namespace
 
 
 
-  TEST(Parameter, RangesAreShownAsTheyAre)
+  TEST(Parameter, RangesAsText)
   {
     EXPECT_EQ(Range::any().text(), "");
     EXPECT_EQ(Range::positive().text(), "> 0");

@@ -6,17 +6,17 @@
 
 using namespace auxfem;
 
-TEST(Printable, TextInUtf8Stays)
+TEST(Printable, Utf8TextIsUnchanged)
 {
   const std::string text = "E = 210 GPa\n\t\u00b5m \u00fcber \U0001f600";
   EXPECT_EQ(printable(text), text);
 }
 
-TEST(Printable, ControlCharactersDoNotPass)
+TEST(Printable, ControlCharactersAreReplaced)
 {
   EXPECT_EQ(printable("\x1b[31mred\x07\x7f\r"), "?[31mred???");
   EXPECT_EQ(printable(std::string(1, '\0')), "?");
-  // CSI as a byte of its own and in UTF-8; a character that is cut short.
+  // CSI as a single byte and in UTF-8; a truncated character.
   EXPECT_EQ(printable("\x9b"
                       "2J"),
             "?2J");
@@ -26,7 +26,7 @@ TEST(Printable, ControlCharactersDoNotPass)
   EXPECT_EQ(printable("\xe2\x82"), "??");
 }
 
-TEST(Printable, StreamsPassOnNothingElse)
+TEST(Printable, StreamsWritePrintableTextOnly)
 {
   std::ostringstream stream;
   {

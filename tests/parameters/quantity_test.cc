@@ -60,7 +60,7 @@ namespace
       {
         const Unit result = parse_unit(unit.text);
         EXPECT_EQ(result.dimension, unit.dimension) << unit.text;
-        // products of powers of ten are exact up to a few roundings
+        // Products of powers of ten are exact up to a few roundings.
         EXPECT_NEAR(result.factor / unit.factor, 1, 1e-14) << unit.text;
       }
   }
@@ -94,7 +94,7 @@ namespace
 
   TEST(Quantity, ValuesAreConvertedToSI)
   {
-    // one multiplication away from the exact number
+    // One multiplication away from the exact number.
     EXPECT_DOUBLE_EQ(parse_quantity("10 mm", "m"), 0.01);
     EXPECT_DOUBLE_EQ(parse_quantity("10mm", "m"), 0.01);
     EXPECT_DOUBLE_EQ(parse_quantity(" +2.5e-3 ", "m"), 2.5e-3);

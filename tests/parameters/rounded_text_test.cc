@@ -6,7 +6,7 @@
 
 using namespace auxfem;
 
-TEST(RoundedText, HasThreeDigitsAndNoExponentWithoutNeed)
+TEST(RoundedText, HasThreeDigitsAndRarelyAnExponent)
 {
   EXPECT_EQ(rounded_text(0), "0");
   EXPECT_EQ(rounded_text(-0.), "0");
@@ -20,7 +20,7 @@ TEST(RoundedText, HasThreeDigitsAndNoExponentWithoutNeed)
   EXPECT_EQ(rounded_text(std::numeric_limits<double>::infinity()), "inf");
 }
 
-TEST(RoundedText, PercentAreNeverWrittenByPowersOfTen)
+TEST(RoundedText, PercentagesHaveNoExponent)
 {
   EXPECT_EQ(percentage_text(1), "100 %");
   EXPECT_EQ(percentage_text(0.12345), "12 %");

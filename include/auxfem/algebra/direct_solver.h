@@ -181,7 +181,7 @@ namespace auxfem
 
   /** What @p action returns, or `out_of_memory` if it throws std::bad_alloc. */
   template <typename Action>
-  FactorizationOutcome guard_memory(const Action &action)
+  FactorizationOutcome catch_bad_alloc(const Action &action)
   {
     try
       {
@@ -215,9 +215,9 @@ namespace auxfem
    *
    * @param x room for owned unknowns
    */
-  double estimate_norm(const UnknownLayout                              &layout,
-                       std::vector<double>                              &x,
-                       double                                            enough,
+  double estimate_norm(const UnknownLayout &layout,
+                       std::vector<double> &x,
+                       double               threshold,
                        const std::function<void(std::vector<double> &)> &apply);
 
   /**

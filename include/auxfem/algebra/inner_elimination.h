@@ -55,22 +55,22 @@ namespace auxfem
 
     /**
      * Subtracts A_EI A_II^-1 x_I from x_E.
-     * @param inner, ends where the entries of x_I stand in @p of_inner, those of
-     *   x_E in @p of_ends
+     * @param inner, ends where the entries of x_I stand in @p inner_values, those of
+     *   x_E in @p end_values
      */
     virtual void reduce(const double *factors,
                         Symmetry      symmetry,
                         const int    *inner,
-                        const double *of_inner,
+                        const double *inner_values,
                         const int    *ends,
-                        double       *of_ends) const = 0;
+                        double       *end_values) const = 0;
 
     /** Replaces x_I by A_II^-1 (x_I - A_IE x_E). */
     virtual void expand(const double *factors,
                         const int    *inner,
-                        double       *of_inner,
+                        double       *inner_values,
                         const int    *ends,
-                        const double *of_ends) const = 0;
+                        const double *end_values) const = 0;
   };
 
   /**
@@ -91,7 +91,7 @@ namespace auxfem
     std::size_t  first_block;
     unsigned int n_elements;
     /** Unknowns of a node and of an element. */
-    unsigned int n_of_node, n_of_element;
+    unsigned int n_node_unknowns, n_element_unknowns;
     /** Eliminates what is between the nodes; nullptr if nothing is. */
     const InnerElimination *between_nodes;
     /** Eliminates a node between two elements. */
@@ -99,7 +99,7 @@ namespace auxfem
 
     unsigned int n_between_nodes() const
     {
-      return n_of_element - 2 * n_of_node;
+      return n_element_unknowns - 2 * n_node_unknowns;
     }
   };
 

@@ -31,7 +31,7 @@ namespace auxfem
      * Collective. */
     bool factorize(const SparseMatrix &matrix);
 
-    /** The rows that are left. */
+    /** The rows that are reduced. */
     const JointRows &rows() const
     {
       return joint_rows;
@@ -40,7 +40,7 @@ namespace auxfem
     /** S. */
     const SparseMatrix &matrix() const
     {
-      return left;
+      return reduced;
     }
 
     /** Negative eigenvalues of A_EE of this rank, if A is symmetric. */
@@ -77,7 +77,7 @@ namespace auxfem
     void        update_neighbours(std::size_t number);
     JointRows   make_rows() const;
     void        make_pattern(const SparseMatrix &matrix);
-    std::size_t count_entries_left(const SparseMatrix &matrix) const;
+    std::size_t count_reduced_entries(const SparseMatrix &matrix) const;
     /** Of the row of @p unknown, by columns. */
     void find_sources(const SparseMatrix  &matrix,
                       unsigned int         unknown,
@@ -95,7 +95,7 @@ namespace auxfem
     const JointGroups   groups;
     const JointOrder    order;
     const JointRows     joint_rows;
-    SparseMatrix        left;
+    SparseMatrix        reduced;
     std::vector<double> scale; ///< by local unknown
     /** Largest stiffness between joints, over all ranks (N/m), on the diagonal
      * of S in rows that stand for nothing. */

@@ -17,8 +17,8 @@ namespace auxfem
   class JointRows
   {
   public:
-    /** Takes the owned @p unknowns that are numbered in @p taken. */
-    JointRows(const Unknowns &all, const std::vector<int> &taken);
+    /** Takes the owned @p unknowns that are numbered in @p selected. */
+    JointRows(const Unknowns &all, const std::vector<int> &selected);
 
     /** Rows a block: components of motion a node has. */
     unsigned int block_size() const;
@@ -29,7 +29,7 @@ namespace auxfem
       return *row_layout;
     }
 
-    /** Row of a local unknown; none if it was not taken. */
+    /** Row of a local unknown; none if it was not selected. */
     std::optional<unsigned int> row(const unsigned int unknown) const
     {
       return rows[unknown];
@@ -101,12 +101,12 @@ namespace auxfem
       std::vector<std::size_t> between;
     };
 
-    /** Takes groups while they have at most @p most_neighbours; those coupled
+    /** Takes groups while they have at most @p max_neighbours; those coupled
      * with rows of other ranks stay. */
     JointOrder(const SparseMatrix &matrix,
                const JointGroups  &groups,
                const Unknowns     &unknowns,
-               unsigned int        most_neighbours);
+               unsigned int        max_neighbours);
 
     const std::vector<Pivot> &pivots() const
     {
@@ -121,12 +121,12 @@ namespace auxfem
 
     /** First entry of the block (@p row, @p column) of two groups that the
      * matrix itself couples. */
-    std::size_t block_at_first(unsigned int row, unsigned int column) const;
+    std::size_t initial_block(unsigned int row, unsigned int column) const;
 
     /** Groups that stay, and the blocks of their rows, in order of groups. */
-    const std::vector<unsigned int> &left() const
+    const std::vector<unsigned int> &remaining() const
     {
-      return staying;
+      return remaining_groups;
     }
 
     const std::vector<Link> &links(const unsigned int group) const
@@ -139,17 +139,17 @@ namespace auxfem
 
   private:
     void connect(const SparseMatrix &matrix, const Unknowns &unknowns);
-    void eliminate_groups(std::size_t most_neighbours);
+    void eliminate_groups(std::size_t max_neighbours);
     void eliminate(unsigned int group);
     /** The block (row, column), a new one if there is none yet. */
     std::size_t block(unsigned int row, unsigned int column);
 
     const JointGroups &groups;
     /** Of every group, itself included, before and during elimination. */
-    std::vector<std::vector<Link>> at_first, adjacent;
-    std::vector<bool>              is_gone, must_stay;
+    std::vector<std::vector<Link>> initial_links, adjacent;
+    std::vector<bool>              is_eliminated, must_stay;
     std::vector<Pivot>             order;
-    std::vector<unsigned int>      staying;
+    std::vector<unsigned int>      remaining_groups;
     std::size_t                    n_used = 0;
   };
 } // namespace auxfem

@@ -34,11 +34,11 @@ namespace auxfem
     /** The unknowns of matrix(). */
     const Unknowns &unknowns() const
     {
-      return of_joints;
+      return joint_unknowns;
     }
 
     /** Local unknowns of the pattern, by those of the system. */
-    const std::vector<int> &kept() const;
+    const std::vector<int> &retained_unknowns() const;
 
     /** Prescribed ones among unknowns(), ghosts included. */
     const std::vector<int> &prescribed() const
@@ -83,18 +83,18 @@ namespace auxfem
 
     const std::vector<StrutElements>     &struts;
     std::unique_ptr<UnknownSelection>     selection;
-    Unknowns                              of_joints;
+    Unknowns                              joint_unknowns;
     std::vector<int>                      prescribed_unknowns;
     std::size_t                           n_ends = 0; ///< of a strut
     std::vector<int>                      end_unknowns;
     std::map<unsigned int, Neighbour>     neighbours;
     std::vector<std::vector<std::size_t>> positions_to_send; ///< by strut
     std::vector<double>                   to_send;
-    NeighbourExchange                     blocks, ends_of_others;
+    NeighbourExchange                     block_exchange, end_exchange;
     std::vector<int>                      received_unknowns;
     std::vector<int>                      received_ends;
     /** Blocks of the pattern that do not belong to struts. */
-    std::vector<std::size_t>        others;
+    std::vector<std::size_t>        other_blocks;
     std::unique_ptr<SparseAssembly> assembly;
   };
 } // namespace auxfem

@@ -55,7 +55,7 @@ namespace auxfem
      * symmetric part. */
     bool is_exact() const
     {
-      return serves_matrix;
+      return solves_given_matrix;
     }
 
     /**
@@ -92,7 +92,7 @@ namespace auxfem
      * empty if it did not. */
     const std::string &why() const
     {
-      return why_failed;
+      return failure_reason;
     }
 
     /** Which method solves, and why, e.g. `CHOLMOD (symmetric matrix, 300
@@ -120,8 +120,8 @@ namespace auxfem
       std::optional<unsigned long>        version;
     };
 
-    /** Sets serves_matrix, too. Collective. */
-    Symmetry             wanted_symmetry(Exactness exactness);
+    /** Sets solves_given_matrix, too. Collective. */
+    Symmetry             choose_symmetry(Exactness exactness);
     FactorizationOutcome try_to_factorize(Exactness exactness);
     FactorizationOutcome factorize_joints(const LinearSolverChoice &choice);
     EquationsAtJoints    equations_at_joints() const;
@@ -136,12 +136,12 @@ namespace auxfem
     StrutCondensation      condensation;
     Symmetry               symmetry = Symmetry::given;
     /** Whether what is factorized is not another symmetric part. */
-    bool                                 serves_matrix = true;
+    bool                                 solves_given_matrix = true;
     std::map<LinearSolverType, Analysed> methods;
     /** The one that solves. */
     LinearSolverMethod *current = nullptr;
-    std::string         description_of_current, why_failed;
-    std::vector<double> of_joints;
+    std::string         description_of_current, failure_reason;
+    std::vector<double> joint_values;
   };
 } // namespace auxfem
 

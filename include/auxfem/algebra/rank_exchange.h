@@ -157,7 +157,7 @@ namespace auxfem
 
   /** What other ranks send to this one, of what each sends to others.
    * Collective. */
-  SizesByRank sizes_from_others(const SizesByRank &sent, MPI_Comm communicator);
+  SizesByRank received_sizes(const SizesByRank &sent, MPI_Comm communicator);
 
   /** Of other ranks, by rank. */
   template <typename T>
@@ -165,7 +165,7 @@ namespace auxfem
 
   /** Those of all ranks, in the order of these. */
   template <typename T>
-  std::vector<T> one_after_the_other(const ListsByRank<T> &lists)
+  std::vector<T> concatenated(const ListsByRank<T> &lists)
   {
     std::vector<T> all;
     for (const auto &[rank, list] : lists)
@@ -191,9 +191,9 @@ namespace auxfem
                                 const MPI_Comm        communicator)
   {
     const SizesByRank    sent     = lengths(for_others);
-    const SizesByRank    received = sizes_from_others(sent, communicator);
+    const SizesByRank    received = received_sizes(sent, communicator);
     const std::vector<T> comes = NeighbourExchange(communicator, sent, received)
-                                   .exchange(one_after_the_other(for_others));
+                                   .exchange(concatenated(for_others));
     ListsByRank<T> lists;
     auto           next = comes.begin();
     for (const auto &[rank, n] : received)
@@ -205,7 +205,7 @@ namespace auxfem
   }
 
   /** More do not fit into the int of one message. */
-  inline constexpr std::size_t bytes_of_message = 1 << 30;
+  inline constexpr std::size_t max_message_bytes = 1 << 30;
 
   /** Sends @p n values to the first rank, which calls receive(). */
   template <typename T>
@@ -214,9 +214,9 @@ namespace auxfem
                      const MPI_Comm    communicator)
   {
     const char *const bytes = reinterpret_cast<const char *>(values);
-    for (std::size_t at = 0; at < n * sizeof(T); at += bytes_of_message)
+    for (std::size_t at = 0; at < n * sizeof(T); at += max_message_bytes)
       MPI_Send(bytes + at,
-               std::min(bytes_of_message, n * sizeof(T) - at),
+               std::min(max_message_bytes, n * sizeof(T) - at),
                MPI_BYTE,
                0,
                0,
@@ -231,9 +231,9 @@ namespace auxfem
                const MPI_Comm     communicator)
   {
     char *const bytes = reinterpret_cast<char *>(values);
-    for (std::size_t at = 0; at < n * sizeof(T); at += bytes_of_message)
+    for (std::size_t at = 0; at < n * sizeof(T); at += max_message_bytes)
       MPI_Recv(bytes + at,
-               std::min(bytes_of_message, n * sizeof(T) - at),
+               std::min(max_message_bytes, n * sizeof(T) - at),
                MPI_BYTE,
                from,
                0,

@@ -42,7 +42,7 @@ namespace auxfem
     /** Which strut has not been condensed; empty if all have. */
     const std::string &description() const
     {
-      return why_not;
+      return failure_place;
     }
 
     /** S. Valid until a condense() after a change of the pattern. */
@@ -101,22 +101,22 @@ namespace auxfem
     /** Room that all struts use in turn. */
     struct Room
     {
-      std::vector<double> of_element, of_strut, around_node, inner;
+      std::vector<double> element, strut, around_node, inner;
     };
 
-    /** Eliminates a strut, its factors into @p of_strut, what is left into
-     * Room::of_strut; whether it is regular. */
+    /** Eliminates a strut, its factors into @p strut_factors, what is left into
+     * Room::strut_factors; whether it is regular. */
     bool              condense_strut(const StrutElements &elements,
-                                     double              *of_strut,
+                                     double              *strut_factors,
                                      Room                &room,
                                      unsigned long       &n_negative) const;
     EliminationResult condense_element(const StrutElements &elements,
                                        std::size_t          block,
-                                       double              *of_element,
+                                       double              *element_factors,
                                        Room                &room) const;
     EliminationResult eliminate_node(const StrutElements &elements,
                                      std::size_t          block,
-                                     double              *of_node,
+                                     double              *node_factors,
                                      Room                &room) const;
     /** What is added to the diagonal at the unknowns; nullptr if nothing. */
     const double *
@@ -130,13 +130,13 @@ namespace auxfem
     /** Of a strut of several elements. */
     ///@{
     void reduce_chain(const StrutElements &elements,
-                      const double        *of_strut,
+                      const double        *strut_factors,
                       std::vector<double> &values,
                       const int           *ends,
                       std::vector<double> &g,
                       Room                &room) const;
     void expand_chain(const StrutElements       &elements,
-                      const double              *of_strut,
+                      const double              *strut_factors,
                       std::vector<double>       &values,
                       const int                 *ends,
                       const std::vector<double> &z,
@@ -166,7 +166,7 @@ namespace auxfem
     std::vector<std::size_t> first_factor;
     std::optional<Inertia>   inertia;
     int                      determinant = 1; ///< its sign
-    std::string              why_not;
+    std::string              failure_place;
   };
 } // namespace auxfem
 

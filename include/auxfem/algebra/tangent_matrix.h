@@ -71,12 +71,12 @@ namespace auxfem
     ///@{
     const int *begin(const std::size_t block) const
     {
-      return of_blocks.data() + first[block];
+      return block_unknowns.data() + first[block];
     }
 
     const int *end(const std::size_t block) const
     {
-      return of_blocks.data() + first[block + 1];
+      return block_unknowns.data() + first[block + 1];
     }
     ///@}
 
@@ -88,7 +88,7 @@ namespace auxfem
 
   private:
     const Unknowns          *all;
-    std::vector<int>         of_blocks;
+    std::vector<int>         block_unknowns;
     std::vector<std::size_t> first; ///< of each block, and the end of the last
     unsigned long            changes = 0;
   };
@@ -140,7 +140,7 @@ namespace auxfem
 
     const TangentPattern &pattern() const
     {
-      return of_pattern;
+      return tangent_pattern;
     }
 
     /** Version of the pattern that the matrix has. */
@@ -170,10 +170,10 @@ namespace auxfem
     void take_symmetric_part();
 
     /**
-     * Adds @p of_owned, one value for each owned row, to the diagonal of free
+     * Adds @p values, one value for each owned row, to the diagonal of free
      * rows, until the next reset().
      */
-    void add_to_diagonal(const std::vector<double> &of_owned);
+    void add_to_diagonal(const std::vector<double> &values);
 
     /** What was added by add_to_diagonal(), zero in prescribed rows; empty if
      * nothing was. */
@@ -185,8 +185,8 @@ namespace auxfem
     /** The diagonal of the owned rows; 1 if prescribed. */
     std::vector<double> diagonal() const;
 
-    /** As add_to_diagonal(), so that diagonal() becomes @p of_owned. */
-    void set_diagonal(const std::vector<double> &of_owned);
+    /** As add_to_diagonal(), so that diagonal() becomes @p values. */
+    void set_diagonal(const std::vector<double> &values);
 
     /**
      * Size of each owned row: the largest |entry| of its blocks and its
@@ -238,7 +238,7 @@ namespace auxfem
     template <class Action>
     void for_each_block(const Action &action) const;
 
-    const TangentPattern    &of_pattern;
+    const TangentPattern    &tangent_pattern;
     unsigned long            built_version = 0;
     std::vector<std::size_t> first; ///< of each block, and the end of the last
     std::vector<double>      entries;

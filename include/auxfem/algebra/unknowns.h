@@ -189,7 +189,7 @@ namespace auxfem
     unsigned int n_free() const;
 
     /** Number of unknowns of a kind, over all ranks. Collective. */
-    unsigned long n_of(UnknownKind kind) const;
+    unsigned long n_of_kind(UnknownKind kind) const;
   };
 
   /** Some of the unknowns of a layout, with a layout of their own. */

@@ -22,11 +22,11 @@ namespace auxfem
 
   constexpr std::size_t n_lanes = 1;
 
-  /** What @p of_lane, a function of a lane, gives for each. */
-  template <class OfLane>
-  Lanes each_lane(const OfLane &of_lane)
+  /** What @p function, a function of a lane, gives for each. */
+  template <class Function>
+  Lanes each_lane(const Function &function)
   {
-    return of_lane(std::size_t(0));
+    return function(std::size_t(0));
   }
 
   /** The number of one @p lane. */
@@ -42,11 +42,11 @@ namespace auxfem
   /** How many elements these are: 4 with AVX2, 2 without. */
   constexpr std::size_t n_lanes = Lanes::size();
 
-  /** What @p of_lane, a function of a lane, gives for each. */
-  template <class OfLane>
-  Lanes each_lane(const OfLane &of_lane)
+  /** What @p function, a function of a lane, gives for each. */
+  template <class Function>
+  Lanes each_lane(const Function &function)
   {
-    return Lanes(of_lane);
+    return Lanes(function);
   }
 
   /** The number of one @p lane. */
@@ -60,16 +60,16 @@ namespace auxfem
   template <class T>
   using EachLane = std::array<T, n_lanes>;
 
-  /** @p OfLanes is the object of Lanes that @p OfNumbers is of double: the same
+  /** @p LaneObject is the object of Lanes that @p Object is of double: the same
    * numbers in the same order, and nothing else. */
-  template <class OfLanes, class OfNumbers>
-  OfLanes in_lanes(const EachLane<const OfNumbers *> &objects)
+  template <class LaneObject, class Object>
+  LaneObject in_lanes(const EachLane<const Object *> &objects)
   {
-    static_assert(sizeof(OfLanes) == n_lanes * sizeof(OfNumbers) &&
+    static_assert(sizeof(LaneObject) == n_lanes * sizeof(Object) &&
                   sizeof(Lanes) == n_lanes * sizeof(double));
-    OfLanes result;
-    auto   *lanes = reinterpret_cast<Lanes *>(&result);
-    for (std::size_t i = 0; i < sizeof(OfNumbers) / sizeof(double); ++i)
+    LaneObject result;
+    auto      *lanes = reinterpret_cast<Lanes *>(&result);
+    for (std::size_t i = 0; i < sizeof(Object) / sizeof(double); ++i)
       lanes[i] = each_lane([&](const auto lane) {
         return reinterpret_cast<const double *>(objects[lane])[i];
       });
@@ -77,25 +77,25 @@ namespace auxfem
   }
 
   /** @copydoc in_lanes */
-  template <class OfLanes, class OfNumbers>
-  OfLanes in_lanes(const EachLane<OfNumbers> &objects)
+  template <class LaneObject, class Object>
+  LaneObject in_lanes(const EachLane<Object> &objects)
   {
-    EachLane<const OfNumbers *> pointers;
+    EachLane<const Object *> pointers;
     for (std::size_t lane = 0; lane < n_lanes; ++lane)
       pointers[lane] = &objects[lane];
-    return in_lanes<OfLanes>(pointers);
+    return in_lanes<LaneObject>(pointers);
   }
 
   /** The object of double of one @p lane of an object of Lanes; as in_lanes().
    */
-  template <class OfNumbers, class OfLanes>
-  OfNumbers in_lane(const OfLanes &objects, const std::size_t lane)
+  template <class Object, class LaneObject>
+  Object in_lane(const LaneObject &objects, const std::size_t lane)
   {
-    static_assert(sizeof(OfLanes) == n_lanes * sizeof(OfNumbers));
-    OfNumbers   result;
+    static_assert(sizeof(LaneObject) == n_lanes * sizeof(Object));
+    Object      result;
     const auto *lanes   = reinterpret_cast<const Lanes *>(&objects);
     auto       *numbers = reinterpret_cast<double *>(&result);
-    for (std::size_t i = 0; i < sizeof(OfNumbers) / sizeof(double); ++i)
+    for (std::size_t i = 0; i < sizeof(Object) / sizeof(double); ++i)
       numbers[i] = number_in(lanes[i], lane);
     return result;
   }
@@ -141,10 +141,10 @@ namespace auxfem
   }
 
   /** A number that is assigned to on a condition. */
-  class Where
+  class WhereExpression
   {
   public:
-    Where(const bool condition, double &number)
+    WhereExpression(const bool condition, double &number)
       : condition(condition)
       , number(number)
     {}
@@ -160,7 +160,7 @@ namespace auxfem
     double    &number;
   };
 
-  inline Where where(const bool condition, double &number)
+  inline WhereExpression where(const bool condition, double &number)
   {
     return {condition, number};
   }

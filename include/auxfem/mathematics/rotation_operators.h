@@ -62,8 +62,8 @@ namespace auxfem
     TangentCoefficientsOf() = default;
 
     explicit TangentCoefficientsOf(const VectorOf<Number> &p)
-      : a(power_series(series_of_a, Number(p * p)))
-      , b(power_series(series_of_b, Number(p * p)))
+      : a(power_series(a_series, Number(p * p)))
+      , b(power_series(b_series, Number(p * p)))
       , square(p * p)
     {
       using std::cos, std::sin, std::sqrt;
@@ -83,21 +83,20 @@ namespace auxfem
       return square >= 0.25;
     }
 
-    static constexpr std::array<double, 7> series_of_a = {{1. / 2,
-                                                           -1. / 24,
-                                                           1. / 720,
-                                                           -1. / 40320,
-                                                           1. / 3628800,
-                                                           -1. / 479001600,
-                                                           1. / 87178291200.}};
-    static constexpr std::array<double, 7> series_of_b = {
-      {1. / 6,
-       -1. / 120,
-       1. / 5040,
-       -1. / 362880,
-       1. / 39916800,
-       -1. / 6227020800.,
-       1. / 1307674368000.}};
+    static constexpr std::array<double, 7> a_series = {{1. / 2,
+                                                        -1. / 24,
+                                                        1. / 720,
+                                                        -1. / 40320,
+                                                        1. / 3628800,
+                                                        -1. / 479001600,
+                                                        1. / 87178291200.}};
+    static constexpr std::array<double, 7> b_series = {{1. / 6,
+                                                        -1. / 120,
+                                                        1. / 5040,
+                                                        -1. / 362880,
+                                                        1. / 39916800,
+                                                        -1. / 6227020800.,
+                                                        1. / 1307674368000.}};
   };
   using TangentCoefficients = TangentCoefficientsOf<double>;
 
@@ -124,22 +123,22 @@ namespace auxfem
     void from_series()
     {
       // The derivative of x^k, x = t^2, by t and over t is 2 k x^(k - 1).
-      std::array<double, 6> of_da, of_db;
-      std::array<double, 5> of_dda, of_ddb;
+      std::array<double, 6> da_series, db_series;
+      std::array<double, 5> dda_series, ddb_series;
       for (int k = 0; k < 6; ++k)
         {
-          of_da[k] = 2 * (k + 1) * this->series_of_a[k + 1];
-          of_db[k] = 2 * (k + 1) * this->series_of_b[k + 1];
+          da_series[k] = 2 * (k + 1) * this->a_series[k + 1];
+          db_series[k] = 2 * (k + 1) * this->b_series[k + 1];
         }
       for (int k = 0; k < 5; ++k)
         {
-          of_dda[k] = 2 * (k + 1) * of_da[k + 1];
-          of_ddb[k] = 2 * (k + 1) * of_db[k + 1];
+          dda_series[k] = 2 * (k + 1) * da_series[k + 1];
+          ddb_series[k] = 2 * (k + 1) * db_series[k + 1];
         }
-      da  = power_series(of_da, this->square);
-      db  = power_series(of_db, this->square);
-      dda = power_series(of_dda, this->square);
-      ddb = power_series(of_ddb, this->square);
+      da  = power_series(da_series, this->square);
+      db  = power_series(db_series, this->square);
+      dda = power_series(dda_series, this->square);
+      ddb = power_series(ddb_series, this->square);
     }
 
     template <class Condition>
@@ -179,9 +178,10 @@ namespace auxfem
 
   /** p (p . v) - t^2 v. */
   template <class Number>
-  inline VectorOf<Number> across_twice(const RotationCoefficientsOf<Number> &c,
-                                       const VectorOf<Number>               &p,
-                                       const VectorOf<Number>               &v)
+  inline VectorOf<Number>
+  double_cross_product(const RotationCoefficientsOf<Number> &c,
+                       const VectorOf<Number>               &p,
+                       const VectorOf<Number>               &v)
   {
     return (p * v) * p - c.square * v;
   }
@@ -195,7 +195,7 @@ namespace auxfem
   {
     return plus_identity(-c.a * cross_product_tensor(v) +
                            dyad(c.da * dealii::cross_product_3d(p, v) +
-                                  c.db * across_twice(c, p, v),
+                                  c.db * double_cross_product(c, p, v),
                                 p) +
                            c.b * (dyad(p, v) - 2. * dyad(v, p)),
                          c.b * (p * v));
@@ -210,7 +210,7 @@ namespace auxfem
                            const VectorOf<Number>               &q)
   {
     using dealii::cross_product_3d;
-    const Number along_p = c.db * (m * across_twice(c, p, q)) -
+    const Number along_p = c.db * (m * double_cross_product(c, p, q)) -
       c.da * (m * cross_product_3d(p, q)) - 2 * c.b * (m * q);
     return c.a * cross_product_3d(m, q) + along_p * p +
       c.b * ((m * p) * q + (p * q) * m);
@@ -224,7 +224,7 @@ namespace auxfem
                      const VectorOf<Number>               &q)
   {
     return plus_identity(c.a * cross_product_tensor(q) +
-                           dyad(c.db * across_twice(c, p, q) -
+                           dyad(c.db * double_cross_product(c, p, q) -
                                   c.da * dealii::cross_product_3d(p, q),
                                 p) +
                            c.b * (dyad(p, q) - 2. * dyad(q, p)),
@@ -241,7 +241,8 @@ namespace auxfem
   {
     using dealii::cross_product_3d;
     return c.a * cross_product_3d(q, v) +
-      (p * v) * (c.db * across_twice(c, p, q) - c.da * cross_product_3d(p, q)) +
+      (p * v) *
+      (c.db * double_cross_product(c, p, q) - c.da * cross_product_3d(p, q)) +
       c.b * ((q * v) * p - 2. * (p * v) * q + (p * q) * v);
   }
 
@@ -275,18 +276,18 @@ namespace auxfem
       : square(p * p)
     {
       using std::cos, std::sin, std::sqrt;
-      constexpr std::array<double, 7> of_c = {{1. / 12,
-                                               1. / 720,
-                                               1. / 30240,
-                                               1. / 1209600,
-                                               1. / 47900160,
-                                               691. / 1307674368000.,
-                                               1. / 74724249600.}};
-      std::array<double, 6>           of_dc;
+      constexpr std::array<double, 7> c_series = {{1. / 12,
+                                                   1. / 720,
+                                                   1. / 30240,
+                                                   1. / 1209600,
+                                                   1. / 47900160,
+                                                   691. / 1307674368000.,
+                                                   1. / 74724249600.}};
+      std::array<double, 6>           dc_series;
       for (int k = 0; k < 6; ++k)
-        of_dc[k] = 2 * (k + 1) * of_c[k + 1];
-      c                = power_series(of_c, square);
-      dc               = power_series(of_dc, square);
+        dc_series[k] = 2 * (k + 1) * c_series[k + 1];
+      c                = power_series(c_series, square);
+      dc               = power_series(dc_series, square);
       const auto large = square >= 0.25;
       if (any_of(large))
         {

@@ -8,9 +8,9 @@
 namespace auxfem
 {
   /**
-   * A mistake in what the user gave: a parameter file, a table, a command line,
-   * a structure that cannot stand. The message is complete (where, what was
-   * found, what is allowed, what to do) and is shown as it is. Exit code 1.
+   * A mistake in the user's input: parameter file, table, command line or an
+   * unsupported structure. The message is complete (place, problem, allowed
+   * values, remedy) and shown unchanged. Exit code 1.
    */
   class InputError : public std::runtime_error
   {
@@ -21,9 +21,9 @@ namespace auxfem
   };
 
   /**
-   * A computation that could not be completed (no convergence at the smallest
-   * step, non-finite numbers, a singular tangent). Everything computed until
-   * then is on disk when it reaches main(). Exit code 2.
+   * A computation that failed: no convergence at the smallest step, non-finite
+   * numbers, a singular tangent. Results computed before are on disk when it
+   * reaches main(). Exit code 2.
    */
   class ComputationError : public std::runtime_error
   {
@@ -33,7 +33,7 @@ namespace auxfem
     {}
   };
 
-  /** Gathers the user's mistakes, to report them all at once. */
+  /** Collects the user's mistakes to report them together. */
   class Mistakes
   {
   public:
@@ -46,9 +46,9 @@ namespace auxfem
     }
 
     /**
-     * Throws InputError with all messages if there is any; of very many, the
-     * first ones and a count, so that a screen holds them. @p file is named in
-     * the heading.
+     * Throws InputError with all messages if there are any. The heading names
+     * @p file. A long list is cut to the first messages and a count, so that it
+     * fits on a screen.
      */
     void throw_if_any(const std::string &file) const;
 
@@ -57,8 +57,7 @@ namespace auxfem
   };
 
   /**
-   * What the user is told when this rank got no more memory from the operating
-   * system: which rank, what it had in use at most, what can be done.
+   * Message for a failed memory allocation: rank, peak memory in use, remedies.
    */
   std::string out_of_memory_text();
 } // namespace auxfem

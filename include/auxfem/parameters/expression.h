@@ -13,7 +13,7 @@
 
 namespace auxfem
 {
-  /** Why a text is no Expression: what() says it. */
+  /** A text that is not a valid Expression; what() gives the reason. */
   class ExpressionError : public std::runtime_error
   {
   public:
@@ -22,27 +22,25 @@ namespace auxfem
       , allowed(allowed)
     {}
 
-    /** Lines with the names and operators that the expression knows. */
+    /** Lines with the names and operators that the expression may use. */
     const std::string allowed;
   };
 
   /**
-   * A formula that the user wrote, in muParser's syntax. Besides muParser's own
-   * functions it knows `if(condition, then, else)`, `pow`, `floor` and `ceil`;
-   * `log` is the natural one. `pi` and the scene's constants are known, too.
+   * A formula of the user in muParser's syntax. Besides muParser's functions it
+   * has `if(condition, then, else)`, `pow`, `floor` and `ceil`; `log` is the
+   * natural logarithm. `pi` and the scene's constants are defined.
    */
   class Expression
   {
   public:
-    /** A name for the number at an address, which has to outlive the formula.
-     */
+    /** Name and address of a number; it must outlive the formula. */
     using Variable = std::pair<std::string, double *>;
     using Constant = std::pair<std::string, double>;
 
     /**
-     * Throws ExpressionError if @p text cannot be understood, or if one of
-     * @p scene_constants has the name of a variable or of one of
-     * @p own_constants.
+     * Throws ExpressionError if @p text is invalid, or if one of @p
+     * scene_constants has the name of a variable or of one of @p own_constants.
      */
     Expression(const std::string           &text,
                const std::vector<Variable> &variables,
@@ -50,30 +48,29 @@ namespace auxfem
                const std::vector<Constant> &scene_constants);
 
     /** Lines with the constants, operators and functions of every formula. */
-    static std::string known();
+    static std::string syntax_help();
 
-    /** A value and the fingerprint of the branches that led to it. */
+    /** A value and the hash of the branches taken to compute it. */
     struct BranchedValue
     {
       double        value;
       std::uint64_t branches;
     };
 
-    /** With the variables as they are now. */
+    /** Value at the present values of the variables. */
     double value() const
     {
       return evaluate().value;
     }
 
     /**
-     * value() and a hash of all decisions on its way: results of comparisons,
-     * signs in `abs`, choices of `min` and `max`, integers of `floor`, signs of
-     * divisors. Where the hash stays the same the formula is as smooth as its
-     * other functions are.
+     * value() and a hash of all decisions taken: comparisons, signs in `abs`,
+     * choices of `min` and `max`, integers of `floor`, signs of divisors. While
+     * the hash stays the same, the formula is smooth.
      */
     BranchedValue evaluate() const;
 
-    /** Whether no variable occurs in it. */
+    /** Whether the formula contains no variable. */
     bool is_constant() const
     {
       return constant;
@@ -91,7 +88,7 @@ namespace auxfem
 
   /**
    * SI value of a number with or without unit word (`20 mm`), or of an
-   * expression of @p constants. Throws InputError for any other text.
+   * expression of @p constants. Throws InputError for other text.
    */
   double constant_value(const std::string                       &text,
                         const std::vector<Expression::Constant> &constants);

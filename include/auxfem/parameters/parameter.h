@@ -7,15 +7,14 @@
 
 /**
  * @file
- * A parameter is one object: name, default, unit, range and the sentence of the
- * reference, and how its text becomes a value.
+ * A parameter is one object: name, default, unit, range, sentence of the
+ * reference, and the conversion of its text to a value. One declaration
+ * therefore serves checks, conversion and reference. See parameter_values.h.
  * @code
  * const Quantity stiffness{"Stiffness", "20 kN/m", "N/m", Range::positive(),
  *                          "Stiffness of the spring."};
  * ... values[stiffness] ...   // 20000., always SI
  * @endcode
- * So what is checked, what is converted and what the reference shows cannot
- * part. See parameter_values.h.
  */
 namespace auxfem
 {
@@ -51,14 +50,11 @@ namespace auxfem
 
     bool contains(double value) const;
 
-    /**
-     * The range in words of mathematics, e.g. `> 0 and <= 90`; empty for
-     * any().
-     */
+    /** The range as text, e.g. `> 0 and <= 90`; empty for any(). */
     std::string text() const;
   };
 
-  /** What all kinds of parameters have in common. */
+  /** Members common to all kinds of parameters. */
   struct Parameter
   {
     enum class Kind
@@ -72,7 +68,7 @@ namespace auxfem
     };
 
     std::string name;
-    /** As a user would write it, e.g. `70 GPa`. */
+    /** Default as a user would write it, e.g. `70 GPa`. */
     std::string default_value;
     /** One sentence for the parameter reference. */
     std::string sentence;
@@ -81,24 +77,24 @@ namespace auxfem
     /** Unit of a number without unit word and of the range; `1` for none. */
     std::string unit  = "1";
     Range       range = {};
-    /** Words allowed besides numbers, or the choices. */
+    /** Words allowed in place of numbers, or the choices. */
     std::vector<std::string> words = {};
-    /** The default is empty and the user must give a value. */
+    /** Whether the user must give a value; the default is then empty. */
     bool required = false;
-    /** How many numbers a list may have. */
+    /** Least and greatest number of list items. */
     unsigned int minimum_length = 0, maximum_length = 0;
 
     /**
-     * What is wrong with @p text, a clause for an error message; empty if
-     * nothing is. An empty text means that nothing was given, which is wrong
-     * where there is a default: an empty line is no way to ask for it.
+     * Clause of an error message that names the problem with @p text; empty if
+     * it is valid. An empty text is a problem where there is a default: an
+     * empty line does not select it.
      */
     std::string problem(const std::string &text) const;
 
-    /** What is allowed, e.g. `a number > 0 in m`. */
+    /** Description of allowed values, e.g. `a number > 0 in m`. */
     std::string allowed() const;
 
-    /** allowed(), followed by unit words that may be used. */
+    /** allowed() and the unit words that fit. */
     std::string allowed_with_units() const;
 
     bool is_word(const std::string &text) const;
@@ -110,8 +106,8 @@ namespace auxfem
   struct Quantity : Parameter
   {
     /**
-     * Without a default the user must give it. Words, e.g. `auto`, may stand in
-     * place of the number.
+     * Without a default the parameter is required. Words, e.g. `auto`, may
+     * replace the number.
      */
     Quantity(const std::string              &name,
              const std::string              &default_value,
@@ -120,17 +116,18 @@ namespace auxfem
              const std::string              &sentence,
              const std::vector<std::string> &words = {});
 
-    /** In SI (angles in rad). Throws InputError for a word. */
+    /** Value in SI (angles in rad). Throws InputError for a word. */
     double value(const std::string &text) const;
   };
 
-  /** Several numbers of one unit: `1, 2 mm, 3` or, without commas, `1 2 mm 3`.
+  /**
+   * Several numbers of one unit: `1, 2 mm, 3`, or without commas `1 2 mm 3`.
    */
   struct QuantityList : Parameter
   {
     /**
-     * An empty default is an empty list if @p minimum_length is 0, else the
-     * user must give it. Words may stand in place of the numbers.
+     * An empty default means an empty list if @p minimum_length is 0, else a
+     * required parameter. Words may replace the numbers.
      */
     QuantityList(const std::string              &name,
                  const std::string              &default_value,
@@ -141,14 +138,14 @@ namespace auxfem
                  const std::string              &sentence,
                  const std::vector<std::string> &words = {});
 
-    /** In SI (angles in rad). Throws InputError for a word. */
+    /** Value in SI (angles in rad). Throws InputError for a word. */
     std::vector<double> value(const std::string &text) const;
   };
 
   /** A whole number. */
   struct Integer : Parameter
   {
-    /** Words, e.g. `auto`, may stand in place of the number. */
+    /** Words, e.g. `auto`, may replace the number. */
     Integer(const std::string              &name,
             unsigned int                    default_value,
             unsigned int                    minimum,
@@ -156,7 +153,7 @@ namespace auxfem
             const std::string              &sentence,
             const std::vector<std::string> &words = {});
 
-    /** With one of the words as the default. */
+    /** Integer whose default is a word. */
     Integer(const std::string              &name,
             const std::string              &default_word,
             unsigned int                    minimum,
@@ -183,7 +180,7 @@ namespace auxfem
   /** One word out of several. */
   struct Choice : Parameter
   {
-    /** Without a default the user must choose. */
+    /** Without a default the parameter is required. */
     Choice(const std::string              &name,
            const std::string              &default_value,
            const std::vector<std::string> &choices,
@@ -195,7 +192,7 @@ namespace auxfem
     }
   };
 
-  /** Free text, checked by whoever uses it (names of sets, file names, ...). */
+  /** Free text, checked by its reader (names of sets, file names, ...). */
   struct Text : Parameter
   {
     Text(const std::string &name,
@@ -211,14 +208,14 @@ namespace auxfem
 
   /**
    * A function of time as text: an expression in `t`, a table, or a number with
-   * a unit word. Expressions and tables are in the SI unit of the declared one.
-   * See loads/time_function.h.
+   * a unit word. Expressions and tables use the SI unit that corresponds to the
+   * declared one. See loads/time_function.h.
    */
   struct TimeExpression : Parameter
   {
     /**
-     * Without a default the user must give it. Words, e.g. `free`, may stand in
-     * place of the function.
+     * Without a default the parameter is required. Words, e.g. `free`, may
+     * replace the function.
      */
     TimeExpression(const std::string              &name,
                    const std::string              &default_value,
@@ -226,11 +223,11 @@ namespace auxfem
                    const std::string              &sentence,
                    const std::vector<std::string> &words = {});
 
-    /** The text for TimeFunction, a number with a unit word converted to SI. */
+    /** Text for TimeFunction; a number with a unit word is converted to SI. */
     std::string value(const std::string &text) const;
   };
 
-  /** Items joined by `, `; after @p maximum of them `, ...`. */
+  /** Items separated by `, `, cut after @p maximum of them with `, ...`. */
   std::string joined(const std::vector<std::string> &items,
                      std::size_t                     maximum = 1000);
 } // namespace auxfem

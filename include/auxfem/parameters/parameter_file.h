@@ -7,25 +7,29 @@
 
 namespace auxfem
 {
-  /** Reason why a file cannot be read, to follow its name in a message. */
+  /**
+   * Reason why a file cannot be read; a message states it after the file name.
+   */
   struct UnreadableFile
   {
     std::string reason;
   };
 
-  /** Largest table or mesh file that is read (bytes), half of a large memory:
-   * more is taken for a mistake. */
+  /**
+   * Largest table or mesh file that is read (bytes). Larger files are assumed
+   * to be a mistake.
+   */
   constexpr std::size_t largest_input_file = std::size_t(16) << 30;
 
   /**
-   * Content of @p file. Throws UnreadableFile if it is no regular file (a FIFO
-   * would block, a device need not end), cannot be opened, or has more than
-   * @p most_bytes.
+   * Content of @p file. Throws UnreadableFile if the file cannot be opened, has
+   * more than @p most_bytes, or is not a regular file: a FIFO would block, a
+   * device need not end.
    */
   std::string read_input_file(const std::string &file,
                               std::size_t most_bytes = largest_input_file);
 
-  /** Where the user wrote something. */
+  /** Position in the user's input. */
   struct FileLocation
   {
     /** Name of the file, or `command line`. */
@@ -40,7 +44,7 @@ namespace auxfem
     }
   };
 
-  /** `set NAME = VALUE` as found; nothing is known yet about what it means. */
+  /** `set NAME = VALUE` as written, not yet checked. */
   struct ParameterEntry
   {
     std::string  name;
@@ -48,7 +52,9 @@ namespace auxfem
     FileLocation location;
   };
 
-  /** `subsection NAME ... end` as found. Parts of equal name are one. */
+  /**
+   * `subsection NAME ... end` as written; subsections of equal name are merged.
+   */
   struct ParameterSubsection
   {
     std::string                      name;
@@ -65,28 +71,33 @@ namespace auxfem
     ParameterSubsection       *find_subsection(const std::string &name);
   };
 
-  /** All values in @p subsection and those below it, one line each, as `@p path
-   * NAME = VALUE`, subsections as parts of the path. */
+  /**
+   * All values in @p subsection and below, one line each as `PATH NAME =
+   * VALUE`, where subsections are parts of the path.
+   */
   std::string values_text(const ParameterSubsection &subsection,
                           const std::string         &path);
 
   /**
-   * Reads the parameter file @p file (deal.II's .prm syntax: `subsection NAME`,
-   * `set NAME = VALUE`, `end`, `include FILE` relative to the including file,
-   * comments from `#`, a line continued by a `\` at its end). Throws InputError
-   * with all mistakes: a file that cannot be opened, a line not understood, an
-   * entry given twice, a missing or superfluous `end`.
+   * Reads the parameter file @p file in deal.II's .prm syntax: `subsection
+   * NAME`, `set NAME = VALUE`, `end`, `include FILE` relative to the including
+   * file, comments from `#`, lines continued by a final `\`. Throws InputError
+   * that lists all mistakes: unreadable files, invalid lines, repeated entries,
+   * unbalanced `end`.
    */
   ParameterSubsection read_parameter_file(const std::string &file);
 
-  /** As read_parameter_file(), for text in memory that is called @p name. */
+  /**
+   * As read_parameter_file(), for text in memory; @p name stands for the file
+   * name.
+   */
   ParameterSubsection parse_parameter_text(const std::string &text,
                                            const std::string &name);
 
   /**
-   * Sets one entry from the command line, written `Subsection/Parameter=value`,
-   * replacing the one in @p root or making a new one. Throws InputError if
-   * @p assignment is not of that form.
+   * Sets one entry from the command line, `Subsection/Parameter=value`:
+   * replaces that in @p root or adds it. Throws InputError if @p assignment has
+   * another form.
    */
   void apply_override(ParameterSubsection &root, const std::string &assignment);
 } // namespace auxfem

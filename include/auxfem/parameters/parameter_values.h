@@ -13,28 +13,28 @@
 
 namespace auxfem
 {
-  /** `Model`: what a scene is a scene of. */
+  /** Parameter `Model`: kind of discretization. */
   enum class Model
   {
     lattice,     ///< beams, joints and connectors as finite elements
     reduced_cell ///< one cell of rigid parts with two unknowns
   };
 
-  /** What a reader may need of the scene besides its own subsection. */
+  /** Properties of the scene that the reader of a subsection may need. */
   struct SceneContext
   {
-    /** Folder of the parameter file; relative file names start from it. */
+    /** Folder of the parameter file, base of relative file names. */
     std::string directory = ".";
 
-    /** Constants for expressions, `name -> value`, as the scene defines them.
-     */
+    /** Constants of the scene for expressions, `name -> value`. */
     std::vector<std::pair<std::string, double>> constants;
 
-    /** Path of the subsection in work, e.g. `Connectors/damper`, for messages.
+    /**
+     * Path of the current subsection, e.g. `Connectors/damper`, for messages.
      */
     std::string path;
 
-    /** Dimension of space: 2 or 3. */
+    /** Spatial dimension: 2 or 3. */
     unsigned int dimension = 2;
 
     Model model = Model::lattice;
@@ -42,42 +42,38 @@ namespace auxfem
 
   /**
    * Absolute name of @p file, which may be relative to the folder of the
-   * parameter file. Recorded in `parameters.prm`, which lies in another folder.
+   * parameter file. `parameters.prm` lies in another folder and records this
+   * name.
    */
   std::string absolute_file(const std::string  &file,
                             const SceneContext &context);
 
-  /**
-   * The values of one subsection, each allowed by its Parameter: what the user
-   * gave, else the default.
-   */
+  /** Valid values of one subsection: those of the user, else the defaults. */
   class ParameterValues
   {
   public:
-    /** All parameters at their defaults. */
+    /** Sets all parameters to their defaults. */
     explicit ParameterValues(const Parameters   &parameters,
                              const SceneContext &context  = {},
                              const FileLocation &location = {});
 
-    /**
-     * Gives the parameter @p name the value @p text, which must be allowed.
-     */
+    /** Sets the parameter @p name to the valid value @p text. */
     void set(const std::string &name, const std::string &text);
 
-    /** The text of @p parameter, without blanks around it. */
+    /** Text of @p parameter without surrounding blanks. */
     const std::string &text(const Parameter &parameter) const
     {
       return texts.at(parameter.name);
     }
 
-    /** Value of @p parameter in its own type, quantities in SI. */
+    /** Value of @p parameter in its own type; quantities in SI. */
     template <class Typed>
     auto operator[](const Typed &parameter) const
     {
       return parameter.value(text(parameter));
     }
 
-    /** As operator[], with @p automatic in place of a word. */
+    /** As operator[], but @p automatic if the value is a word. */
     template <class Typed>
     auto
     value_or(const Typed                                    &parameter,
@@ -98,17 +94,16 @@ namespace auxfem
     }
 
     /**
-     * Throws InputError: the value of @p parameter is wrong in this scene,
-     * because of @p reason, which tells what to do.
+     * Throws InputError: the value of @p parameter does not fit this scene. @p
+     * reason explains it and names the remedy.
      */
     [[noreturn]] void refuse(const Parameter   &parameter,
                              const std::string &reason) const;
 
-    /** The same for the subsection as a whole. */
+    /** Throws InputError for the subsection as a whole. */
     [[noreturn]] void refuse(const std::string &reason) const;
 
-    /** The user's name of the subsection or entry, the last part of its path.
-     */
+    /** The user's name of the subsection or entry: last part of its path. */
     std::string name() const
     {
       return context.path.substr(context.path.find('/') + 1);
@@ -116,47 +111,45 @@ namespace auxfem
 
     /** The parameters in the order of their declaration. */
     const Parameters parameters;
-    /** The scene, and the path of this subsection in it. */
+    /** The scene and the path of this subsection. */
     const SceneContext context;
-    /** Where in the file the subsection begins. */
+    /** Position of the subsection in the file. */
     const FileLocation location;
 
-    /** Files that the scene is read from because of these values. */
+    /** Files that the scene reads because of these values. */
     std::vector<std::string> files;
 
   private:
     std::map<std::string, std::string> texts;
   };
 
-  /** @name Values that depend on the dimension of space */
+  /** @name Values that depend on the spatial dimension */
   ///@{
   /**
-   * Throws InputError if the scene lies in the plane and @p parameter, which
-   * has a meaning in space only, is not at its default; @p remedy is what to
-   * do about it.
+   * Throws InputError if the scene is planar and @p parameter, which applies in
+   * space only, is not at its default. @p remedy tells the user what to do.
    */
   void require_space(const ParameterValues &values,
                      const Parameter       &parameter,
                      const std::string     &remedy = "Remove it");
 
   /**
-   * The vector of two or three numbers (SI). Throws InputError if it leaves the
-   * plane of a scene in the plane.
+   * Vector of two or three components (SI). Throws InputError if it leaves the
+   * plane of a planar scene.
    */
   dealii::Tensor<1, 3> vector_of(const ParameterValues &values,
                                  const QuantityList    &parameter);
 
   /**
-   * The unit vector along the two or three numbers. Throws InputError if they
-   * are zero.
+   * Unit vector along two or three numbers. Throws InputError if they are zero.
    */
   dealii::Tensor<1, 3> unit_vector_of(const ParameterValues &values,
                                       const QuantityList    &parameter);
 
   /**
-   * Moments of inertia about x, y, z at rest (kg m2): these three, or one, the
-   * same about every axis. In the plane there is that about z alone. Throws
-   * InputError for two numbers.
+   * Principal moments of inertia about x, y, z at rest (kg m2) from three
+   * numbers, or from one for all axes. A planar scene has the moment about z
+   * alone. Throws InputError for two numbers.
    */
   dealii::Tensor<1, 3> moments_of_inertia_of(const ParameterValues &values,
                                              const QuantityList    &parameter);

@@ -27,28 +27,30 @@ namespace auxfem
 
   /**
    * Reads a unit expression such as `N s/m`, `N*s/m`, `kg/m3`, `mm^4`, `1/s`,
-   * `%`, `1`: products by blank or `*`, each `/` divides by the one factor
-   * after it, powers by a trailing whole number with or without `^`. Throws
-   * InputError naming the symbol that is not known.
+   * `%`, `1`. Products are written with blank or `*`, a `/` divides by the one
+   * factor after it, powers are whole numbers with or without `^`. Throws
+   * InputError that names an unknown symbol.
    */
   Unit parse_unit(const std::string &expression);
 
   /**
-   * Splits @p text into a decimal number or fraction (`5/6`) and the rest as
-   * unit word (not yet looked at). Throws InputError if it does not begin with
-   * a finite number.
+   * Splits @p text into a decimal number or fraction (`5/6`) and the rest,
+   * which is returned as unit word unchecked. Throws InputError if the text
+   * does not begin with a finite number.
    */
   ParsedQuantity split_quantity(const std::string &text);
 
   /**
-   * SI value of @p text (`10 mm`, `70 GPa`, `0.3`) for a quantity with unit
-   * @p unit, which is also the unit of a number without unit word. Throws
-   * InputError if it is no number or the unit word does not fit.
+   * SI value of @p text (`10 mm`, `70 GPa`, `0.3`). @p unit is the unit of the
+   * quantity and of numbers without unit word. Throws InputError if the text is
+   * not a number or the unit word does not fit.
    */
   double parse_quantity(const std::string &text, const std::string &unit);
 
-  /** Splits at commas and blanks alike; nothing between two commas is an empty
-   * word. */
+  /**
+   * Splits at commas and blanks; nothing between two commas gives an empty
+   * word.
+   */
   std::vector<std::string> split_words(const std::string &text);
 
   /**
@@ -57,10 +59,10 @@ namespace auxfem
    */
   std::vector<std::string> split_quantity_list(const std::string &text);
 
-  /** All unit words, by what they measure, e.g. `length: m, mm, ...`. */
+  /** All unit words by measured quantity, e.g. `length: m, mm, ...`. */
   std::vector<std::string> unit_words();
 
-  /** Unit expressions a user may write where @p unit is declared, @p unit first. */
+  /** Unit expressions allowed where @p unit is declared, @p unit first. */
   std::vector<std::string> fitting_units(const std::string &unit);
 } // namespace auxfem
 

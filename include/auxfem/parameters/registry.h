@@ -11,11 +11,11 @@
 
 /**
  * @file
- * Lists of things that have a name: parameters, variants, lines of a registry.
+ * Lists of named items: parameters, variants, registry entries.
  */
 namespace auxfem
 {
-  /** The first item of @p list with that @p name, or nullptr. */
+  /** First item of @p list with that @p name, or nullptr. */
   template <class List>
   auto find_by_name(List &list, const std::string &name)
   {
@@ -26,7 +26,7 @@ namespace auxfem
     return found == list.end() ? nullptr : &*found;
   }
 
-  /** The names of all items of @p list. */
+  /** Names of all items of @p list. */
   template <class Named>
   std::vector<std::string> names_of(const std::vector<Named> &list)
   {
@@ -37,8 +37,7 @@ namespace auxfem
   }
 
   /**
-   * One line of the explicit table of a kind (connector laws, cells, time
-   * schemes): everything the program needs to offer a choice to the user. The
+   * One choice in a table of kinds (connector laws, cells, time schemes). The
    * parameter reference in doc/ is generated from these tables.
    */
   template <class Product>
@@ -54,8 +53,8 @@ namespace auxfem
     Parameters parameters;
 
     /**
-     * Makes the object. Throws InputError for values that are each allowed but
-     * contradict each other.
+     * Creates the object. Throws InputError for values that contradict each
+     * other.
      */
     std::unique_ptr<Product> (*make)(ParameterValues &values);
   };
@@ -63,7 +62,7 @@ namespace auxfem
   template <class Product>
   using Registry = std::vector<RegistryEntry<Product>>;
 
-  /** The line of @p table with the name @p name, which must be in it. */
+  /** Entry of @p table with the name @p name, which must exist. */
   template <class Entry>
   const Entry &find_entry(const std::vector<Entry> &table,
                           const std::string        &name)
@@ -71,7 +70,7 @@ namespace auxfem
     return *find_by_name(table, name);
   }
 
-  /** The choices of @p registry, as variants of a subsection. */
+  /** Choices of @p registry as variants of a subsection. */
   template <class Product>
   std::vector<SubsectionVariant> variants_of(const Registry<Product> &registry)
   {

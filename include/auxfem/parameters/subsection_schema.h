@@ -10,8 +10,7 @@
 
 namespace auxfem
 {
-  /** One value of a subsection's choice and the parameters that come with it.
-   */
+  /** One value of a subsection's choice and its parameters. */
   struct SubsectionVariant
   {
     std::string name;
@@ -20,8 +19,7 @@ namespace auxfem
   };
 
   /**
-   * One top-level subsection of the parameter file: what it may hold, what it
-   * means.
+   * Schema of one top-level subsection: its allowed content and its meaning.
    */
   struct SubsectionSchema
   {
@@ -37,15 +35,14 @@ namespace auxfem
     Form        form = Form::fixed;
     std::string sentence;
 
-    /** The parameters that do not depend on a choice. */
+    /** Parameters that do not depend on the choice. */
     Parameters parameters = {};
 
-    /** Parameter whose value decides on further ones; empty if there is none.
-     */
+    /** Parameter that selects a variant; empty if there is none. */
     std::string                    choice   = {};
     std::vector<SubsectionVariant> variants = {};
 
-    /** Models whose scenes may have this subsection. */
+    /** Models that may use this subsection. */
     std::vector<Model> models = {Model::lattice};
 
     bool serves(const Model model) const
@@ -54,13 +51,13 @@ namespace auxfem
     }
   };
 
-  /** The text of a Form::free_entries entry. */
+  /** Text of a Form::free_entries entry. */
   const std::string &text_of_free_entry(const ParameterValues &values);
 
   /**
-   * Compares what the user wrote in @p root with what @p schema allows and adds
-   * all differences to @p mistakes. Returns the values of the subsections
-   * without any, each with its own path in @p context.
+   * Checks the user's input @p root against @p schema and adds all errors to @p
+   * mistakes. Returns the values of the valid subsections, each with its own
+   * path in @p context.
    */
   std::vector<ParameterValues> check_subsection(const ParameterSubsection &root,
                                                 const SubsectionSchema &schema,

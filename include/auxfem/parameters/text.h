@@ -12,15 +12,14 @@
 namespace auxfem
 {
   /**
-   * @p text in UTF-8 with `?` in place of control characters, which terminals
-   * take for commands, and of bytes that are no UTF-8. Line breaks and tabs
-   * stay.
+   * @p text in UTF-8 with `?` in place of invalid bytes and of control
+   *   characters, which a terminal would execute. Line breaks and tabs stay.
    */
   std::string printable(std::string_view text);
 
   /**
-   * Passes what is written to another buffer on as printable() text. A single
-   * carriage return passes, by which a line is written anew.
+   * Stream buffer that passes text on as printable() text. A single carriage
+   * return, which rewrites a line, passes unchanged.
    */
   class PrintableBuffer : public std::streambuf
   {
@@ -37,7 +36,7 @@ namespace auxfem
     std::streambuf *const target;
   };
 
-  /** While it lives, all that is written to @p stream is printable. */
+  /** Makes all output to @p stream printable during its lifetime. */
   class PrintableStream
   {
   public:
@@ -67,28 +66,27 @@ namespace auxfem
   using Json = nlohmann::ordered_json;
 
   /**
-   * @p json as text, members indented by two blanks. Numbers have as many digits
-   * as are needed to read the same ones, null if they are not finite; bytes
-   * that are no UTF-8, as file names may have, become U+FFFD.
+   * @p json as text, indented by two blanks. Numbers are written exactly,
+   *   non-finite ones as null; invalid UTF-8 bytes become U+FFFD.
    */
   std::string json_text(const Json &json);
 
   /**
-   * @p value with @p digits significant digits for messages: without an
-   * exponent between 1e-4 and 1e6, where digits before the point are all
-   * written, and without the sign of a zero.
+   * @p value with @p digits significant digits for messages. Between 1e-4 and
+   *   1e6 there is no exponent and all digits before the point are written;
+   *   zero has no sign.
    */
   std::string rounded_text(double value, unsigned int digits = 3);
 
-  /** @p part of one in percent, e.g. `12 %`. */
+  /** @p part in percent, e.g. `12 %`. */
   std::string percentage_text(double part, unsigned int digits = 2);
 
-  /** Items that a message lists before it says how many more there are. */
+  /** Number of items that a message lists before it gives a count. */
   inline constexpr std::size_t n_listed = 3;
 
   /**
-   * @p message with lines of at most 800 bytes: of longer ones, in which a user's
-   * text is quoted, the beginning and the end.
+   * @p message with lines of at most 800 bytes; longer lines, which quote a
+   *   user's text, keep their beginning and end.
    */
   std::string with_short_lines(const std::string &message);
 } // namespace auxfem

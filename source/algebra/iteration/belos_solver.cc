@@ -64,7 +64,7 @@ namespace auxfem
       {
         is_definite = may_be_definite;
         preconditioner.reset();
-        n_negative_in_it.reset();
+        n_negative_of_preconditioner.reset();
         if (is_new_pattern)
           make_matrix(entries);
         else
@@ -78,8 +78,8 @@ namespace auxfem
               {
                 const Multigrid multigrid =
                   make_multigrid(matrix, rows, entries.is_symmetric);
-                preconditioner   = multigrid.cycle;
-                n_negative_in_it = multigrid.n_negative;
+                preconditioner               = multigrid.cycle;
+                n_negative_of_preconditioner = multigrid.n_negative;
               }
           }
         // Belos, Ifpack2 and MueLu throw a break-down as std::logic_error or
@@ -111,9 +111,9 @@ namespace auxfem
 
       std::optional<unsigned long> n_negative() override
       {
-        if (n_negative_in_it != 0)
-          return n_negative_in_it;
-        const bool has_converged = is_definite && solve_at_random();
+        if (n_negative_of_preconditioner != 0)
+          return n_negative_of_preconditioner;
+        const bool has_converged = is_definite && solve_random_right_side();
         if (!is_definite)
           return 1;
         return has_converged ? std::optional(0ul) : std::nullopt;
@@ -180,7 +180,7 @@ namespace auxfem
 
       /** Solves for some right-hand side of which no mode is missing; returns
        * as run_gradients(). */
-      bool solve_at_random()
+      bool solve_random_right_side()
       {
         const auto right_side = rcp(new TpetraVectors(row_map, 1)),
                    solution   = rcp(new TpetraVectors(row_map, 1));
@@ -265,15 +265,15 @@ namespace auxfem
       std::string failure_message(const double       relative_residual,
                                   const unsigned int n) const
       {
-        std::ostringstream words;
-        words << (is_definite ? "conjugate gradients have" : "GMRES has")
-              << " come to a relative residual of " << relative_residual
-              << " in " << n
-              << " iterations (Solver/Tolerance = " << parameters.tolerance
-              << ", Maximum iterations = " << parameters.maximum_iterations
-              << ", Preconditioner = " << parameters.preconditioner
-              << "; the direct solver, Type = auto, may serve better)";
-        return words.str();
+        std::ostringstream message;
+        message << (is_definite ? "conjugate gradients have" : "GMRES has")
+                << " come to a relative residual of " << relative_residual
+                << " in " << n
+                << " iterations (Solver/Tolerance = " << parameters.tolerance
+                << ", Maximum iterations = " << parameters.maximum_iterations
+                << ", Preconditioner = " << parameters.preconditioner
+                << "; the direct solver, Type = auto, may serve better)";
+        return message.str();
       }
 
       const SolverParameters parameters;
@@ -283,7 +283,7 @@ namespace auxfem
       RCP<TpetraMatrix>   matrix;
       RCP<TpetraOperator> preconditioner;
       /** Negative eigenvalues of the preconditioner, where known. */
-      std::optional<unsigned long> n_negative_in_it;
+      std::optional<unsigned long> n_negative_of_preconditioner;
       unsigned long                n_done = 0;
     };
   } // namespace

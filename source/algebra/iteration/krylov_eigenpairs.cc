@@ -87,13 +87,13 @@ namespace auxfem
     Teuchos::ParameterList parameters_for(const ShiftedEigenproblem &problem,
                                           const unsigned int         n)
     {
-      const unsigned int of_block = size_of_block(problem.n_finite);
+      const unsigned int block_size = size_of_block(problem.n_finite);
       const unsigned int n_basis =
         std::min(n_krylov_directions(n), problem.n_finite);
       Teuchos::ParameterList parameters;
       parameters.set("Which", problem.only_above ? "LR" : "LM");
-      parameters.set("Block Size", int(of_block));
-      parameters.set("Num Blocks", int(n_basis / of_block));
+      parameters.set("Block Size", int(block_size));
+      parameters.set("Num Blocks", int(n_basis / block_size));
       parameters.set("Maximum Restarts", 100);
       // Lengths by the stiffness keep fewer digits than those by masses.
       parameters.set("Convergence Tolerance",

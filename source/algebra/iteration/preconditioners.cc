@@ -44,7 +44,7 @@ namespace auxfem
         : layout(make_layout(matrix))
         , factors(make_mumps(MumpsRanks::first))
       {
-        const SparseMatrix rows = take_rows(matrix, is_symmetric);
+        const SparseMatrix rows = copy_rows(matrix, is_symmetric);
         if (factors->analyse(rows) != FactorizationOutcome::done ||
             factors->factorize(rows) != FactorizationOutcome::done)
           throw std::runtime_error("the coarsest level is singular");
@@ -80,7 +80,7 @@ namespace auxfem
           ghosts);
       }
 
-      SparseMatrix take_rows(const TpetraMatrix &matrix,
+      SparseMatrix copy_rows(const TpetraMatrix &matrix,
                              const bool          is_symmetric) const
       {
         const TpetraMap &columns_of_ranks = *matrix.getColMap();
