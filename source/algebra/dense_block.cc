@@ -10,7 +10,10 @@ namespace auxfem
 {
   namespace
   {
-    /** Takes multiples of row @p k from those below, and keeps the factors. */
+    /**
+     * Subtracts multiples of row @p k from the rows below and stores the
+     * factors.
+     */
     void eliminate_below(double *a, const unsigned int n, const unsigned int k)
     {
       for (unsigned int i = k + 1; i < n; ++i)
@@ -22,7 +25,7 @@ namespace auxfem
         }
     }
 
-    /** With sizes known beforehand the loops unroll. */
+    /** Sizes known at compile time let the loops unroll. */
     template <unsigned int n>
     void
     subtract_square_product(double *target, const double *a, const double *b)
@@ -140,8 +143,8 @@ namespace auxfem
   std::array<PrincipalAxis, 3>
   principal_axes(const dealii::Tensor<2, 3> &tensor)
   {
-    // Not dealii::eigenvectors(): GCC and Clang give it different symbols, and
-    // the library has that of the compiler it was built with.
+    // GCC and Clang mangle dealii::eigenvectors() differently, so the library's
+    // symbol may be missing.
     dealii::LAPACKFullMatrix<double> matrix(3, 3);
     for (unsigned int i = 0; i < 3; ++i)
       for (unsigned int j = 0; j < 3; ++j)

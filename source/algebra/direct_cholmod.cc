@@ -15,13 +15,12 @@ namespace auxfem
   namespace
   {
     /**
-     * The factors are those of a matrix that is off by round-off times this, in
-     * the scale of the equilibrated matrix; beyond, fewer than half of the
-     * digits are left. 1 for definite matrices.
+     * Largest growth of the factors, relative to the equilibrated matrix, that
+     * keeps half of the digits. It is 1 for definite matrices.
      */
     constexpr double largest_growth = 1 / sqrt_round_off;
 
-    /** On one rank. */
+    /** CHOLMOD's simplicial LDL' on one rank. */
     class Cholmod : public DirectSolver
     {
     public:
@@ -39,12 +38,12 @@ namespace auxfem
     private:
       cholmod_sparse       view(const SparseMatrix &matrix);
       FactorizationOutcome outcome_of_failure() const;
-      bool                 is_sound(const SparseMatrix &matrix);
+      bool                 is_accurate(const SparseMatrix &matrix);
       void                 count_signs();
 
-      /** By position in the order of elimination. */
+      /** By position in the elimination order. */
       double              pivot(std::size_t column) const;
-      std::vector<double> sums_behind_pivots() const;
+      std::vector<double> sums_of_absolute_terms() const;
 
       const EliminationOrder elimination;
       cholmod_common         common;
@@ -53,7 +52,7 @@ namespace auxfem
       std::vector<int>       offsets;
       std::optional<Inertia> signs;
 
-      /** Room that solutions use again. */
+      /** Scratch for solutions. */
       cholmod_dense *solution = nullptr, *room_1 = nullptr, *room_2 = nullptr;
     };
 
@@ -61,11 +60,11 @@ namespace auxfem
     {
       cholmod_start(&common);
       common.print = 0;
-      // The order is ours; CHOLMOD still postorders its elimination tree.
+      // The order is given; CHOLMOD only postorders its elimination tree.
       common.nmethods           = 1;
       common.method[0].ordering = CHOLMOD_GIVEN;
-      // LDL', which alone takes indefinite matrices; on lattices the supernodal
-      // LL' took up to a hundred times longer.
+      // LDL' alone factorizes indefinite matrices; the supernodal LL' is also
+      // slower on lattices.
       common.supernodal = CHOLMOD_SIMPLICIAL;
       common.final_ll   = 0;
     }
@@ -85,11 +84,11 @@ namespace auxfem
       result.nrow = result.ncol = n;
       result.nzmax              = matrix.columns.size();
       result.p                  = offsets.data();
-      // CHOLMOD reads only.
+      // CHOLMOD does not write to these.
       result.i = const_cast<int *>(matrix.columns.data());
       result.x = const_cast<double *>(matrix.entries.data());
-      // Below the diagonal of its columns, which is above that of our rows:
-      // the other triangle would be transposed once more.
+      // The lower triangle of CHOLMOD's columns is the upper triangle of our
+      // rows; this choice avoids a transposition.
       result.stype  = -1;
       result.itype  = CHOLMOD_INT;
       result.xtype  = CHOLMOD_REAL;
@@ -146,8 +145,8 @@ namespace auxfem
       cholmod_factorize(&a, factor, &common);
       if (common.status < CHOLMOD_OK)
         return outcome_of_failure();
-      // A zero pivot.
-      if (factor->minor < n || !is_sound(matrix))
+      // `minor` is less than n at a zero pivot.
+      if (factor->minor < n || !is_accurate(matrix))
         return FactorizationOutcome::singular;
       count_signs();
       return FactorizationOutcome::done;
@@ -159,10 +158,8 @@ namespace auxfem
       return static_cast<const double *>(factor->x)[first[column]];
     }
 
-    /**
-     * The diagonal of |L| |D| |L'|: a_ii without cancellation.
-     */
-    std::vector<double> Cholmod::sums_behind_pivots() const
+    /** Diagonal of |L| |D| |L'|: sums of |terms| of a_ii. */
+    std::vector<double> Cholmod::sums_of_absolute_terms() const
     {
       const int *const    first   = static_cast<const int *>(factor->p);
       const int *const    rows    = static_cast<const int *>(factor->i);
@@ -181,16 +178,16 @@ namespace auxfem
     }
 
     /**
-     * Without pivoting the factors are those of a matrix A + E, with |e_ij| at
-     * most round-off times sqrt(g_i g_j), g being the sums (Higham, Accuracy
-     * and Stability of Numerical Algorithms, 2002, theorem 9.3 and Cauchy and
-     * Schwarz). So they are unsound if g is large beside A, and A is singular
-     * to round-off if the inverse of A, rows and columns divided by sqrt(g), is
+     * Without pivoting the factors are those of A + E with |e_ij| at most
+     * round-off times sqrt(g_i g_j), where g are these sums (Higham, Accuracy
+     * and Stability of Numerical Algorithms, 2002, theorem 9.3). They are
+     * inaccurate if g is large compared with A. A is singular to round-off if
+     * the inverse, with rows and columns multiplied by sqrt(g), has a norm of
      * about one over round-off.
      */
-    bool Cholmod::is_sound(const SparseMatrix &matrix)
+    bool Cholmod::is_accurate(const SparseMatrix &matrix)
     {
-      const std::vector<double> sums = sums_behind_pivots();
+      const std::vector<double> sums = sums_of_absolute_terms();
       std::vector<double>       scale(n), room(n);
       equilibrate(matrix, scale, room);
       const int *const unknown       = static_cast<const int *>(factor->Perm);
@@ -198,7 +195,7 @@ namespace auxfem
       for (std::size_t column = 0; column < n; ++column)
         {
           const double s = scale[unknown[column]];
-          // Written so that a number that is not finite is unsound.
+          // The negated comparison also rejects NaN.
           if (!(s * s * sums[column] <= largest_growth))
             return false;
           is_suspicious = is_suspicious ||
@@ -260,7 +257,7 @@ namespace auxfem
     {
       if (factor == nullptr)
         return 0;
-      // Entries with their rows; four integers a column.
+      // Entries with row indices, and four integers per column.
       return factor->nzmax * (sizeof(double) + sizeof(int)) +
         4 * n * sizeof(int);
     }

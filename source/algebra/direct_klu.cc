@@ -12,13 +12,13 @@ namespace auxfem
   namespace
   {
     /**
-     * Growth of the factors, over that with freshly chosen pivots, up to
-     * which pivots are kept for new entries.
+     * Growth of the factors, relative to that with new pivots, up to which
+     * pivots are reused for new entries.
      * @tuned judgement
      */
     constexpr double max_growth_of_reused_pivots = 100;
 
-    /** 1 or -1: of the determinant of a permutation of @p n numbers. */
+    /** Sign, 1 or -1, of the determinant of a permutation of @p n numbers. */
     int sign_of_permutation(const int *permutation, const std::size_t n)
     {
       std::vector<bool> is_done(n, false);
@@ -27,7 +27,7 @@ namespace auxfem
         for (std::size_t k = permutation[i]; !is_done[i] && k != i;
              k             = permutation[k])
           {
-                        // A cycle of as many exchanges as it has further members.
+                        // A cycle of k + 1 members is a product of k exchanges.
             is_done[k] = true;
             sign       = -sign;
           }
@@ -35,8 +35,8 @@ namespace auxfem
     }
 
     /**
-     * On one rank. KLU goes by columns: it is given the transpose, and solves
-     * with the transpose of that.
+     * KLU on one rank. KLU works by columns: it factorizes the transpose, and
+     * solves with the transpose of that.
      */
     class Klu : public DirectSolver
     {
@@ -66,15 +66,15 @@ namespace auxfem
       klu_numeric           *numeric  = nullptr;
       std::size_t            n        = 0;
       std::vector<int>       offsets;
-      /** Of freshly chosen pivots, as klu_rgrowth() defines it. */
+      /** Growth with new pivots, as klu_rgrowth() defines it. */
       double fresh_growth = 0;
     };
 
     Klu::Klu(const EliminationOrder order) : elimination(order)
     {
       klu_defaults(&common);
-      // Lattices hang together: blocks of a triangular form would be of one
-      // unknown, and not worth the search.
+      // Lattices are connected: a block triangular form would have blocks of
+      // one unknown only.
       common.btf = 0;
     }
 
@@ -128,7 +128,7 @@ namespace auxfem
     {
       if (n == 0)
         return FactorizationOutcome::done;
-      // KLU reads only.
+      // KLU does not write to these.
       int *const    columns = const_cast<int *>(matrix.columns.data());
       double *const entries = const_cast<double *>(matrix.entries.data());
       const bool is_done = numeric != nullptr && refactorize(columns, entries);
@@ -156,7 +156,7 @@ namespace auxfem
       return true;
     }
 
-    /** With the pivots of before; false if these do not serve. */
+    /** Reuses the present pivots; false if they are not accurate enough. */
     bool Klu::refactorize(int *const columns, double *const entries)
     {
       return klu_refactor(offsets.data(),
@@ -181,7 +181,8 @@ namespace auxfem
       if (common.rcond > suspicious_pivot)
         return false;
 
-      // Units of rows and of columns do not make a matrix singular.
+      // Scaling removes the units of rows and columns, which do not make a
+      // matrix singular.
       std::vector<double> row_size(n, 0.), column_size(n, 0.), room(n);
       for (std::size_t row = 0; row < n; ++row)
         for (std::size_t i = matrix.first[row]; i < matrix.first[row + 1]; ++i)
@@ -218,8 +219,9 @@ namespace auxfem
       return {};
     }
 
-    /** Of P R^-1 A Q = L U, where scales R are positive, L has ones on its
-     * diagonal. */
+    /**
+     * From P R^-1 A Q = L U, with positive scales R and a unit diagonal of L.
+     */
     std::optional<int> Klu::determinant_sign() const
     {
       if (n == 0)

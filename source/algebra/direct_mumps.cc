@@ -18,20 +18,20 @@ namespace auxfem
   namespace
   {
     /**
-     * Pivots below this, beside the norm of the scaled matrix, are zeros
-     * (CNTL(3)).
+     * Pivots below this, relative to the norm of the scaled matrix, count as
+     * zero (CNTL(3)).
      */
     constexpr double null_pivot_threshold = 1e-13;
 
     /**
-     * By how much, in percent, MUMPS's room may exceed its estimate
-     * (ICNTL(14)): its own start, and where it is out of reason.
+     * Working space beyond MUMPS's estimate in percent (ICNTL(14)): its
+     * default, and the limit of increases.
      */
-    constexpr int initial_room = 20, largest_room = 20000;
+    constexpr int initial_extra_space = 20, max_extra_space = 20000;
 
     /**
-     * A first estimate of the inverse's norm below this, by a vector of which
-     * the modes in question are some part, is no sign of a singular matrix.
+     * Estimate of the inverse's norm after one iteration below which a matrix
+     * counts as regular. The first vector contains each mode in part only.
      */
     constexpr double regular_norm_bound = 1 / sqrt_round_off;
 
@@ -41,7 +41,7 @@ namespace auxfem
         x[i] /= by[i];
     }
 
-    /** Numbers of the actions that MUMPS can be asked for (JOB). */
+    /** Values of MUMPS's parameter JOB. */
     enum Job : int
     {
       begin       = -1,
@@ -73,11 +73,11 @@ namespace auxfem
       void                 stop();
       void                 choose_settings();
       void                 collect_pattern(const SparseMatrix &matrix);
-      bool                 lacks_room() const;
+      bool                 lacks_working_space() const;
 
-      /** By the numbers of MUMPS's manual, which begin at 1. */
+      /** Numbered from 1, as in MUMPS's manual. */
       MUMPS_INT &setting(int number);
-      int        result_of_all(int number) const;
+      int        global_result(int number) const;
 
       MPI_Comm         communicator = MPI_COMM_NULL;
       unsigned int     rank = 0, n_ranks = 1;
@@ -88,18 +88,18 @@ namespace auxfem
       bool           is_symmetric  = true;
       bool           is_factorized = false;
 
-      /** The lower triangle if symmetric, from 1. */
+      /** The lower triangle if symmetric; numbered from 1. */
       std::vector<int>         rows, columns;
       std::vector<std::size_t> positions; ///< in the matrix
       std::vector<double>      entries;
       std::vector<double>      scale, room;
-      std::vector<double>      x_of_all; ///< on the first of several ranks
+      std::vector<double>      gathered_x; ///< on the first of several ranks
     };
 
     Mumps::~Mumps()
     {
-      // All ranks have to stop it together: not if an exception, which may be
-      // of this one alone, ends the run.
+      // Ending MUMPS is collective, and an exception may unwind this rank
+      // alone.
       if (n_ranks == 1 || std::uncaught_exceptions() == 0)
         stop();
     }
@@ -109,7 +109,7 @@ namespace auxfem
       return id.icntl[number - 1];
     }
 
-    int Mumps::result_of_all(const int number) const
+    int Mumps::global_result(const int number) const
     {
       return id.infog[number - 1];
     }
@@ -118,7 +118,7 @@ namespace auxfem
     {
       id.job = job;
       dmumps_c(&id);
-      switch (result_of_all(1))
+      switch (global_result(1))
         {
           case -6:
           case -10:
@@ -139,20 +139,20 @@ namespace auxfem
           case -52:
             return FactorizationOutcome::too_large;
           default:
-            AssertThrow(result_of_all(1) >= 0,
+            AssertThrow(global_result(1) >= 0,
                         dealii::ExcMessage(
                           "MUMPS fails with INFOG(1) = " +
-                          std::to_string(result_of_all(1)) +
-                          ", INFOG(2) = " + std::to_string(result_of_all(2))));
+                          std::to_string(global_result(1)) +
+                          ", INFOG(2) = " + std::to_string(global_result(2))));
             return FactorizationOutcome::done;
         }
     }
 
-    /** Whether more room than its own estimate helps MUMPS. */
-    bool Mumps::lacks_room() const
+    /** Whether more working space may help MUMPS. */
+    bool Mumps::lacks_working_space() const
     {
       constexpr std::array<int, 6> codes = {{-8, -9, -14, -15, -17, -20}};
-      return std::find(codes.begin(), codes.end(), result_of_all(1)) !=
+      return std::find(codes.begin(), codes.end(), global_result(1)) !=
         codes.end();
     }
 
@@ -171,11 +171,11 @@ namespace auxfem
       stop();
       id                 = {};
       id.comm_fortran    = MPI_Comm_c2f(communicator);
-      id.par             = 1; // the first rank takes its share of the work
+      id.par             = 1; // the first rank works, too
       id.sym             = matrix.is_symmetric ? 2 : 0;
       is_symmetric       = matrix.is_symmetric;
       const auto outcome = run(begin);
-      // What cannot begin cannot be ended either: MUMPS would abort.
+      // MUMPS would abort at the end of an instance that failed to begin.
       is_started = outcome == FactorizationOutcome::done;
       if (is_started)
         choose_settings();
@@ -187,10 +187,10 @@ namespace auxfem
       for (const int output : {1, 2, 3, 4})
         setting(output) = 0;
       setting(7)  = 5; // METIS
-      setting(13) = 1; // all negative pivots are counted
-      setting(14) = initial_room;
-      setting(18) = 3;                    // each rank gives its entries
-      setting(24) = 1;                    // finds null pivots
+      setting(13) = 1; // count all negative pivots
+      setting(14) = initial_extra_space;
+      setting(18) = 3;                    // distributed entries
+      setting(24) = 1;                    // null pivot detection
       setting(28) = 1;                    // METIS on one rank
       setting(33) = is_symmetric ? 0 : 1; // the determinant
       id.cntl[2]  = null_pivot_threshold;
@@ -234,7 +234,7 @@ namespace auxfem
           sizes.push_back(layout.first_of(r + 1) - layout.first_of(r));
         }
       if (n_ranks > 1 && rank == 0)
-        x_of_all.resize(layout.n_global());
+        gathered_x.resize(layout.n_global());
 
       rows.clear();
       columns.clear();
@@ -271,8 +271,8 @@ namespace auxfem
       for (std::size_t i = 0; i < positions.size(); ++i)
         entries[i] = matrix.entries[positions[i]];
       outcome = run(factorizing);
-      while (outcome == FactorizationOutcome::out_of_memory && lacks_room() &&
-             setting(14) < largest_room)
+      while (outcome == FactorizationOutcome::out_of_memory &&
+             lacks_working_space() && setting(14) < max_extra_space)
         {
           setting(14) *= 3;
           outcome = run(factorizing);
@@ -280,16 +280,17 @@ namespace auxfem
       if (outcome != FactorizationOutcome::done)
         return outcome;
       is_factorized = true;
-      if (result_of_all(28) > 0)
+      if (global_result(28) > 0)
         return FactorizationOutcome::singular;
       outcome = check(matrix);
-      // Zeros that MUMPS has not found are not in its counts.
+      // MUMPS does not count zero pivots that it has not detected.
       is_factorized = outcome == FactorizationOutcome::done;
       return outcome;
     }
 
     /**
-     * Null pivots of large matrices drown in the round-off of all before them.
+     * Tests for singularity by the norm of the inverse: round-off hides null
+     * pivots of large matrices.
      */
     FactorizationOutcome Mumps::check(const SparseMatrix &matrix)
     {
@@ -329,7 +330,7 @@ namespace auxfem
     {
       if (id.n == 0)
         return;
-      id.rhs = n_ranks == 1 ? x : x_of_all.data();
+      id.rhs = n_ranks == 1 ? x : gathered_x.data();
       if (n_ranks > 1)
         MPI_Gatherv(x,
                     sizes[rank],
@@ -360,8 +361,8 @@ namespace auxfem
         return Inertia();
       if (!is_factorized || !is_symmetric)
         return {};
-      const unsigned long negative = result_of_all(12),
-                          zero     = result_of_all(28);
+      const unsigned long negative = global_result(12),
+                          zero     = global_result(28);
       return Inertia{negative, zero, id.n - negative - zero};
     }
 
@@ -369,7 +370,7 @@ namespace auxfem
     {
       if (id.n == 0 || !is_factorized || is_symmetric)
         return DirectSolver::determinant_sign();
-      // A mantissa, of which the exponent is INFOG(34).
+      // Mantissa of the determinant; INFOG(34) is its exponent.
       return id.rinfog[11] < 0 ? -1 : 1;
     }
 
@@ -377,7 +378,7 @@ namespace auxfem
     {
       if (!is_factorized)
         return 0;
-      // INFO(9) and INFO(10); in millions if negative.
+      // INFO(9) and INFO(10) are in millions if negative.
       const auto count = [](const int number) -> std::size_t {
         return number >= 0 ? number : -1000000l * number;
       };

@@ -14,7 +14,7 @@ namespace auxfem
 {
   namespace
   {
-    /** CHOLMOD's settings, from beginning to end. */
+    /** Life of CHOLMOD's settings. */
     struct Session
     {
       Session()
@@ -76,7 +76,10 @@ namespace auxfem
 
   namespace
   {
-    /** By local unknown the largest |x| in its unit, over all ranks. */
+    /**
+     * Largest |x| of motions or multipliers over all ranks, in the unit of each
+     * local unknown.
+     */
     std::vector<double> largest_by_unit(const Unknowns            &unknowns,
                                         const std::vector<double> &x)
     {
@@ -148,7 +151,7 @@ namespace auxfem
         layout.sum(std::inner_product(x.begin(), x.end(), x.begin(), 0.)));
     }
 
-    /** Of |a_ij| s_j. */
+    /** Largest |a_ij| s_j of a row. */
     double largest_in_row(const SparseMatrix        &matrix,
                           const std::size_t          row,
                           const std::vector<double> &scale)
@@ -161,7 +164,10 @@ namespace auxfem
       return largest;
     }
 
-    /** 1/sqrt(a_ii), and what fits to it where the diagonal is zero. */
+    /**
+     * Scales by 1/sqrt(a_ii), or for a zero diagonal by the largest scaled
+     * entry of the row.
+     */
     void scale_by_diagonal(const SparseMatrix  &matrix,
                            std::vector<double> &scale)
     {
@@ -185,8 +191,8 @@ namespace auxfem
 
   bool has_finite_entries(const SparseMatrix &matrix)
   {
-    // Zero times a number that is not finite is none; one branch at the end
-    // lets the compiler vectorize.
+    // Zero times a non-finite number is NaN; one branch at the end lets the
+    // compiler vectorize.
     double sum = 0;
     for (const double entry : matrix.entries)
       sum += 0. * entry;
@@ -208,7 +214,7 @@ namespace auxfem
     std::vector<double> &sizes  = room;
     sizes.resize(layout.n_owned());
     scale_by_diagonal(matrix, scale);
-    // A step takes the square root of every excess.
+    // Each step replaces the excess by its square root.
     for (unsigned int step = 0; step < 10; ++step)
       {
         double largest = 0;
@@ -231,7 +237,7 @@ namespace auxfem
                        const double         threshold,
                        const std::function<void(std::vector<double> &)> &apply)
   {
-    // No pattern that a structure's modes could be orthogonal to.
+    // The irregular signs are not orthogonal to a structure's modes.
     x.resize(layout.n_owned());
     for (unsigned int i = 0; i < x.size(); ++i)
       x[i] = (layout.global(i) * 2654435761u & 0x10000u) != 0 ? 1. : -1.;

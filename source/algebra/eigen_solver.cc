@@ -30,8 +30,8 @@ namespace auxfem
                                 const unsigned int         n)
   {
     /**
-     * Size up to which eigenproblems with many equal eigenvalues, those
-     * of mechanisms, are solved by dense matrices.
+     * Size up to which eigenproblems with many equal eigenvalues, e.g. of
+     * mechanisms, are solved by dense matrices.
      * @tuned [unknowns] measured: these take some seconds
      */
     constexpr unsigned int most_dense = 1500;
@@ -55,15 +55,18 @@ namespace auxfem
   {
     using Dense = dealii::LAPACKFullMatrix<double>;
 
-    /** Eigenvalues of a symmetric matrix by size, with vectors as columns. */
+    /**
+     * Eigenpairs of a symmetric matrix by ascending eigenvalue, vectors as
+     * columns.
+     */
     struct SymmetricEigenpairs
     {
       explicit SymmetricEigenpairs(Dense &matrix)
         : values(matrix.m())
         , vectors(matrix.m())
       {
-        // By rotations of the whole matrix (dsygv): bisection (dsyevx) would
-        // leave vectors of near values with half the digits.
+        // dsygv reduces the whole matrix; the bisection of dsyevx would halve
+        // the digits of vectors of close eigenvalues.
         const unsigned int                  n = matrix.m();
         Dense                               identity(n);
         std::vector<dealii::Vector<double>> columns(n);
@@ -85,7 +88,7 @@ namespace auxfem
       dealii::FullMatrix<double> vectors;
     };
 
-    /** Columns of @p act on unit vectors of all ranks, known on all. */
+    /** Dense matrix of the operator @p act, the same on all ranks. */
     template <class Action>
     Dense dense(const UnknownLayout &layout, const Action &act)
     {
@@ -114,7 +117,7 @@ namespace auxfem
           matrix(i, j) = matrix(j, i) = (matrix(i, j) + matrix(j, i)) / 2;
     }
 
-    /** L of M = L L^T, as many columns as M has rank. */
+    /** Factor L of M = L L^T with as many columns as the rank of M. */
     dealii::FullMatrix<double> root(Dense mass)
     {
       constexpr double          round_off = 1e-14;
@@ -144,7 +147,7 @@ namespace auxfem
 
   namespace
   {
-    /** A column on the rows of all ranks from what they own. */
+    /** Global column from the owned rows of all ranks. */
     std::vector<double> gather_all(const UnknownLayout       &layout,
                                    const std::vector<double> &mine)
     {
@@ -154,7 +157,7 @@ namespace auxfem
       return layout.sum(all);
     }
 
-    /** A F; @p act on owned rows of a column. */
+    /** Product A F; @p act multiplies owned rows of a column by A. */
     template <class Action>
     dealii::FullMatrix<double> product(const UnknownLayout              &layout,
                                        const dealii::FullMatrix<double> &factor,
@@ -175,7 +178,7 @@ namespace auxfem
       return result;
     }
 
-    /** F^T B for symmetric F^T B. */
+    /** Product F^T B, which is symmetric. */
     Dense projection(const dealii::FullMatrix<double> &factor,
                      const dealii::FullMatrix<double> &product)
     {
@@ -193,13 +196,15 @@ namespace auxfem
       return projected;
     }
 
-    /** Numbers of the @p n largest values, by size or, with @p only_positive,
-     * among the positive ones; not those that are round-off. */
+    /**
+     * Indices of the @p n largest values by size, or with @p only_positive of
+     * the positive ones, without those at round-off.
+     */
     std::vector<unsigned int> largest(const dealii::Vector<double> &values,
                                       const unsigned int            n,
                                       const bool only_positive)
     {
-      // Of motions that constraints forbid theta is zero.
+      // theta is zero for motions that constraints prevent.
       constexpr double          round_off = 1e-13;
       const double              least     = round_off * values.linfty_norm();
       std::vector<unsigned int> order;
@@ -216,10 +221,10 @@ namespace auxfem
     }
 
     /**
-     * Pairs from those of theta y = F^T (...) F y, theta = 1 / (lambda -
+     * Eigenpairs from those of theta y = F^T (...) F y, theta = 1 / (lambda -
      * sigma).
-     * @param shapes of which a pair's y makes its vector
-     * @param per_theta whether that is still to be divided by theta
+     * @param shapes matrix that maps y to the vector of the pair
+     * @param per_theta whether to divide the result by theta
      */
     Eigenpairs pairs_from(const ShiftedEigenproblem        &problem,
                           const SymmetricEigenpairs        &inverse,
@@ -302,8 +307,7 @@ namespace auxfem
 
   namespace
   {
-    /** Cholesky's factor of a matrix without the rows that depend on those
-     * before. */
+    /** Cholesky factor of a matrix without linearly dependent rows. */
     struct IndependentRows
     {
       explicit IndependentRows(const dealii::FullMatrix<double> &matrix)
@@ -312,25 +316,24 @@ namespace auxfem
         constexpr double dependent = 1e-10;
         for (unsigned int i = 0; i < matrix.m(); ++i)
           {
-            const unsigned int k    = rows.size();
-            double             rest = matrix(i, i);
+            const unsigned int k         = rows.size();
+            double             remainder = matrix(i, i);
             for (unsigned int c = 0; c < k; ++c)
               {
                 double entry = matrix(i, rows[c]);
                 for (unsigned int d = 0; d < c; ++d)
                   entry -= lower(k, d) * lower(c, d);
                 lower(k, c) = entry / lower(c, c);
-                rest -= lower(k, c) * lower(k, c);
+                remainder -= lower(k, c) * lower(k, c);
               }
-            if (!(rest > dependent * matrix(i, i)))
+            if (!(remainder > dependent * matrix(i, i)))
               continue;
-            lower(k, k) = std::sqrt(rest);
+            lower(k, k) = std::sqrt(remainder);
             rows.push_back(i);
           }
       }
 
-      /** L^-1 S L^-T of the rows rows and columns, row after row, then column
-       * after column. */
+      /** L^-1 S L^-T of the independent rows and columns. */
       dealii::LAPACKFullMatrix<double>
       reduced(const dealii::FullMatrix<double> &matrix) const
       {
@@ -355,8 +358,10 @@ namespace auxfem
         return result;
       }
 
-      /** L^-T of column @p j of @p vectors becomes column @p to of @p result,
-       * in the rows that are rows. */
+      /**
+       * Writes L^-T times column @p j of @p vectors to column @p to of @p
+       * result, in the independent rows.
+       */
       void expand(const dealii::FullMatrix<double> &vectors,
                   const unsigned int                j,
                   const unsigned int                to,
@@ -440,7 +445,7 @@ namespace auxfem
     std::vector<ComplexEigenpair> pairs;
     for (int j = 0; j < n && info == 0; ++j)
       {
-        // Conjugate pairs come together, that above the real axis first.
+        // Conjugate pairs are adjacent, the one above the real axis first.
         if (imaginary[j] < 0)
           continue;
         ComplexEigenpair pair{{real[j], imaginary[j]},

@@ -14,8 +14,8 @@ namespace auxfem
   namespace
   {
     /**
-     * Brings what the ranks have to @p all of the first rank, that of rank r to
-     * @p first [r]. Collective.
+     * Gathers the values of the ranks on the first rank, those of rank r at @p
+     * first [r] of @p all. Collective.
      */
     template <typename T>
     void gather(const T                        *mine,
@@ -58,8 +58,8 @@ namespace auxfem
         communicator = matrix.layout->communicator();
         rank         = matrix.layout->rank();
         n_ranks      = matrix.layout->n_ranks();
-        inertia_of_all.reset();
-        sign_of_all.reset();
+        global_inertia.reset();
+        global_sign.reset();
         gathered.reset();
         if (n_ranks == 1)
           return catch_bad_alloc([&] { return solver->analyse(matrix); });
@@ -76,16 +76,16 @@ namespace auxfem
         FactorizationOutcome outcome = has_finite_entries(matrix)
           ? FactorizationOutcome::done
           : FactorizationOutcome::not_finite;
-        inertia_of_all.reset();
-        sign_of_all.reset();
+        global_inertia.reset();
+        global_sign.reset();
         if (n_ranks == 1)
           {
             if (outcome != FactorizationOutcome::done)
               return outcome;
             outcome =
               catch_bad_alloc([&] { return solver->factorize(matrix); });
-            inertia_of_all = solver->inertia();
-            sign_of_all    = solver->determinant_sign();
+            global_inertia = solver->inertia();
+            global_sign    = solver->determinant_sign();
             return outcome;
           }
 
@@ -103,8 +103,8 @@ namespace auxfem
             gathered->matrix.is_symmetric = matrix.is_symmetric;
             outcome                       = catch_bad_alloc(
               [&] { return solver->factorize(gathered->matrix); });
-            inertia_of_all = solver->inertia();
-            sign_of_all    = solver->determinant_sign();
+            global_inertia = solver->inertia();
+            global_sign    = solver->determinant_sign();
           }
         broadcast_signs();
         return agree(outcome, communicator);
@@ -153,12 +153,12 @@ namespace auxfem
 
       std::optional<Inertia> inertia() const override
       {
-        return inertia_of_all;
+        return global_inertia;
       }
 
       std::optional<int> determinant_sign() const override
       {
-        return sign_of_all;
+        return global_sign;
       }
 
       std::size_t memory() const override
@@ -185,7 +185,8 @@ namespace auxfem
                   sort_rows(matrix);
                   if (rank == 0)
                     {
-                      gathered = std::make_unique<Gathered>(first_row.back());
+                      gathered =
+                        std::make_unique<GatheredMatrix>(first_row.back());
                       gathered->matrix.columns.resize(first_entry.back());
                       gathered->matrix.entries.resize(first_entry.back());
                     }
@@ -239,25 +240,25 @@ namespace auxfem
 
       void broadcast_signs()
       {
-        const Inertia mine       = inertia_of_all.value_or(Inertia());
-        long          numbers[5] = {inertia_of_all.has_value(),
+        const Inertia mine       = global_inertia.value_or(Inertia());
+        long          numbers[5] = {global_inertia.has_value(),
                                     static_cast<long>(mine.negative),
                                     static_cast<long>(mine.zero),
                                     static_cast<long>(mine.positive),
-                                    sign_of_all.value_or(0)};
+                                    global_sign.value_or(0)};
         MPI_Bcast(numbers, 5, MPI_LONG, 0, communicator);
         if (numbers[0] != 0)
-          inertia_of_all = Inertia{static_cast<unsigned long>(numbers[1]),
+          global_inertia = Inertia{static_cast<unsigned long>(numbers[1]),
                                    static_cast<unsigned long>(numbers[2]),
                                    static_cast<unsigned long>(numbers[3])};
         if (numbers[4] != 0)
-          sign_of_all = static_cast<int>(numbers[4]);
+          global_sign = static_cast<int>(numbers[4]);
       }
 
-      /** What the first rank has of the matrix of all. */
-      struct Gathered
+      /** The matrix of all ranks, on the first rank. */
+      struct GatheredMatrix
       {
-        explicit Gathered(const unsigned int n_rows)
+        explicit GatheredMatrix(const unsigned int n_rows)
           : layout(MPI_COMM_SELF, n_rows, {})
           , matrix(layout)
           , x(n_rows)
@@ -271,15 +272,16 @@ namespace auxfem
       const std::unique_ptr<DirectSolver> solver;
       MPI_Comm                            communicator = MPI_COMM_NULL;
       unsigned int                        rank = 0, n_ranks = 1;
-      /** By rank, and the end of the last. */
+      /** First row and entry of each rank, and the end. */
       std::vector<std::size_t> first_row, first_entry;
-      /** Of this rank's entries in rows sorted by global columns. */
-      std::vector<std::size_t>  order;
-      std::vector<int>          columns;
-      std::vector<double>       entries;
-      std::unique_ptr<Gathered> gathered; ///< none but on the first of several
-      std::optional<Inertia>    inertia_of_all;
-      std::optional<int>        sign_of_all; ///< of the determinant
+      /** This rank's entries in rows sorted by global columns. */
+      std::vector<std::size_t> order;
+      std::vector<int>         columns;
+      std::vector<double>      entries;
+      std::unique_ptr<GatheredMatrix>
+                             gathered; ///< on the first of several ranks
+      std::optional<Inertia> global_inertia;
+      std::optional<int>     global_sign; ///< of the determinant
     };
   } // namespace
 

@@ -63,7 +63,7 @@ namespace auxfem
                   const int     *ends,
                   double        *end_values) const override
       {
-        // Rows of (A_EI A_II^-1)^T, which are those of A_II^-1 A_IE where A is
+        // Rows of (A_EI A_II^-1)^T, equal to those of A_II^-1 A_IE if A is
         // symmetric.
         const double *row = factors + n_inner * n_inner +
           (symmetry == Symmetry::none ? n_inner * n_ends : 0);
@@ -85,7 +85,7 @@ namespace auxfem
                   const double *end_values) const override
       {
         double sums[n_inner] = {}, local_ends[n_ends];
-        // By columns: sums that do not wait for each other.
+        // By columns, so that the sums are independent.
         const double *column = factors;
         for (int j = 0; j < n_inner; ++j, column += n_inner)
           {
@@ -103,7 +103,7 @@ namespace auxfem
     private:
       static constexpr int n = n_inner + n_ends;
 
-      /** In three sums, as one would wait for itself. */
+      /** Three independent sums, which pipeline. */
       static double product(const double *row, const double (&x)[n_ends])
       {
         static_assert(n_ends % 3 == 0);
@@ -115,7 +115,7 @@ namespace auxfem
       }
 
       using Inner = double[n_inner][n_inner];
-      /** At first A_IE and the identity; A_II^-1 A_IE and A_II^-1 at last. */
+      /** A_IE and the identity, replaced by A_II^-1 A_IE and A_II^-1. */
       using Right = double[n_inner][n];
 
       static void subtract_row(const double factor,
@@ -130,7 +130,7 @@ namespace auxfem
           right[row][p] -= factor * right[from][p];
       }
 
-      /** To an upper triangle, with pivots in their order. */
+      /** Reduces to an upper triangle with pivots in the given order. */
       static EliminationResult eliminate_symmetric(Inner inner, Right right)
       {
         EliminationResult result;
@@ -140,7 +140,7 @@ namespace auxfem
         for (int j = 0; j < n_inner; ++j)
           {
             const double pivot = inner[j][j];
-            // Written so that a pivot that is no number is not regular.
+            // The negated comparison also rejects NaN.
             if (!(std::abs(pivot) > few_round_offs * terms[j]))
               {
                 result.is_regular = false;
@@ -159,8 +159,8 @@ namespace auxfem
       }
 
       /**
-       * To an upper triangle. Taken is the row whose pivot is largest in units
-       * of the original diagonal.
+       * Reduces to an upper triangle. The pivot row is that with the largest
+       * pivot in units of the original diagonal.
        */
       static EliminationResult eliminate_unsymmetric(Inner inner, Right right)
       {
@@ -191,13 +191,14 @@ namespace auxfem
                     pivot_row = i;
                   }
               }
-            // Written so that a pivot that is no number is not regular.
+            // The negated comparison also rejects NaN.
             if (!(largest > few_round_offs * units[j]))
               {
                 result.is_regular = false;
                 return result;
               }
-            // Of the determinant's sign: of the pivot and of the exchange.
+            // The determinant's sign changes with the pivot's sign and with the
+            // exchange.
             if (inner[pivot_row][j] < 0)
               ++result.n_negative;
             if (pivot_row != j)
@@ -211,7 +212,7 @@ namespace auxfem
         return result;
       }
 
-      /** Solves with the upper triangle that is left. */
+      /** Back substitution. */
       static void substitute(const Inner inner, Right right)
       {
         for (int j = n_inner - 1; j >= 0; --j)
@@ -262,7 +263,7 @@ namespace auxfem
     };
 
     template <int n_inner, int n_ends>
-    const InnerElimination *if_of(const EliminationSizes sizes)
+    const InnerElimination *match_size(const EliminationSizes sizes)
     {
       static const EliminationOfSize<n_inner, n_ends> elimination;
       return sizes.n_inner == n_inner && sizes.n_ends == n_ends ? &elimination
@@ -272,14 +273,14 @@ namespace auxfem
 
   const InnerElimination *inner_elimination(const EliminationSizes sizes)
   {
-    for (const auto candidate : {if_of<3, 6>,
-                                 if_of<6, 6>,
-                                 if_of<9, 6>,
-                                 if_of<12, 6>,
-                                 if_of<15, 6>,
-                                 if_of<6, 12>,
-                                 if_of<12, 12>,
-                                 if_of<18, 12>})
+    for (const auto candidate : {match_size<3, 6>,
+                                 match_size<6, 6>,
+                                 match_size<9, 6>,
+                                 match_size<12, 6>,
+                                 match_size<15, 6>,
+                                 match_size<6, 12>,
+                                 match_size<12, 12>,
+                                 match_size<18, 12>})
       if (const InnerElimination *const elimination = candidate(sizes))
         return elimination;
     return nullptr;
@@ -287,7 +288,8 @@ namespace auxfem
 
   namespace
   {
-    /** Strut that an unknown of a block lies inside of; none for other blocks.
+    /**
+     * Strut whose inside has an unknown of the block; none for other blocks.
      */
     std::optional<unsigned int> strut_of(const TangentPattern &pattern,
                                          const std::size_t     block)
@@ -313,7 +315,7 @@ namespace auxfem
       return unknown >= 0 && !pattern.unknowns().strut[unknown];
     }
 
-    /** Whether the elements are as they must be; takes the eliminations. */
+    /** Whether the elements can be eliminated; sets their eliminations. */
     bool prepare(const TangentPattern &pattern, StrutElements &elements)
     {
       const unsigned int c = elements.n_node_unknowns,
@@ -360,22 +362,23 @@ namespace auxfem
       return true;
     }
 
-    /** Removes those whose inside other blocks act on. */
-    void remove_disturbed(const TangentPattern       &pattern,
-                          std::vector<StrutElements> &found)
+    /** Removes struts whose inside other blocks act on. */
+    void remove_coupled(const TangentPattern       &pattern,
+                        std::vector<StrutElements> &found)
     {
-      constexpr unsigned int    nobody = -1;
-      std::vector<unsigned int> eliminates(pattern.unknowns().layout.n_local(),
-                                           nobody);
+      constexpr unsigned int    no_strut = -1;
+      std::vector<unsigned int> eliminating_strut(
+        pattern.unknowns().layout.n_local(),
+        no_strut);
       for (unsigned int s = 0; s < found.size(); ++s)
         for (std::size_t b = found[s].first_block;
              b < found[s].first_block + found[s].n_elements;
              ++b)
           for (const int *i = pattern.begin(b); i != pattern.end(b); ++i)
             if (pattern.unknowns().strut[*i])
-              eliminates[*i] = s;
+              eliminating_strut[*i] = s;
 
-      std::vector<bool> is_disturbed(found.size(), false);
+      std::vector<bool> is_coupled(found.size(), false);
       std::size_t       next = 0;
       for (std::size_t b = 0; b < pattern.n_blocks(); ++b)
         {
@@ -383,14 +386,16 @@ namespace auxfem
                  b >= found[next].first_block + found[next].n_elements)
             ++next;
           const unsigned int own =
-            next < found.size() && b >= found[next].first_block ? next : nobody;
+            next < found.size() && b >= found[next].first_block ? next
+                                                                : no_strut;
           for (const int *i = pattern.begin(b); i != pattern.end(b); ++i)
-            if (*i >= 0 && eliminates[*i] != nobody && eliminates[*i] != own)
-              is_disturbed[eliminates[*i]] = true;
+            if (*i >= 0 && eliminating_strut[*i] != no_strut &&
+                eliminating_strut[*i] != own)
+              is_coupled[eliminating_strut[*i]] = true;
         }
       std::size_t n_remaining = 0;
       for (std::size_t s = 0; s < found.size(); ++s)
-        if (!is_disturbed[s])
+        if (!is_coupled[s])
           found[n_remaining++] = found[s];
       found.resize(n_remaining);
     }
@@ -421,7 +426,7 @@ namespace auxfem
           }
         block = end;
       }
-    remove_disturbed(pattern, found);
+    remove_coupled(pattern, found);
     found.shrink_to_fit();
     return found;
   }

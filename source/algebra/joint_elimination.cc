@@ -12,9 +12,9 @@ namespace auxfem
   namespace
   {
     /**
-     * Joints with more neighbours stay. In the plane, elimination of joints
-     * with up to 10 leaves half of the rows that one with up to 4 does, and as
-     * many entries. In space more than 4 cost iterations.
+     * Largest number of neighbours of eliminated joints. In the plane, 10
+     * instead of 4 halves the rows at equal entries; in space, more than 4 cost
+     * iterations.
      */
     unsigned int max_neighbours(const Unknowns &unknowns)
     {
@@ -98,8 +98,7 @@ namespace auxfem
                                   const unsigned int  row)
   {
     const unsigned int group = *groups.group[row];
-    // Columns of a group are side by side mostly: its block is sought once for
-    // them.
+    // Columns of a group are usually adjacent: its block is looked up once.
     std::optional<unsigned int> last;
     double                     *row_block = nullptr;
     for (std::size_t i = matrix.first[row]; i < matrix.first[row + 1]; ++i)
@@ -199,7 +198,7 @@ namespace auxfem
   std::size_t
   JointElimination::count_reduced_entries(const SparseMatrix &matrix) const
   {
-    // Rows that stand for nothing have one.
+    // Unused rows have one entry.
     std::size_t sum = joint_rows.layout().n_owned();
     for (const unsigned int group : order.remaining())
       {

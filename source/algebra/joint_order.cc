@@ -10,8 +10,8 @@ namespace auxfem
     constexpr unsigned int first_rotation = 3;
 
     /**
-     * Component @p moved of the motion at @p arm that the unit motion of
-     * component @p body_component of a rigid body makes.
+     * Component @p moved of the motion at @p arm due to a unit motion of
+     * component @p body_component of a rigid body.
      */
     double motion(const unsigned int          body_component,
                   const unsigned int          moved,
@@ -133,10 +133,9 @@ namespace auxfem
     }
 
     /**
-     * Groups by their number of neighbours; of several with the same the one
-     * that changed last. So elimination spreads from where it is, and the
-     * members that are left are stout: where the first in line went first,
-     * planar stars left chains and needed five times the iterations.
+     * Groups by number of neighbours; among equals the last changed one comes
+     * first. Elimination then spreads from its front and leaves stout members,
+     * which keeps iterations few; first-in-first-out left chains.
      */
     class Queue
     {
@@ -149,7 +148,7 @@ namespace auxfem
         lowest = std::min(lowest, degree);
       }
 
-      /** A group that had at most @p most neighbours when it was pushed. */
+      /** A group with at most @p most neighbours when pushed. */
       std::optional<unsigned int> pop(const std::size_t most)
       {
         for (; lowest < by_degree.size() && lowest <= most; ++lowest)
@@ -244,7 +243,7 @@ namespace auxfem
               {
                 if (!matrix.layout->is_owned(column))
                   must_stay[group] = true;
-                // Columns of a group are side by side mostly.
+                // Columns of a group are usually adjacent.
                 else if (const unsigned int other = *groups.group[column];
                          other != seen.back())
                   seen.push_back(other);
@@ -259,7 +258,7 @@ namespace auxfem
 
   void JointOrder::eliminate_groups(const std::size_t max_neighbours)
   {
-    const auto may_go = [&](const unsigned int group) {
+    const auto can_be_eliminated = [&](const unsigned int group) {
       return !is_eliminated[group] && !must_stay[group];
     };
     const auto degree = [this](const unsigned int group) {
@@ -267,16 +266,16 @@ namespace auxfem
     };
     Queue queue;
     for (unsigned int group = 0; group < groups.rows.size(); ++group)
-      if (may_go(group))
+      if (can_be_eliminated(group))
         queue.push(group, degree(group));
     while (const std::optional<unsigned int> group = queue.pop(max_neighbours))
       {
-        // The numbers change; only the last entry of a group counts.
+        // A group is pushed at every change; only its last entry is valid.
         if (is_eliminated[*group] || degree(*group) != queue.degree())
           continue;
         eliminate(*group);
         for (const Link &link : order.back().right)
-          if (may_go(link.group))
+          if (can_be_eliminated(link.group))
             queue.push(link.group, degree(link.group));
       }
   }

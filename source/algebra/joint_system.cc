@@ -6,7 +6,7 @@ namespace auxfem
 {
   namespace
   {
-    /** All but what is eliminated, on whichever rank. Collective. */
+    /** Marks the unknowns that no rank eliminates. Collective. */
     std::vector<bool> find_retained(const TangentPattern             &pattern,
                                     const std::vector<StrutElements> &struts)
     {
@@ -96,7 +96,7 @@ namespace auxfem
                                        lengths(unknowns, n_ends),
                                        lengths(received_lists, n_ends));
 
-    // Joints at the far ends may be new to this rank.
+    // Joints at the far ends may be new ghosts.
     const std::vector<int> globals = concatenated(received_lists);
     layout.add_ghosts(globals);
     for (const int global : globals)
@@ -121,14 +121,15 @@ namespace auxfem
   void JointSystem::make_unknowns(const Unknowns &all)
   {
     const UnknownLayout &layout = selection->layout;
-    // Ghosts that the pattern's layout does not have are told as values.
-    const auto fill = [&](const auto &value, const auto &take) {
+    // New ghosts are missing in the pattern's layout: exchange the properties
+    // as values.
+    const auto fill = [&](const auto &value, const auto &assign) {
       std::vector<double> values(layout.n_local());
       for (unsigned int i = 0; i < layout.n_owned(); ++i)
         values[i] = static_cast<double>(value(selection->unknowns[i]));
       layout.update_ghosts(values.data());
       for (unsigned int i = 0; i < layout.n_local(); ++i)
-        take(i, static_cast<unsigned int>(values[i]));
+        assign(i, static_cast<unsigned int>(values[i]));
     };
     joint_unknowns = Unknowns(layout);
     fill([&](const int i) { return all.kinds[i]; },
@@ -139,7 +140,7 @@ namespace auxfem
          [&](const unsigned int i, const unsigned int value) {
            joint_unknowns.is_rotation[i] = value != 0;
          });
-    // Zero: none.
+    // Zero means none.
     fill([&](const int i) { return all.strut[i] ? *all.strut[i] + 1. : 0.; },
          [&](const unsigned int i, const unsigned int value) {
            if (value > 0)

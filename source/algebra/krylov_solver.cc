@@ -28,7 +28,7 @@ namespace auxfem
                                    const Unknowns     &unknowns) override
       {
         Assert(unknowns.n_of_kind(UnknownKind::multiplier) == 0,
-               dealii::ExcMessage("Multipliers are left to direct solvers."));
+               dealii::ExcMessage("Multipliers require a direct solver."));
         n_before       = n_iterations();
         layout         = &unknowns.layout;
         elimination    = std::make_unique<JointElimination>(matrix, unknowns);
@@ -103,8 +103,10 @@ namespace auxfem
         return elimination->rows().layout().n_global() == 0;
       }
 
-      /** Negative eigenvalues of all that is eliminated; nothing if @p matrix is
-       * not symmetric. Without any, conjugate gradients may serve the residual.
+      /**
+       * Number of eliminated negative eigenvalues over all ranks; none if @p
+       * matrix is unsymmetric. If it is zero, conjugate gradients may solve the
+       * rest.
        */
       std::optional<unsigned long>
       count_negative(const SparseMatrix &matrix) const
@@ -121,7 +123,7 @@ namespace auxfem
       const UnknownLayout              *layout = nullptr;
       std::unique_ptr<JointElimination> elimination;
       std::unique_ptr<KrylovSolver>     krylov;
-      /** Whether the preconditioner has not been made of the pattern yet. */
+      /** Whether the preconditioner for the pattern is still to be built. */
       bool                         is_new_pattern = true;
       std::optional<unsigned long> n_negative_eliminated;
       unsigned long                n_before = 0;
@@ -142,8 +144,10 @@ namespace auxfem
   {
     using OwnedVector = dealii::LinearAlgebra::distributed::Vector<double>;
 
-    /** A TangentMatrix as deal.II multiplies by it, identity columns for
-     * prescribed unknowns. */
+    /**
+     * A TangentMatrix as an operator of deal.II, with identity columns for
+     * prescribed unknowns.
+     */
     class FreeOperator
     {
     public:
@@ -188,28 +192,28 @@ namespace auxfem
   bool solve_by_conjugate_gradients(const TangentMatrix &matrix,
                                     std::vector<double> &values)
   {
-    // A mass matrix needs some ten iterations; of round-off nothing is left
-    // that would show beside the error of the first step.
+    // A mass matrix needs some ten iterations; the error then is negligible
+    // beside that of the first step.
     constexpr double       tolerance          = 1e-13;
     constexpr unsigned int maximum_iterations = 1000;
     const Unknowns        &unknowns           = matrix.pattern().unknowns();
     const UnknownLayout   &layout             = unknowns.layout;
 
-    // deal.II takes what is not finite for a mistake of the program.
+    // deal.II would raise an internal error for non-finite numbers.
     const std::vector<double> diagonal = matrix.diagonal();
-    bool                      is_sound = true;
+    bool                      is_valid = true;
     for (unsigned int i = 0; i < layout.n_owned(); ++i)
-      is_sound = is_sound && std::isfinite(values[i]) &&
+      is_valid = is_valid && std::isfinite(values[i]) &&
         std::isfinite(diagonal[i]) && diagonal[i] > 0;
-    if (layout.largest(is_sound ? 0. : 1.) > 0)
+    if (layout.largest(is_valid ? 0. : 1.) > 0)
       return false;
     OwnedVector b = make_vector(layout), x = b;
     for (unsigned int i = 0; i < layout.n_owned(); ++i)
       b.local_element(i) = values[i];
     const double size = b.l2_norm();
 
-    // Columns of prescribed unknowns stand in free rows: what they do goes to
-    // the right-hand side, so the matrix of the search is symmetric.
+    // Free rows contain columns of prescribed unknowns: they move to the
+    // right-hand side, which makes the operator symmetric.
     std::vector<double> prescribed(layout.n_local(), 0.),
       image(layout.n_owned());
     for (unsigned int i = 0; i < layout.n_owned(); ++i)
@@ -243,7 +247,7 @@ namespace auxfem
       }
     catch (const dealii::SolverControl::NoConvergence &)
       {
-        // Where round-off rules the tolerance may be missed by little.
+        // Round-off may make the residual miss the tolerance slightly.
         OwnedVector residual(b);
         free.vmult(residual, x);
         residual -= b;
@@ -261,7 +265,7 @@ namespace auxfem
     using DistributedVector =
       dealii::LinearAlgebra::distributed::Vector<double>;
 
-    /** Of each rank its own rows, one rank after the other. */
+    /** Distributed vector of the ranks' rows, in order of ranks. */
     DistributedVector make_vector(const OperatorEquations &equations)
     {
       namespace MPI                = dealii::Utilities::MPI;
@@ -271,7 +275,7 @@ namespace auxfem
       return DistributedVector(owned, equations.communicator);
     }
 
-    struct Operator
+    struct EquationsOperator
     {
       const OperatorEquations &equations;
 
@@ -304,8 +308,8 @@ namespace auxfem
                       preconditioned(right_side);
     std::copy(b.begin(), b.end(), right_side.begin());
     std::copy(x.begin(), x.end(), solution.begin());
-    const Operator       matrix{equations};
-    const Preconditioner preconditioner{equations};
+    const EquationsOperator matrix{equations};
+    const Preconditioner    preconditioner{equations};
     try
       {
         preconditioner.vmult(preconditioned, right_side);

@@ -38,7 +38,7 @@ namespace auxfem
       }
     catch (const std::bad_alloc &)
       {
-        // The other ranks are still at work on it, and cannot be told here.
+        // The other ranks are inside collective calls and cannot be notified.
         if (matrix.pattern().unknowns().layout.n_ranks() > 1)
           throw;
       }
@@ -50,13 +50,13 @@ namespace auxfem
   {
     solves_given_matrix    = true;
     const double asymmetry = matrix.asymmetry();
-    // Entries that are no numbers are found by those that factorize.
+    // The factorization detects NaN.
     if (!(asymmetry > TangentMatrix::symmetric_to_round_off))
       return Symmetry::given;
     if (exactness == Exactness::exact && matrix.is_symmetric())
       return Symmetry::enforced;
-    const bool takes_unsymmetric = parameters.type != "cholmod";
-    solves_given_matrix          = takes_unsymmetric &&
+    const bool solves_unsymmetric = parameters.type != "cholmod";
+    solves_given_matrix           = solves_unsymmetric &&
       !(exactness == Exactness::approximate &&
         symmetric_part_pays(parameters,
                             asymmetry,
@@ -159,8 +159,7 @@ namespace auxfem
     if (current == nullptr || !failure_reason.empty() || !inner)
       return std::nullopt;
     std::optional<Inertia> sum = current->inertia();
-    // KLU, which is quickest where there are few unknowns and multipliers, does
-    // not tell signs.
+    // KLU does not compute inertia.
     const auto klu = methods.find(LinearSolverType::klu);
     if (!sum && klu != methods.end() && current == klu->second.method.get())
       sum = inertia_by_mumps();
@@ -219,7 +218,7 @@ namespace auxfem
     failure_reason = current->solve(joint_values.data());
     if (!failure_reason.empty())
       {
-        // A failed solution must show: the next residual is then not finite.
+        // Non-finite values make the next residual reveal the failure.
         std::fill(values.begin(),
                   values.end(),
                   std::numeric_limits<double>::quiet_NaN());
@@ -227,8 +226,8 @@ namespace auxfem
       }
     condensation.expand(joint_values, values);
 #ifdef DEBUG
-    // Far above round-off, also where stiffness stands beside constraints; far
-    // below what a wrong factor would leave.
+    // Far above round-off, also with multipliers; far below the error of a
+    // wrong factor.
     constexpr double largest_error = 1e-3;
     const bool       is_finite =
       std::all_of(right_side.begin(), right_side.end(), [](const double value) {

@@ -9,58 +9,56 @@ namespace auxfem
 {
   namespace
   {
-    // Sizes of the equations at the joints at which `auto` changes: CHOLMOD's
-    // LDL' and KLU go entry by entry and use one rank; MUMPS goes by dense
-    // blocks. All are unknowns at joints, measured by scripts/measure-sizes.
+    // Sizes of the equations at the joints at which `auto` changes. CHOLMOD's
+    // LDL' and KLU work entry by entry on one rank, MUMPS by dense blocks. All
+    // count unknowns at joints.
 
     /**
-     * Symmetric matrices in space up to which CHOLMOD is quicker than MUMPS.
+     * Symmetric matrices in space up to which CHOLMOD is faster than MUMPS.
      * @tuned [unknowns] measured by scripts/measure-sizes
      */
     constexpr unsigned long cholmod_limit_in_space = 30000;
 
     /**
-     * Unsymmetric matrices in space, and such with multipliers, up to which
-     * KLU is quicker than MUMPS.
-     * @tuned [unknowns] measured by scripts/measure-sizes; with multipliers
-     * a guess
+     * Unsymmetric matrices in space, and matrices with multipliers, up to which
+     * KLU is faster than MUMPS.
+     * @tuned [unknowns] measured by scripts/measure-sizes; with multipliers a
+     *   guess
      */
     constexpr unsigned long klu_limit_in_space = 10000;
 
     /**
-     * Matrices in the plane up to which one rank is quicker: KLU for
-     * unsymmetric ones, on several ranks CHOLMOD, and MUMPS on the first.
-     * @tuned [unknowns] measured by scripts/measure-sizes: two ranks are 0.9
-     * times as quick with 27,000, 1.3 times with 108,000
+     * Matrices in the plane up to which one rank is faster: KLU for unsymmetric
+     * ones, on several ranks CHOLMOD, and MUMPS on the first.
+     * @tuned [unknowns] measured by scripts/measure-sizes
      */
     constexpr unsigned long one_rank_limit_in_plane = 100000;
 
     /**
      * Matrices in space up to which factors are so small that minimum degree
-     * suffices and MUMPS is as quick on one rank as on two.
-     * @tuned [unknowns] measured: minimum degree takes 0.74 times the
-     * products of dissection with 2916, 1.2 times with 6816
+     * suffices and MUMPS gains nothing on several ranks.
+     * @tuned [unknowns] measured by scripts/measure-sizes
      */
     constexpr unsigned long dissection_limit = 5000;
 
     /**
-     * Asymmetry below which Newton's method takes the symmetric part.
-     * @tuned measured: prm/star-10x10.prm has 2e-8; with 1e-2, as in
-     * prm/lattice-3d.prm, iterations are 1.2 times as many
+     * Asymmetry below which Newton's method uses the symmetric part.
+     * @tuned measured: 2e-8 in prm/star-10x10.prm; 1e-2 in prm/lattice-3d.prm
+     *   raises the iterations by 20 %
      */
     constexpr double slight_asymmetry = 1e-4;
 
     /**
-     * Unknowns, those inside struts included, up to which Newton's method
-     * gains nothing by the symmetric part of an unsymmetric matrix.
-     * @tuned [unknowns] judgement
+     * Unknowns, those inside struts included, up to which the symmetric part of
+     * an unsymmetric matrix does not speed up Newton's method.
+     * @tuned [unknowns] measured (doc/theory.md)
      */
     constexpr unsigned long exact_limit = 50000;
 
     /**
-     * Unknowns on each rank in space up to which factors are not too large.
-     * @tuned [unknowns] judgement: planar factors are hardly larger than the
-     * matrix
+     * Unknowns per rank in space up to which direct factors fit into memory.
+     * Planar factors are hardly larger than the matrix.
+     * @tuned [unknowns] judgement
      */
     constexpr unsigned long iteration_limit = 1000000;
 
@@ -96,7 +94,7 @@ namespace auxfem
       return equations.n_components == 6;
     }
 
-    /** Of those that use one rank. */
+    /** Sparse solver on one rank. */
     LinearSolverType sparse_solver(const EquationsAtJoints &equations)
     {
       return equations.symmetry == Symmetry::none || equations.n_multipliers > 0
@@ -104,7 +102,7 @@ namespace auxfem
         : LinearSolverType::cholmod;
     }
 
-    /** Unknowns up to which sparse_solver() is quicker than MUMPS. */
+    /** Unknowns up to which sparse_solver() is faster than MUMPS. */
     unsigned long limit_of_sparse_solver(const EquationsAtJoints &equations)
     {
       if (equations.symmetry != Symmetry::none && equations.n_multipliers > 0)

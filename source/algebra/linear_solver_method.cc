@@ -10,29 +10,28 @@ namespace auxfem
       "Type",
       "auto",
       {"auto", "cholmod", "klu", "mumps", "gmres"},
-      "Direct solvers, or gmres, iterative, for lattices that are too large for "
-      "these. cholmod takes the symmetric part of the tangent and no rigid "
-      "parts or revolute hinges; klu and mumps take all; with rigid parts or "
-      "hinges mumps takes the place of gmres. auto chooses by kind "
-      "and size, as the last lines of a run tell."};
+      "Direct solvers, or iterative gmres for lattices too large for these. "
+      "cholmod uses the symmetric part of the tangent and excludes rigid parts "
+      "and revolute hinges, for which mumps also replaces gmres. auto chooses "
+      "by kind and size; the last lines of a run name the choice."};
     const Choice preconditioner = {
       "Preconditioner",
       "amg",
       {"amg", "ilu"},
       "For Type = gmres. amg: multigrid on the joints; ilu: incomplete "
-      "factorization, quicker where steps are so short that inertia rules."};
+      "factorization, faster for short steps dominated by inertia."};
     const Quantity solver_tolerance = {
       "Tolerance",
       "1e-8",
       "1",
       Range::open(0, 1),
-      "Residual, relative to the right-hand side, at which gmres ends."};
+      "Relative residual norm at which gmres stops."};
     const Integer solver_iterations = {
       "Maximum iterations",
       1000,
       1,
       100000,
-      "Iterations of gmres after which a step counts as failed."};
+      "Iterations of gmres before a step fails."};
   } // namespace
 
 

@@ -40,7 +40,7 @@ namespace auxfem
                     static_cast<char *>(all));
         return;
       }
-    // As bytes they might be more than MPI counts.
+    // A count of bytes might exceed MPI's int.
     const auto item =
       dealii::Utilities::MPI::create_mpi_data_type_n_bytes(size);
     MPI_Allgatherv(
@@ -90,14 +90,14 @@ namespace auxfem
 
   void NeighbourExchange::transfer(const void       *values,
                                    const std::size_t size,
-                                   void             *comes) const
+                                   void             *received_values) const
   {
     constexpr int tag = 0;
-    // As bytes they might be more than MPI counts.
+    // A count of bytes might exceed MPI's int.
     const auto item =
       dealii::Utilities::MPI::create_mpi_data_type_n_bytes(size);
     std::vector<MPI_Request> requests;
-    char                    *in = static_cast<char *>(comes);
+    char                    *in = static_cast<char *>(received_values);
     for (const auto &[rank, n] : received)
       {
         MPI_Irecv(in,

@@ -56,7 +56,10 @@ namespace auxfem
                                                                    first[b])};
     }
 
-    /** Calls action(block, row of the block) for all rows added to @p owned. */
+    /**
+     * Calls action(block, row of the block) for all rows that contribute to @p
+     * owned.
+     */
     template <class Action>
     void for_each(const unsigned int owned, const Action &action) const
     {

@@ -8,8 +8,7 @@ namespace auxfem
 {
   namespace
   {
-    /** Positions of the unknowns of two nodes that stand one after the other.
-     */
+    /** Positions of the unknowns of two consecutive nodes. */
     constexpr int in_order[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
   } // namespace
 
@@ -27,7 +26,7 @@ namespace auxfem
     return system->unknowns();
   }
 
-  void StrutCondensation::follow_pattern()
+  void StrutCondensation::update_pattern()
   {
     const TangentPattern &pattern = tangent.pattern();
     if (system && built_version == tangent.version())
@@ -67,10 +66,11 @@ namespace auxfem
     return size;
   }
 
-  FactorizationOutcome StrutCondensation::condense(const Symmetry wanted)
+  FactorizationOutcome
+  StrutCondensation::condense(const Symmetry requested_symmetry)
   {
-    follow_pattern();
-    symmetry = wanted;
+    update_pattern();
+    symmetry = requested_symmetry;
     system->reset(symmetry);
     first_factor.assign(1, 0);
     for (const StrutElements &elements : struts)
@@ -93,7 +93,7 @@ namespace auxfem
           (struts[s].n_elements - 1) * struts[s].n_node_unknowns;
       }
 
-    // All ranks tell of the last strut of all that failed.
+    // All ranks report the last of the failed struts.
     const UnknownLayout &layout = tangent.pattern().unknowns().layout;
     const double last = layout.largest(failed != nullptr ? failed->strut : -1.);
     inertia.reset();
@@ -114,7 +114,8 @@ namespace auxfem
     Inertia total;
     total.negative = sums[0];
     determinant    = determinant_sign(total);
-    // Else what counts as negative is what turns the sign of the determinant.
+    // Without symmetry n_negative has only the parity of the determinant's
+    // sign.
     if (symmetry != Symmetry::none)
       {
         total.positive = sums[1] - sums[0];
@@ -140,12 +141,12 @@ namespace auxfem
         const unsigned int c        = elements.n_node_unknowns;
         if (!are_finite(tangent.values(block), n * n))
           return false;
-        // The strut's first node may be another rank's.
-        const double *more = e > 0 ? added(unknowns, c, room) : nullptr;
-        if (more != nullptr && !are_finite(more, c))
+        // Another rank may own the strut's first node.
+        const double *added_values = e > 0 ? added(unknowns, c, room) : nullptr;
+        if (added_values != nullptr && !are_finite(added_values, c))
           return false;
-        more = added(unknowns + 2 * c, n - 2 * c, room);
-        if (more != nullptr && !are_finite(more, n - 2 * c))
+        added_values = added(unknowns + 2 * c, n - 2 * c, room);
+        if (added_values != nullptr && !are_finite(added_values, n - 2 * c))
           return false;
       }
     return true;
@@ -223,8 +224,9 @@ namespace auxfem
                                     double              *node_factors,
                                     Room                &room) const
   {
-    // The strut so far acts on its first node and on this one, the element on
-    // this one and its last: which stand third, first and second around it.
+    // Order of the nodes around the eliminated one: first node of the strut,
+    // last node of the element, this node. The strut so far couples the first
+    // and third, the element the third and second.
     const unsigned int c = elements.n_node_unknowns, n = 3 * c;
     room.around_node.assign(n * n, 0.);
     const auto spread = [&](const std::vector<double>         &part,
@@ -384,7 +386,8 @@ namespace auxfem
     const std::vector<int> &retained = system->retained_unknowns();
     for (std::size_t k = 0; k < retained.size(); ++k)
       values[retained[k]] = z[k];
-    // What prescribed ends do to the inside is in its right-hand side.
+    // The right-hand side of the inside already contains the motion of
+    // prescribed ends.
     for (const int k : system->prescribed())
       z[k] = 0;
 
@@ -423,7 +426,7 @@ namespace auxfem
       ? elements.between_nodes->factor_size(symmetry)
       : 0;
     const std::size_t n_node_factors    = node_size(elements);
-    // Last the node that was eliminated first.
+    // Substitutes in reverse order of elimination.
     std::vector<double> &node_values = room.around_node;
     node_values.resize((n_elements + 1) * c);
     for (unsigned int i = 0; i < c; ++i)

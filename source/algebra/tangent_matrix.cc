@@ -45,7 +45,7 @@ namespace auxfem
           first.push_back(first.back() +
                           std::size_t(tangent_pattern.size(b)) *
                             tangent_pattern.size(b));
-        // What it no longer needs must not count twice against the memory.
+        // Free the old memory first, so that both do not coexist.
         if (entries.capacity() < first.back())
           entries = std::vector<double>();
         entries.resize(first.back());
@@ -133,7 +133,7 @@ namespace auxfem
     for_each_block([&](const int         *block_unknowns,
                        const unsigned int n,
                        const double      *block) {
-      // An unknown may stand in several rows of a block.
+      // An unknown may occur in several rows of a block.
       for (unsigned int i = 0; i < n; ++i)
         if (block_unknowns[i] >= 0 && block_unknowns[i] < n_owned)
           for (unsigned int j = 0; j < n; ++j)
@@ -297,7 +297,7 @@ namespace auxfem
 
   bool TangentMatrix::is_symmetric() const
   {
-    // What Newton's tolerance leaves of moments that balance.
+    // Relative imbalance of moments that Newton's tolerance leaves.
     constexpr double moment_imbalance = 1e-6;
     const double     block_asymmetry  = asymmetry();
     return !(block_asymmetry > symmetric_to_round_off) ||

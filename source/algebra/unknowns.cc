@@ -29,7 +29,7 @@ namespace auxfem
 
   void UnknownLayout::make_exchange()
   {
-    // deal.II divides by the number of unknowns.
+    // deal.II would divide by zero unknowns.
     if (n_ranks() == 1 || n_global() == 0)
       return;
     std::vector<dealii::types::global_dof_index> owned(n_owned());
@@ -68,7 +68,7 @@ namespace auxfem
   void UnknownLayout::update_ghosts(
     std::vector<std::optional<unsigned int>> &numbers) const
   {
-    // Numbers go the way values go; below 2^53 they come whole. Zero: none.
+    // Numbers are exchanged as doubles, exact below 2^53; zero means none.
     std::vector<double> values(n_local());
     for (unsigned int i = 0; i < n_owned(); ++i)
       values[i] = numbers[i] ? 1. + *numbers[i] : 0.;
@@ -204,7 +204,7 @@ namespace auxfem
       if (all.n_ranks() == 1)
         return layout;
 
-      // Numbers in the selection, brought to the ghosts as values.
+      // Exchange the selection's numbers as values.
       std::vector<double> globals(all.n_local(), -1.);
       unsigned int        number = 0;
       for (unsigned int i = 0; i < all.n_owned(); ++i)

@@ -75,7 +75,7 @@ namespace auxfem
   {
     const SpaceVector principal = rotation_vector(rotation);
     const double      angle     = principal.norm();
-    // The axis of a rotation by zero or whole turns is that of the guess.
+    // The identity has no axis of its own: take that of the guess.
     const SpaceVector axis        = angle > 1e-8 ? principal / angle
              : guess.norm() > 0                  ? guess / guess.norm()
                                                  : SpaceVector();

@@ -45,7 +45,7 @@ namespace auxfem
       " of " +
       std::to_string(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD)) +
       ", which has had up to " + std::to_string(mebibytes) +
-      " MiB in use.\nReduce the number of cells, Discretization/Order or Global "
+      " MiB in use.\nTake fewer cells, a lower Discretization/Order or fewer Global "
       "refinements; or provide more memory (see `ulimit -v` and the limits of the "
       "batch system), more ranks on more machines, or another Solver/Type.";
   }

@@ -327,32 +327,32 @@ namespace auxfem
 
 
   const ParameterEntry *
-  ParameterSubsection::find_entry(const std::string &name) const
+  ParameterSubsection::find_entry(const std::string &sought) const
   {
-    return find_by_name(entries, name);
+    return find_by_name(entries, sought);
   }
 
 
 
-  ParameterEntry *ParameterSubsection::find_entry(const std::string &name)
+  ParameterEntry *ParameterSubsection::find_entry(const std::string &sought)
   {
-    return find_by_name(entries, name);
+    return find_by_name(entries, sought);
   }
 
 
 
   const ParameterSubsection *
-  ParameterSubsection::find_subsection(const std::string &name) const
+  ParameterSubsection::find_subsection(const std::string &sought) const
   {
-    return find_by_name(subsections, name);
+    return find_by_name(subsections, sought);
   }
 
 
 
   ParameterSubsection *
-  ParameterSubsection::find_subsection(const std::string &name)
+  ParameterSubsection::find_subsection(const std::string &sought)
   {
-    return find_by_name(subsections, name);
+    return find_by_name(subsections, sought);
   }
 
 

@@ -29,7 +29,7 @@ namespace
   {
     std::string name;
     std::unique_ptr<DirectSolver> (*make)();
-    bool takes_unsymmetric, pivots, has_inertia, counts_zeros;
+    bool solves_unsymmetric, pivots, has_inertia, counts_zeros;
   };
 
   const std::array<Kind, 4> kinds = {
@@ -58,7 +58,7 @@ namespace
       true,
       true}}};
 
-  /** Ascending. */
+  /** Eigenvalues, ascending. */
   std::vector<double> eigenvalues(const Entries &entries)
   {
     const int           n = entries.size();
@@ -109,7 +109,7 @@ namespace
   {
     ASSERT_EQ(solver.factorize(system.matrix), FactorizationOutcome::done);
     const std::vector<double> b = system.right_side();
-    // Twice: the factors must outlast a solution.
+    // Solve twice: the factors must outlast a solution.
     for (unsigned int i = 0; i < 2; ++i)
       {
         std::vector<double> x = b;
@@ -147,7 +147,9 @@ namespace
     return entries;
   }
 
-  /** Definite with multipliers of constraints on few unknowns, which precede.
+  /**
+   * Definite matrix with multipliers of constraints on two unknowns each; the
+   * multipliers come first.
    */
   Entries
   with_multipliers(const int n, const int n_conditions, std::mt19937 &random)
@@ -217,7 +219,7 @@ TEST(DirectSolver, LatticesThatMetisOrdersAreSolved)
     }
 }
 
-TEST(DirectSolver, InertiaIsThatOfTheEigenvalues)
+TEST(DirectSolver, InertiaAgreesWithEigenvalues)
 {
   std::mt19937 random(2);
   unsigned int n_without_pivoting = 0;
@@ -248,7 +250,7 @@ TEST(DirectSolver, InertiaIsThatOfTheEigenvalues)
             expect_inertia(*solver, expected);
         }
     }
-  // Without pivoting most matrices without multipliers are solved.
+  // Without pivoting, most matrices without multipliers are solved.
   EXPECT_GE(n_without_pivoting, 8u);
 }
 
@@ -256,7 +258,7 @@ TEST(DirectSolver, ZeroEigenvaluesAreCounted)
 {
   for (const int n : {2, 3, 4})
     {
-      // Three rigid-body modes; two constraints that are one.
+      // Three rigid-body modes and two identical constraints.
       Entries   entries = free_grid(n, 50.);
       const int m       = entries.size();
       entries.resize(m + 2);
@@ -291,7 +293,7 @@ TEST(DirectSolver, UnsymmetricMatricesAreSolved)
     {
       DistributedMatrix system(unsymmetric(n, random), false);
       for (const Kind &kind : kinds)
-        if (kind.takes_unsymmetric)
+        if (kind.solves_unsymmetric)
           {
             SCOPED_TRACE(kind.name + ", " + std::to_string(n));
             const auto solver = kind.make();
@@ -381,7 +383,7 @@ TEST(DirectSolver, WithoutPivotingTinyPivotsAreRefused)
     }
 }
 
-TEST(DirectSolver, EntriesThatAreNotFiniteAreFoundOnAllRanks)
+TEST(DirectSolver, NonFiniteEntriesAreDetectedOnAllRanks)
 {
   std::mt19937  random(6);
   const Entries good = definite(30, random);
@@ -389,7 +391,7 @@ TEST(DirectSolver, EntriesThatAreNotFiniteAreFoundOnAllRanks)
     for (const int row : {0, 29})
       {
         DistributedMatrix system(good), bad(good);
-        // Of one rank only.
+        // On one rank only.
         if (const int local = bad.layout.local(row); bad.layout.is_owned(local))
           bad.matrix.entries[bad.matrix.first[local]] = value;
         for (const Kind &kind : kinds)
@@ -409,7 +411,7 @@ TEST(DirectSolver, RanksMayHaveNoRows)
   std::mt19937      random(7);
   DistributedMatrix system(definite(30, random),
                            true,
-                           Spread::not_over_the_last);
+                           Spread::not_on_last_rank);
   DistributedMatrix one({{{0, 4.}}}), none({});
   for (const Kind &kind : kinds)
     {
@@ -426,7 +428,7 @@ TEST(DirectSolver, RanksMayHaveNoRows)
     }
 }
 
-TEST(DirectSolver, NewEntriesAndPatternsFollow)
+TEST(DirectSolver, FactorizesNewEntriesAndPatterns)
 {
   std::mt19937  random(8);
   const Entries entries = indefinite(40, random);
@@ -438,7 +440,7 @@ TEST(DirectSolver, NewEntriesAndPatternsFollow)
       DistributedMatrix system(definite(40, random));
       ASSERT_EQ(solver->analyse(system.matrix), FactorizationOutcome::done);
       expect_solution(*solver, system);
-      // Pivots of before must not be kept at any price.
+      // Old pivots must not be kept if they are inaccurate.
       for (const double factor : {1., 1e-3, 1e-6, -1., 1e6})
         {
           for (unsigned int row = 0; row < system.layout.n_owned(); ++row)
@@ -450,7 +452,7 @@ TEST(DirectSolver, NewEntriesAndPatternsFollow)
           if (kind.pivots)
             expect_solution(*solver, system, 1e-11);
         }
-      // What was singular does not stay so.
+      // A singular matrix must not affect the next one.
       const std::vector<double> before = system.matrix.entries;
       std::fill(system.matrix.entries.begin(), system.matrix.entries.end(), 0.);
       EXPECT_EQ(solver->factorize(system.matrix),
@@ -489,7 +491,7 @@ TEST(DirectSolver, LackOfMemoryIsReported)
         });
         EXPECT_EQ(analysis, FactorizationOutcome::out_of_memory);
         ASSERT_EQ(solver->analyse(system.matrix), FactorizationOutcome::done);
-        // The factors of all but MUMPS are the first rank's.
+        // Only MUMPS has factors on other ranks than the first.
         const auto factorization =
           without_memory_on(kind.name == "MUMPS" ? rank : 0,
                             [&] { return solver->factorize(system.matrix); });

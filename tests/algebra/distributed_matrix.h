@@ -14,7 +14,7 @@
 
 namespace auxfem::testing_support
 {
-  /** By row and column; the same on all ranks. */
+  /** Entries by row and column, the same on all ranks. */
   using Entries = std::vector<std::map<int, double>>;
 
   inline void
@@ -25,11 +25,11 @@ namespace auxfem::testing_support
       entries[j][i] += value;
   }
 
-  /** Whether the last of several ranks has rows, too. */
+  /** Whether the last of several ranks has rows. */
   enum class Spread
   {
-    over_all_ranks,
-    not_over_the_last
+    on_all_ranks,
+    not_on_last_rank
   };
 
   /** Entries spread over the ranks of MPI_COMM_WORLD. */
@@ -38,7 +38,7 @@ namespace auxfem::testing_support
   public:
     explicit DistributedMatrix(const Entries &entries,
                                const bool     is_symmetric = true,
-                               const Spread   spread = Spread::over_all_ranks)
+                               const Spread   spread = Spread::on_all_ranks)
       : layout(MPI_COMM_WORLD, rows_of_rank(entries.size(), spread), {})
       , matrix(layout)
     {
@@ -49,7 +49,7 @@ namespace auxfem::testing_support
         for (const auto &[column, entry] : entries[begin + row])
           if (layout.local(column) < 0)
             ghosts.insert(column);
-      // The order of ghosts is not that of global numbers.
+      // Ghosts in an order other than that of global numbers.
       layout.add_ghosts({ghosts.rbegin(), ghosts.rend()});
 
       for (unsigned int row = 0; row < layout.n_owned(); ++row)
@@ -69,7 +69,7 @@ namespace auxfem::testing_support
     DistributedMatrix(const DistributedMatrix &)            = delete;
     DistributedMatrix &operator=(const DistributedMatrix &) = delete;
 
-    /** A right-hand side on owned rows, about one. */
+    /** Right-hand side on owned rows, of size one. */
     std::vector<double> right_side() const
     {
       std::vector<double> b(layout.n_owned());
@@ -100,7 +100,7 @@ namespace auxfem::testing_support
         {
           const double error = std::abs(image[row] - b[row]) /
             std::max(size[row] + std::abs(b[row]), 1e-300);
-          // NaN must win.
+          // The negated comparison keeps NaN.
           if (!(error <= largest))
             largest = error;
         }
@@ -117,15 +117,17 @@ namespace auxfem::testing_support
       const unsigned int n_ranks = MPI::n_mpi_processes(MPI_COMM_WORLD);
       const unsigned int rank    = MPI::this_mpi_process(MPI_COMM_WORLD);
       const unsigned int n_with_rows =
-        n_ranks > 1 && spread == Spread::not_over_the_last ? n_ranks - 1
-                                                           : n_ranks;
+        n_ranks > 1 && spread == Spread::not_on_last_rank ? n_ranks - 1
+                                                          : n_ranks;
       return rank < n_with_rows
         ? n * (rank + 1) / n_with_rows - n * rank / n_with_rows
         : 0;
     }
   };
 
-  /** With @p n_neighbours entries a row, and the pattern symmetric. */
+  /**
+   * Random matrix with a symmetric pattern and @p n_neighbours entries per row.
+   */
   inline Entries random_entries(const int     n,
                                 const int     n_neighbours,
                                 const double  diagonal,
@@ -158,7 +160,7 @@ namespace auxfem::testing_support
       dy /= length;
       const double axial   = slenderness * slenderness / length;
       const double bending = 1 / length;
-      // Elongation, and rotations of the ends against the chord, by unknowns.
+      // Elongation and end rotations relative to the chord, by unknowns.
       const int unknowns[6] =
         {3 * a, 3 * a + 1, 3 * a + 2, 3 * b, 3 * b + 1, 3 * b + 2};
       const double e[6] = {-dx, -dy, 0, dx, dy, 0};

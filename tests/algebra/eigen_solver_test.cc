@@ -10,9 +10,9 @@ using namespace auxfem;
 namespace
 {
   /**
-   * Unknowns in pairs: K = [k_i, 1; 1, 2] and M = [1, 0; 0, 0], so that each
-   * pair has the eigenvalue k_i - 1/2 with the vector (1, -1/2). The second and
-   * third are equal.
+   * Unknowns in pairs with K = [k_i, 1; 1, 2] and M = [1, 0; 0, 0]: each pair
+   * has the eigenvalue k_i - 1/2 with the vector (1, -1/2). The second and
+   * third eigenvalues are equal.
    */
   class Pairs
   {
@@ -55,7 +55,7 @@ namespace
     const UnknownLayout layout;
 
   private:
-    /** Whole pairs. */
+    /** Number of owned unknowns, in whole pairs. */
     static unsigned int n_owned(const MPI_Comm communicator)
     {
       const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(
@@ -72,7 +72,7 @@ namespace
   {};
 } // namespace
 
-TEST_P(EigenSolver, FindsThoseNearestToTheShift)
+TEST_P(EigenSolver, FindsTheNearestToTheShift)
 {
   for (const double shift : {-0.1, 10.2})
     {
@@ -96,7 +96,7 @@ TEST_P(EigenSolver, FindsThoseNearestToTheShift)
     }
 }
 
-TEST_P(EigenSolver, TellsThatASolutionFailed)
+TEST_P(EigenSolver, ReportsAFailedSolution)
 {
   Pairs               pairs(MPI_COMM_WORLD);
   ShiftedEigenproblem problem = pairs.problem(-0.1);

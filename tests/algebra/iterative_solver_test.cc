@@ -59,7 +59,7 @@ namespace
     return mumps->inertia()->negative;
   }
 
-  /** Solves as often as a matrix changes; expects success. */
+  /** Factorizes and solves; expects success. */
   std::vector<double> solve(LinearSolverMethod        &solver,
                             const BeamSystem          &system,
                             const std::vector<double> &b)
@@ -88,8 +88,8 @@ namespace
               error   = std::max(error, std::abs(x[i] - exact[i]));
               largest = std::max(largest, std::abs(exact[i]));
             }
-        // Bending of these struts is 7500 times softer than extension, and a
-        // lattice of some struts 100 times softer still: rounding times 1e6.
+        // Condition: bending of these struts is 7500 times softer than
+        // extension, and of the lattice 100 times softer still.
         EXPECT_LE(system.layout->largest(error),
                   1e-9 * system.layout->largest(largest))
           << static_cast<int>(kind);
@@ -100,8 +100,8 @@ namespace
   const BeamLattice space = star_lattice(3, {{2, 1, 1}});
 
   /**
-   * Cells a side in the plane of which elimination leaves more than multigrid
-   * solves directly, on one to four ranks.
+   * Cells per side in the plane above which elimination leaves more unknowns
+   * than multigrid solves directly, on one to four ranks.
    */
   constexpr unsigned int n_for_two_levels = 45;
 
@@ -140,8 +140,8 @@ TEST(IterativeSolver, IterationsOfStaticLatticesAreFew)
                                 x = solve(*solver, system, b);
       EXPECT_LE(solver->n_iterations(), most);
       EXPECT_GE(solver->n_iterations(), 1u);
-      // The tolerance counts by the right-hand side, which is far smaller than
-      // the sum of the terms of a row.
+      // The tolerance is relative to the right-hand side, which is far smaller
+      // than the terms of a row.
       EXPECT_LT(system.residual(x, b), 1e-9);
     }
 }
@@ -178,12 +178,12 @@ TEST(IterativeSolver, IndefiniteMatrices)
   EXPECT_LT(system.residual(x, b), 1e-9);
 }
 
-TEST(IterativeSolver, TellsStableFromUnstable)
+TEST(IterativeSolver, DistinguishesStableFromUnstable)
 {
   struct Loads
   {
     unsigned int dimension, n_cells;
-    /** Tensions of struts a little below and above the buckling load. */
+    /** Tensions of struts slightly below and above the buckling load. */
     double before, after;
   };
   for (const Loads &loads :
@@ -211,7 +211,7 @@ TEST(IterativeSolver, TellsStableFromUnstable)
       }
 }
 
-TEST(IterativeSolver, StabilityThatCannotBeTold)
+TEST(IterativeSolver, UnknownStability)
 {
   BeamOptions options;
   options.follower = 3.;
@@ -231,7 +231,7 @@ TEST(IterativeSolver, StabilityThatCannotBeTold)
     }
 }
 
-TEST(IterativeSolver, OneOrderServesChangingEntries)
+TEST(IterativeSolver, OneAnalysisServesChangingEntries)
 {
   BeamSystem                                system(2, plane);
   const std::unique_ptr<LinearSolverMethod> solver =
@@ -251,7 +251,7 @@ TEST(IterativeSolver, OneOrderServesChangingEntries)
       }
 }
 
-TEST(IterativeSolver, BadMatricesAreTold)
+TEST(IterativeSolver, BadMatricesAreReported)
 {
   BeamSystem                                system(2, plane);
   const std::unique_ptr<LinearSolverMethod> solver = make_iterative_solver({});
@@ -265,7 +265,7 @@ TEST(IterativeSolver, BadMatricesAreTold)
   EXPECT_EQ(solver->factorize(*system.matrix), FactorizationOutcome::singular);
 }
 
-TEST(IterativeSolver, WhatIsNotSolvedIsTold)
+TEST(IterativeSolver, FailuresAreReported)
 {
   const BeamSystem system(
     2,
@@ -276,14 +276,14 @@ TEST(IterativeSolver, WhatIsNotSolvedIsTold)
     make_iterative_solver(parameters);
   solver->analyse(*system.matrix, *system.unknowns);
   ASSERT_EQ(solver->factorize(*system.matrix), FactorizationOutcome::done);
-  std::vector<double> x   = system.loads();
-  std::string         why = solver->solve(x.data());
-  EXPECT_NE(why.find("in 3 iterations"), std::string::npos) << why;
-  EXPECT_NE(why.find("Maximum iterations = 3"), std::string::npos) << why;
+  std::vector<double> x      = system.loads();
+  std::string         reason = solver->solve(x.data());
+  EXPECT_NE(reason.find("in 3 iterations"), std::string::npos) << reason;
+  EXPECT_NE(reason.find("Maximum iterations = 3"), std::string::npos) << reason;
 
   x[x.size() / 2] = std::numeric_limits<double>::infinity();
-  why             = solver->solve(x.data());
-  EXPECT_NE(why.find("not finite"), std::string::npos) << why;
+  reason          = solver->solve(x.data());
+  EXPECT_NE(reason.find("not finite"), std::string::npos) << reason;
 }
 
 TEST(JointElimination, CompressedStrutsMakeNegativeEigenvalues)

@@ -13,7 +13,7 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  // Blocks are about one, and well conditioned.
+  // Blocks are well conditioned, with entries of about one.
   constexpr double solver_round_off = 1e-11;
 
   SolverParameters with_type(const std::string &type)
@@ -37,7 +37,7 @@ namespace
     EXPECT_LT(backward_error(*network.matrix, x, b, symmetry), 1e-13);
   }
 
-  /** Shapes of all kinds: multipliers only, or only none. */
+  /** Networks in the plane and in space with one or two elements per strut. */
   std::vector<NetworkShape> shapes(const unsigned int n_multipliers,
                                    const double       asymmetry)
   {
@@ -157,7 +157,7 @@ TEST(LinearSolver, SymmetricPartOnlyWhereItIsAllowedAndNear)
   EXPECT_TRUE(solver.is_exact());
 }
 
-TEST(LinearSolver, TypesThatKnowOneKindOfMatrixKeepToIt)
+TEST(LinearSolver, CholmodIsSymmetricAndKluExact)
 {
   NetworkShape shape;
   shape.asymmetry = 0.3;
@@ -165,7 +165,7 @@ TEST(LinearSolver, TypesThatKnowOneKindOfMatrixKeepToIt)
   LinearSolver       cholmod(with_type("cholmod"), *network.matrix);
   ASSERT_EQ(cholmod.factorize(Exactness::exact), FactorizationOutcome::done);
   EXPECT_FALSE(cholmod.is_exact());
-  // To KLU the symmetric part is no easier.
+  // KLU does not gain from symmetry.
   LinearSolver klu(with_type("klu"), *network.matrix);
   ASSERT_EQ(klu.factorize(Exactness::approximate), FactorizationOutcome::done);
   EXPECT_TRUE(klu.is_exact());
@@ -178,7 +178,7 @@ TEST(LinearSolver, CountsEigenvaluesOfAllFreeUnknowns)
       for (NetworkShape shape : shapes(2, 0.))
         {
           SCOPED_TRACE(type + ", shift " + std::to_string(shift));
-          // Of the number of an element's unknowns.
+          // The diagonal is about the number of an element's unknowns.
           shape.shift = shift * 3 * shape.n_components;
           const StrutNetwork network(shape);
           LinearSolver       solver(with_type(type), *network.matrix);
@@ -189,7 +189,7 @@ TEST(LinearSolver, CountsEigenvaluesOfAllFreeUnknowns)
               return unknown.kind != UnknownKind::prescribed;
             });
           const unsigned long n_negative = n_negative_eigenvalues(free);
-          // One for each constraint, if the rest is definite.
+          // One per constraint if the rest is definite.
           EXPECT_EQ(n_negative == 2, shift == 0);
           const std::optional<NegativeModes> modes = solver.negative_modes();
           ASSERT_TRUE(modes);
@@ -207,7 +207,7 @@ TEST(LinearSolver, CountsEigenvaluesOfAllFreeUnknowns)
         }
 }
 
-TEST(LinearSolver, KnowsTheSignOfTheDeterminant)
+TEST(LinearSolver, ComputesTheSignOfTheDeterminant)
 {
   for (const std::string type : {"auto", "klu", "mumps"})
     {
@@ -236,7 +236,7 @@ TEST(LinearSolver, KnowsTheSignOfTheDeterminant)
     }
 }
 
-TEST(LinearSolver, ServesThePatternAsItIsNow)
+TEST(LinearSolver, UsesThePresentPattern)
 {
   for (const std::string type : {"cholmod", "klu", "mumps"})
     {
@@ -251,7 +251,7 @@ TEST(LinearSolver, ServesThePatternAsItIsNow)
     }
 }
 
-TEST(LinearSolver, SingularMatricesAreToldFromThoseThatAreNoNumbers)
+TEST(LinearSolver, DistinguishesSingularFromNonFiniteMatrices)
 {
   for (const std::string type : {"auto", "klu", "mumps"})
     for (const unsigned int order : {1, 2})
@@ -276,7 +276,7 @@ TEST(LinearSolver, SingularMatricesAreToldFromThoseThatAreNoNumbers)
         EXPECT_EQ(solver.factorize(Exactness::exact),
                   FactorizationOutcome::not_finite);
         EXPECT_NE(solver.why().find("not finite"), std::string::npos);
-        // As if nothing had been.
+        // The failure must leave no trace.
         network.fill();
         ASSERT_EQ(solver.factorize(Exactness::exact),
                   FactorizationOutcome::done);
@@ -284,7 +284,7 @@ TEST(LinearSolver, SingularMatricesAreToldFromThoseThatAreNoNumbers)
       }
 }
 
-TEST(LinearSolver, ARightSideThatIsNoNumberIsSeen)
+TEST(LinearSolver, ANonFiniteRightSideGivesANonFiniteSolution)
 {
   const StrutNetwork network;
   LinearSolver       solver(with_type("auto"), *network.matrix);
@@ -350,7 +350,7 @@ TEST(LinearSolverChoice, MumpsHasAllRanksWhereThatIsQuicker)
   EXPECT_EQ(ranks(7000, 6), MumpsRanks::all);
 }
 
-TEST(LinearSolverChoice, FollowsTheUser)
+TEST(LinearSolverChoice, ObeysTheUser)
 {
   const EquationsAtJoints some = equations(Symmetry::given, 1000, 0, 1);
   EXPECT_EQ(choose_linear_solver(with_type("klu"), some).type,

@@ -16,13 +16,13 @@ namespace
     double       value;
   };
 
-  /** Rank r has s items for rank s, but none where both are even. */
+  /** Rank r has s + 1 items for rank s, but none if both are even. */
   std::size_t n_items(const unsigned int from, const unsigned int to)
   {
     return from % 2 == 0 && to % 2 == 0 ? 0 : to + 1;
   }
 
-  TEST(NeighbourExchange, EveryRankGetsWhatOthersHaveForIt)
+  TEST(NeighbourExchange, EveryRankReceivesItsItems)
   {
     const unsigned int here    = mpi::this_mpi_process(MPI_COMM_WORLD),
                        n_ranks = mpi::n_mpi_processes(MPI_COMM_WORLD);
@@ -31,14 +31,14 @@ namespace
       for (unsigned int i = 0; i < n_items(here, rank); ++i)
         for_others[rank].push_back({here, i, 0.5 * i});
 
-    const ListsByRank<Message> comes =
+    const ListsByRank<Message> received =
       exchange_lists(for_others, MPI_COMM_WORLD);
 
     for (unsigned int rank = 0; rank < n_ranks; ++rank)
       {
-        const auto list = comes.find(rank);
-        ASSERT_EQ(list == comes.end(), n_items(rank, here) == 0);
-        if (list == comes.end())
+        const auto list = received.find(rank);
+        ASSERT_EQ(list == received.end(), n_items(rank, here) == 0);
+        if (list == received.end())
           continue;
         ASSERT_EQ(list->second.size(), n_items(rank, here));
         for (unsigned int i = 0; i < list->second.size(); ++i)
@@ -50,9 +50,9 @@ namespace
       }
   }
 
-  TEST(NeighbourExchange, GoesOnWithNewValues)
+  TEST(NeighbourExchange, RepeatsWithNewValues)
   {
-    // In a ring.
+    // Exchange in a ring.
     const unsigned int here    = mpi::this_mpi_process(MPI_COMM_WORLD),
                        n_ranks = mpi::n_mpi_processes(MPI_COMM_WORLD),
                        next    = (here + 1) % n_ranks,

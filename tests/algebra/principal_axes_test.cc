@@ -4,7 +4,7 @@
 
 using namespace auxfem;
 
-TEST(PrincipalAxes, AreThoseTheTensorIsMadeOf)
+TEST(PrincipalAxes, RecoverThoseOfTheTensor)
 {
   const dealii::Tensor<1, 3> a({2. / 3, 2. / 3, 1. / 3}),
     b({-2. / 3, 1. / 3, 2. / 3}), c({1. / 3, -2. / 3, 2. / 3});

@@ -7,7 +7,7 @@
 
 using namespace auxfem;
 
-TEST(RowSums, AreOfTheGivenRowsOnly)
+TEST(RowSums, UseTheGivenRowsOnly)
 {
   const std::vector<double> values = {100, -1, 2, 100, 3, -4, 5, -6};
   std::vector<int>          rows;

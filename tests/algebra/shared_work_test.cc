@@ -16,7 +16,7 @@ namespace
     double       value;
   };
 
-  /** As many as the rank's number. */
+  /** As many items as the rank's number. */
   std::vector<Item> items_of(const unsigned int rank)
   {
     std::vector<Item> items;
@@ -57,7 +57,7 @@ namespace
       EXPECT_EQ(texts[rank], text_of(rank));
   }
 
-  TEST(SharedWork, EveryRankGetsTheTextOfOne)
+  TEST(SharedWork, EveryRankReceivesTheTextOfOne)
   {
     const unsigned int last = mpi::n_mpi_processes(MPI_COMM_WORLD) - 1;
     EXPECT_EQ(text_of_rank(last,

@@ -12,7 +12,7 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  // Blocks are about one, and well conditioned.
+  // Blocks are well conditioned, with entries of about one.
   constexpr double condensation_round_off = 1e-11;
 
   bool is_condensed(const StrutNetwork          &network,
@@ -23,8 +23,7 @@ namespace
     return unknown.strut && !is_disturbed;
   }
 
-  /** Global numbers of the network by those of the condensed equations: in the
-   * same order. */
+  /** Global numbers of the network in the order of the condensed equations. */
   std::vector<unsigned int> retained_unknowns(const StrutNetwork &network)
   {
     std::vector<unsigned int> retained;
@@ -34,7 +33,7 @@ namespace
     return retained;
   }
 
-  /** Schur's complement of the condensed unknowns, prescribed columns aside. */
+  /** Schur complement of the condensed unknowns, without prescribed columns. */
   DenseMatrix reference(const StrutNetwork &network, const Symmetry symmetry)
   {
     DenseMatrix                     dense    = network.dense(symmetry);
@@ -63,7 +62,7 @@ namespace
     return joints;
   }
 
-  /** Of all ranks, on all ranks. */
+  /** The matrix of all ranks, on all ranks. */
   DenseMatrix as_dense(const SparseMatrix &matrix)
   {
     const UnknownLayout &layout = *matrix.layout;
@@ -179,7 +178,7 @@ TEST(StrutCondensation, GoesAlongSeveralElements)
         }
 }
 
-TEST(StrutCondensation, KeepsStrutsThatOtherBlocksActOn)
+TEST(StrutCondensation, ExcludesStrutsThatOtherBlocksActOn)
 {
   NetworkShape shape;
   shape.has_contact = true;
@@ -190,7 +189,7 @@ TEST(StrutCondensation, KeepsStrutsThatOtherBlocksActOn)
     }
 }
 
-TEST(StrutCondensation, TakesWhatIsAddedToTheDiagonal)
+TEST(StrutCondensation, IncludesTheAddedDiagonal)
 {
   NetworkShape shape;
   shape.n_elements = 2;
@@ -198,7 +197,7 @@ TEST(StrutCondensation, TakesWhatIsAddedToTheDiagonal)
   shape.shift = 2;
   const StrutNetwork shifted(shape);
   StrutCondensation  condensation(*shifted.matrix);
-  // The diagonal of one network in the place of the other's.
+  // Replaces the diagonal by that of the other network.
   shifted.matrix->set_diagonal(network.matrix->diagonal());
   ASSERT_EQ(condensation.condense(Symmetry::given), FactorizationOutcome::done);
   expect_reference(network, condensation, Symmetry::given);
@@ -233,7 +232,7 @@ TEST(StrutCondensation, NamesAStrutThatIsSingularInside)
                   FactorizationOutcome::singular);
         EXPECT_NE(condensation.description().find("the inside of strut "),
                   std::string::npos);
-        // As if nothing had been.
+        // The failure must leave no trace.
         network.fill();
         EXPECT_EQ(condensation.condense(symmetry), FactorizationOutcome::done);
         EXPECT_EQ(condensation.description(), "");
@@ -241,7 +240,7 @@ TEST(StrutCondensation, NamesAStrutThatIsSingularInside)
       }
 }
 
-TEST(StrutCondensation, TellsNumbersThatAreNoneFromSingularStruts)
+TEST(StrutCondensation, DistinguishesNonFiniteFromSingularStruts)
 {
   for (const double wrong : {std::numeric_limits<double>::quiet_NaN(),
                              std::numeric_limits<double>::infinity()})

@@ -16,7 +16,7 @@ namespace auxfem::testing_support
 {
   using DenseMatrix = dealii::FullMatrix<double>;
 
-  /** Of a symmetric matrix. */
+  /** Number of negative eigenvalues of a symmetric matrix. */
   inline unsigned int n_negative_eigenvalues(const DenseMatrix &matrix)
   {
     dealii::LAPACKFullMatrix<double> copy(matrix.m());
@@ -28,13 +28,16 @@ namespace auxfem::testing_support
     return n;
   }
 
-  /** What a StrutNetwork is like. */
+  /** Properties of a StrutNetwork. */
   struct NetworkShape
   {
     unsigned int n_components = 3; ///< of a node
     unsigned int order        = 2;
     unsigned int n_elements   = 1; ///< a strut
-    /** Size of the skew part of blocks, the rest being about one. */
+    /**
+     * Size of the skew part of blocks, relative to a symmetric part of about
+     * one.
+     */
     double       asymmetry     = 0;
     unsigned int n_multipliers = 0; ///< at most 2
     /** Whether a block acts on the inside of struts 1 and 2. */
@@ -44,9 +47,9 @@ namespace auxfem::testing_support
   };
 
   /**
-   * Five struts between four joints with random blocks, spread over the ranks
-   * of MPI_COMM_WORLD, and the same as a dense matrix on each of them. Four
-   * motions are prescribed, the end of one strut has rotations of its own.
+   * Five struts between four joints with random blocks, distributed over the
+   * ranks of MPI_COMM_WORLD, and the same as a dense matrix on each rank. Four
+   * motions are prescribed; the end of one strut has rotations of its own.
    */
   class StrutNetwork
   {
@@ -81,28 +84,29 @@ namespace auxfem::testing_support
     /** Registers all blocks of this rank. */
     void register_blocks()
     {
-      kept_blocks.clear();
+      local_blocks.clear();
       for (const Block &block : blocks)
-        if (is_kept(block))
+        if (is_local(block))
           {
             std::vector<int> local;
             for (const int u : block.unknowns)
               local.push_back(u < 0 ? -1 : layout->local(all[u].global));
             pattern->register_block(local.data(), local.size());
-            kept_blocks.push_back(&block);
+            local_blocks.push_back(&block);
           }
     }
 
     void fill()
     {
       matrix->reset();
-      for (std::size_t b = 0; b < kept_blocks.size(); ++b)
-        matrix->add(b, kept_blocks[b]->values.data());
+      for (std::size_t b = 0; b < local_blocks.size(); ++b)
+        matrix->add(b, local_blocks[b]->values.data());
     }
 
     /**
-     * Of all ranks, by global numbers; prescribed rows are those of the
-     * identity, with `enforced` the rest is symmetric but for their columns.
+     * Dense matrix of all ranks by global numbers. Prescribed rows are identity
+     * rows; with `enforced` the rest is symmetric except for prescribed
+     * columns.
      */
     DenseMatrix dense(const Symmetry symmetry = Symmetry::none) const
     {
@@ -132,7 +136,7 @@ namespace auxfem::testing_support
       return sum;
     }
 
-    /** dense(), rows and columns of unknowns that @p select chooses. */
+    /** Rows and columns of dense() selected by @p select. */
     template <class Select>
     DenseMatrix dense_part(const Select &select) const
     {
@@ -145,7 +149,7 @@ namespace auxfem::testing_support
       return part;
     }
 
-    /** About one, by global number. */
+    /** Right-hand side of size one, by global number. */
     dealii::Vector<double> right_side() const
     {
       dealii::Vector<double> b(all.size());
@@ -157,10 +161,10 @@ namespace auxfem::testing_support
     /** Owned rows of global values, with room for ghosts. */
     std::vector<double> owned(const dealii::Vector<double> &values) const
     {
-      std::vector<double> values(layout->n_local(), -7e77);
+      std::vector<double> local(layout->n_local(), -7e77);
       for (unsigned int i = 0; i < layout->n_owned(); ++i)
-        values[i] = values(layout->global(i));
-      return values;
+        local[i] = values(layout->global(i));
+      return local;
     }
 
     /** The solution of the dense equations for right_side(). */
@@ -283,7 +287,7 @@ namespace auxfem::testing_support
 
     void make_other_blocks()
     {
-      // Connectors, one with an unknown that is not there.
+      // Connectors; one lacks an unknown.
       add_block({joints[1][0], -1, joints[3][1], joints[1][1]});
       add_block({joints[2][0], joints[2][1]});
       if (shape.has_contact)
@@ -329,7 +333,7 @@ namespace auxfem::testing_support
             unknown.global = number++;
     }
 
-    bool is_kept(const Block &block) const
+    bool is_local(const Block &block) const
     {
       return std::any_of(block.unknowns.begin(),
                          block.unknowns.end(),
@@ -342,7 +346,7 @@ namespace auxfem::testing_support
     {
       std::set<int> ghosts;
       for (const Block &block : blocks)
-        if (is_kept(block))
+        if (is_local(block))
           for (const int u : block.unknowns)
             if (u >= 0 && all[u].owner != rank)
               ghosts.insert(all[u].global);
@@ -350,7 +354,7 @@ namespace auxfem::testing_support
         std::count_if(all.begin(), all.end(), [this](const Unknown &u) {
           return u.owner == rank;
         });
-      // In an order that is not that of their numbers.
+      // Ghosts in an order other than that of global numbers.
       layout   = std::make_unique<UnknownLayout>(MPI_COMM_WORLD,
                                                n_owned,
                                                std::vector<int>(ghosts.rbegin(),
@@ -375,7 +379,7 @@ namespace auxfem::testing_support
     std::vector<std::vector<int>> joints;
     std::vector<int>              last_inside; ///< of each strut
     std::vector<Block>            blocks;
-    std::vector<const Block *>    kept_blocks;
+    std::vector<const Block *>    local_blocks;
   };
 } // namespace auxfem::testing_support
 

@@ -35,7 +35,9 @@ namespace
                   tangent_round_off);
   }
 
-  /** @p expected gives the entry for a global number and whether it is free. */
+  /**
+   * @p expected returns the entry for a global number and whether it is free.
+   */
   template <class Expected>
   void expect_diagonal(const StrutNetwork &network, const Expected &expected)
   {
@@ -59,11 +61,11 @@ TEST(TangentMatrix, MultipliesAsTheSumOfItsBlocks)
   expect_product(network, Symmetry::none);
 }
 
-TEST(TangentMatrix, ItsTransposeIsThatOfFreeRowsAndColumns)
+TEST(TangentMatrix, TransposesFreeRowsAndColumns)
 {
   StrutNetwork network(unsymmetric_shape());
   network.matrix->transpose();
-  // Prescribed columns stand in rows that are not used.
+  // Rows with prescribed columns are not used.
   dealii::Vector<double> x = network.right_side(), expected(x.size());
   const auto             is_prescribed = [&](const unsigned int global) {
     return network.unknown(global).kind == UnknownKind::prescribed;
@@ -84,7 +86,7 @@ TEST(TangentMatrix, ItsTransposeIsThatOfFreeRowsAndColumns)
       }
 }
 
-TEST(TangentMatrix, FollowsItsPattern)
+TEST(TangentMatrix, UpdatesItsPattern)
 {
   StrutNetwork        network(unsymmetric_shape());
   const unsigned long before = network.matrix->version();
@@ -100,7 +102,7 @@ TEST(TangentMatrix, FollowsItsPattern)
   expect_product(network, Symmetry::none);
 }
 
-TEST(TangentMatrix, DiagonalIsThatOfTheSum)
+TEST(TangentMatrix, DiagonalOfTheSum)
 {
   StrutNetwork      network(unsymmetric_shape());
   const DenseMatrix dense = network.dense();
@@ -114,12 +116,12 @@ TEST(TangentMatrix, DiagonalIsThatOfTheSum)
   network.matrix->set_diagonal(three);
   expect_diagonal(network,
                   [](int, const bool is_free) { return is_free ? 3. : 1.; });
-  // It lasts until the matrix is filled anew.
+  // Filling the matrix removes the addition.
   network.fill();
   expect_product(network, Symmetry::none);
 }
 
-TEST(TangentMatrix, AnUnknownMayStandTwiceInABlock)
+TEST(TangentMatrix, AnUnknownMayOccurTwiceInABlock)
 {
   StrutNetwork network;
   // The second free unknown of the first rank.
@@ -151,7 +153,7 @@ TEST(TangentMatrix, EmptyRowsHaveNoSize)
               network.unknowns->kinds[i] == UnknownKind::prescribed ? 1. : 0.);
 }
 
-TEST(TangentMatrix, AsymmetryIsThatOfTheBlocks)
+TEST(TangentMatrix, AsymmetryOfTheBlocks)
 {
   EXPECT_EQ(StrutNetwork().matrix->asymmetry(), 0.);
   NetworkShape shape;

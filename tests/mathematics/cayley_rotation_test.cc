@@ -4,7 +4,7 @@
 
 using namespace auxfem;
 
-TEST(CayleyRotation, GivesTheIncrementOfATurnedVectorFromItsMean)
+TEST(CayleyRotation, GivesTheIncrementOfARotatedVectorFromItsMean)
 {
   for (const double angle : {-3., -0.7, -1e-9, 0., 1e-4, 1.2, 2.9})
     {
@@ -24,7 +24,7 @@ TEST(CayleyRotation, GivesTheIncrementOfATurnedVectorFromItsMean)
   EXPECT_EQ(angle_per_cayley_rotation(0.), 1.);
 }
 
-TEST(CayleyRotation, SeriesOfSmallTurnsAreExactToTheLastDigit)
+TEST(CayleyRotation, SeriesOfSmallAnglesAreExactToTheLastDigit)
 {
   EXPECT_EQ(sinc(0.), 1.);
   for (double x = 1e-3; x < 3; x *= 1.07)
@@ -35,7 +35,7 @@ TEST(CayleyRotation, SeriesOfSmallTurnsAreExactToTheLastDigit)
     }
 }
 
-TEST(CayleyRotation, InSpaceGivesTheIncrementOfATurnedVectorFromItsMean)
+TEST(CayleyRotation, InSpaceGivesTheIncrementOfARotatedVectorFromItsMean)
 {
   const SpaceVector before({0.8, -0.3, 0.5});
   for (const double size : {1e-9, 0.3, 1., 2.})
@@ -51,7 +51,7 @@ TEST(CayleyRotation, InSpaceGivesTheIncrementOfATurnedVectorFromItsMean)
     }
 }
 
-TEST(CayleyRotation, ChangeBySpinIsThatOfDifferences)
+TEST(CayleyRotation, ChangeBySpinAgreesWithDifferences)
 {
   const Quaternion  turn = exponential(SpaceVector({0.9, -1.1, 0.4}));
   const SpaceVector c    = cayley_rotation(turn);
@@ -61,15 +61,15 @@ TEST(CayleyRotation, ChangeBySpinIsThatOfDifferences)
       SpaceVector spin;
       spin[j]                = h;
       const Quaternion  plus = exponential(spin), minus = exponential(-spin);
-      const SpaceVector turning = (cayley_rotation(turn * plus) -
-                                   cayley_rotation(turn * minus)) /
+      const SpaceVector material = (cayley_rotation(turn * plus) -
+                                    cayley_rotation(turn * minus)) /
         (2 * h),
                         fixed = (cayley_rotation(plus * turn) -
                                  cayley_rotation(minus * turn)) /
         (2 * h);
       for (unsigned int i = 0; i < 3; ++i)
         {
-          EXPECT_NEAR(cayley_change_by_spin(c)[i][j], turning[i], 1e-9);
+          EXPECT_NEAR(cayley_change_by_spin(c)[i][j], material[i], 1e-9);
           EXPECT_NEAR(cayley_change_by_spin(-c)[i][j], fixed[i], 1e-9);
         }
     }

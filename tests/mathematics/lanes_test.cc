@@ -9,12 +9,14 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  // Both add up the same products; sines and cosines differ in the last digit,
-  // and numbers are up to some hundreds of times larger than the sum.
+  // Both sum the same products. Sines and cosines differ in the last digit, and
+  // terms are some hundred times larger than the sum.
   constexpr double lanes_round_off = 1e-12;
 
-  /** How much the objects of the lanes move: rotations by series and by
-   * functions, in one element and in different ones. */
+  /**
+   * Motions of the lanes (rad, m): some rotations are small enough for series,
+   * others are not.
+   */
   constexpr double sizes[] = {1e-4, 1.2, 0.3, 0.6};
   static_assert(std::size(sizes) >= n_lanes);
 
@@ -34,7 +36,7 @@ namespace
   }
   ///@}
 
-  /** Numbers that differ from lane to lane. */
+  /** Irregular numbers that differ from lane to lane. */
   template <class Array>
   EachLane<Array> irregular_lanes(const unsigned int seed)
   {
@@ -44,8 +46,10 @@ namespace
     return result;
   }
 
-  /** The largest difference between @p numbers and those of @p lane over the
-   * largest number. */
+  /**
+   * Largest difference between @p numbers and those in @p lane, relative to the
+   * largest number.
+   */
   template <class Array>
   double difference(const Array                                       &numbers,
                     const std::array<Lanes, std::tuple_size_v<Array>> &lanes,
@@ -91,7 +95,7 @@ namespace
   };
 
   template <int order, bool large_rotation, bool damped>
-  void expect_plane_beams_alike()
+  void expect_plane_beams_agree()
   {
     using Elements = PlaneElements<order>;
     using Vector   = typename Elements::Vector;
@@ -150,8 +154,10 @@ namespace
       }
   }
 
-  /** Elements in space, of different shapes, with the velocities of their
-   * nodes and what changes these. */
+  /**
+   * Elements in space of different shapes, with nodal velocities and their
+   * derivatives by spins.
+   */
   template <int order>
   struct SpaceElements
   {
@@ -259,7 +265,7 @@ namespace
     }
   };
 
-  /** The same of the small-displacement form. */
+  /** As SpaceResults, for small displacements. */
   template <int order, class Number>
   struct SmallDisplacementResults
   {
@@ -290,7 +296,7 @@ namespace
   };
 } // namespace
 
-TEST(Lanes, GiveBackTheObjectsTheyAreMadeOf)
+TEST(Lanes, UnpackToTheObjectsTheyWerePackedFrom)
 {
   using Object = std::array<double, 3>;
   EachLane<Object> objects;
@@ -301,7 +307,7 @@ TEST(Lanes, GiveBackTheObjectsTheyAreMadeOf)
     EXPECT_EQ(in_lane<Object>(lanes, lane), objects[lane]);
 }
 
-TEST(Lanes, AreFilledWithTheNumbersOfObjectsInTheirOrder)
+TEST(Lanes, KeepTheOrderOfTheNumbersOfObjects)
 {
   using Nodes      = std::array<Beam3D::Node, 2>;
   using LanesNodes = std::array<Beam3D::NodeOf<Lanes>, 2>;
@@ -333,7 +339,7 @@ TEST(Lanes, AreFilledWithTheNumbersOfObjectsInTheirOrder)
       }
 }
 
-TEST(Lanes, AreTakenOneByOne)
+TEST(Lanes, AreCopiedOneByOne)
 {
   const Lanes lanes[] = {each_lane([](const auto lane) { return 10. + lane; }),
                          each_lane([](const auto lane) { return 20. + lane; })};
@@ -346,20 +352,20 @@ TEST(Lanes, AreTakenOneByOne)
     }
 }
 
-TEST(Lanes, BeamsInThePlaneAreWhatTheyAreOneByOne)
+TEST(Lanes, BeamsInThePlaneAgreeWithScalarOnes)
 {
   for (unsigned int order = 1; order <= largest_plane_order; ++order)
     {
       SCOPED_TRACE("order " + std::to_string(order));
       dispatch_order(order, [](auto p) {
-        expect_plane_beams_alike<p, true, false>();
-        expect_plane_beams_alike<p, true, true>();
-        expect_plane_beams_alike<p, false, true>();
+        expect_plane_beams_agree<p, true, false>();
+        expect_plane_beams_agree<p, true, true>();
+        expect_plane_beams_agree<p, false, true>();
       });
     }
 }
 
-TEST(Lanes, BeamsInSpaceAreWhatTheyAreOneByOne)
+TEST(Lanes, BeamsInSpaceAgreeWithScalarOnes)
 {
   for (unsigned int order = 1; order <= largest_space_order; ++order)
     {
@@ -408,7 +414,7 @@ TEST(Lanes, BeamsInSpaceAreWhatTheyAreOneByOne)
     }
 }
 
-TEST(Lanes, SmallDisplacementsInSpaceAreWhatTheyAreOneByOne)
+TEST(Lanes, SmallDisplacementsInSpaceAgreeWithScalarOnes)
 {
   for (unsigned int order = 1; order <= largest_space_order; ++order)
     {

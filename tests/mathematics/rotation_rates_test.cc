@@ -10,7 +10,7 @@ namespace
   const SpaceVector axis({2. / 7, -3. / 7, 6. / 7});
   const SpaceVector v({0.3, 1.1, -0.7}), w({-0.5, 0.2, 0.9});
 
-  /** Angles on both sides of where series end, and far from it. */
+  /** Angles on both sides of the limits of the series, and far beyond. */
   const std::vector<double> angles =
     {0, 1e-9, 0.05, 0.2, 0.4999, 0.5001, 1.3, 3., 5.5};
 
@@ -24,11 +24,12 @@ namespace
     return (f(p + step * direction) - f(p - step * direction)) / (2 * step);
   }
 
-  // step^2 times third derivatives of about one, and round-off over the step.
+  // Truncation: step^2 times third derivatives of about one; and round-off over
+  // the step.
   constexpr double tolerance = 2e-9;
 } // namespace
 
-TEST(RotationRates, TangentOperatorTurnsTheExponential)
+TEST(RotationRates, TangentOperatorIsTheDerivativeOfTheExponential)
 {
   for (const double angle : angles)
     {
@@ -58,7 +59,7 @@ TEST(RotationRates, InverseOperatorIsTheInverse)
     }
 }
 
-TEST(RotationRates, DerivativesOfTheOperatorsAreThose)
+TEST(RotationRates, DerivativesOfTheOperatorsAgreeWithDifferences)
 {
   for (const double angle : angles)
     {
@@ -102,12 +103,12 @@ TEST(RotationRates, DerivativesOfTheOperatorsAreThose)
            p,
            w))
           .norm(),
-        // Grows towards a whole turn.
+        // The derivative grows towards a whole turn.
         angle < 4 ? tolerance : 1e-7);
     }
 }
 
-TEST(RotationRates, AngularMotionIsThatOfTheRotationVector)
+TEST(RotationRates, AngularMotionAgreesWithDifferences)
 {
   const auto phi = [](const double t) {
     return SpaceVector({0.4 + t, 0.3 * t * t - 1, 0.9 * t});
@@ -133,7 +134,7 @@ TEST(RotationRates, RotationAboutAFixedAxisHasTheRatesOfItsAngle)
   EXPECT_LT((motion.acceleration + 1.5 * axis).norm(), 1e-14);
 }
 
-TEST(RotationRates, RotationVectorIsThatNearTheGuess)
+TEST(RotationRates, RotationVectorIsTheNearestToTheGuess)
 {
   for (const double angle : {0.3, 3., 3.3, 9., -20., 2 * 3.14159265358979324})
     EXPECT_LT((rotation_vector_near(exponential(angle * axis),

@@ -12,7 +12,7 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  // A handful of roundings of numbers of about one.
+  // A few roundings of numbers of about one.
   constexpr double rotation_round_off = 2e-15;
 
   const SpaceVector some_axis({2. / 7, -3. / 7, 6. / 7});
@@ -24,9 +24,9 @@ namespace
   }
 
   /** Rodrigues' formula. */
-  SpaceVector turned_by_formula(const SpaceVector &axis,
-                                const double       angle,
-                                const SpaceVector &v)
+  SpaceVector rotated_by_formula(const SpaceVector &axis,
+                                 const double       angle,
+                                 const SpaceVector &v)
   {
     return std::cos(angle) * v +
       std::sin(angle) * dealii::cross_product_3d(axis, v) +
@@ -39,7 +39,7 @@ TEST(Rotation, ExponentialTurnsByAngleAboutAxis)
   for (const double angle : {0., 1e-9, 0.4, 3.1, pi, 5., -2.})
     EXPECT_LT(
       distance_between(rotated(exponential(angle * some_axis), some_vector),
-                       turned_by_formula(some_axis, angle, some_vector)),
+                       rotated_by_formula(some_axis, angle, some_vector)),
       rotation_round_off)
       << "angle " << angle;
 }
@@ -70,7 +70,7 @@ TEST(Rotation, RotationVectorInvertsTheExponential)
   EXPECT_EQ(rotation_vector(Quaternion{-1, {}}).norm(), 0);
 }
 
-TEST(Rotation, RotationVectorTakesTheShortWayPastAHalfTurn)
+TEST(Rotation, RotationVectorIsTheShorterOnePastAHalfTurn)
 {
   const double excess = 1e-7;
   EXPECT_LT(distance_between(rotation_vector(
@@ -102,9 +102,9 @@ TEST(Rotation, ProductOfManyKeepsUnitNormWhenNormalized)
   for (int i = 0; i < 1000; ++i)
     q = normalized(step * q);
   EXPECT_NEAR(dot(q, q), 1, rotation_round_off);
-  // A rounding a step
+  // One rounding a step.
   EXPECT_LT(distance_between(rotated(q, some_vector),
-                             turned_by_formula(some_axis, 10, some_vector)),
+                             rotated_by_formula(some_axis, 10, some_vector)),
             1000 * rotation_round_off);
 }
 
@@ -136,7 +136,7 @@ TEST(Rotation, CrossProductTensorMultiplies)
             rotation_round_off);
 }
 
-TEST(Rotation, TensorTakesItsPrincipalValuesAlongTheAxes)
+TEST(Rotation, TensorHasItsPrincipalValuesAlongTheAxes)
 {
   const SpaceTensor frame =
     section_frame(some_vector, default_reference(some_vector));
@@ -168,7 +168,7 @@ TEST(Rotation, SectionFrameIsRightHandedWithAxisThreeTowardsTheReference)
   EXPECT_GT(column(frame, 2) * reference, 0);
 }
 
-TEST(Rotation, DefaultFrameOfAPlanarStrutIsThatOfThePlane)
+TEST(Rotation, DefaultFrameOfAPlanarStrutHasAxisThreeAlongZ)
 {
   const SpaceVector along({0.6, 0.8, 0});
   const SpaceTensor frame = section_frame(along, default_reference(along));

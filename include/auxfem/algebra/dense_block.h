@@ -7,24 +7,24 @@
 
 /**
  * @file
- * Small dense blocks, stored row by row. Factors of three or six rows, as
- * pivots of a block elimination, are done before LAPACK has looked at its
- * arguments.
+ * Small dense blocks, stored row by row, for the pivots of block eliminations.
+ * With three or six rows these loops are faster than calls of LAPACK.
  */
 namespace auxfem
 {
   /**
-   * Factors in place a = L U of the block @p a of size @p n, L with ones on its
-   * diagonal, without exchanges of rows, which positive definite blocks can do
-   * without. Returns false if a pivot is not larger than @p smallest; @p a is
-   * then destroyed.
+   * Factorizes the block @p a of size @p n in place, a = L U with a unit
+   * diagonal of L, without row exchanges: positive definite blocks need none.
+   * Returns false, with @p a destroyed, if a pivot is not larger than @p
+   * smallest.
    */
   bool factorize_definite_block(double *a, unsigned int n, double smallest);
 
   /**
-   * As above for any regular block, with the largest entry of a column as
-   * pivot; false if that is not larger than @p smallest in size.
-   * @param exchanges room for the n rows that the pivots came from
+   * As factorize_definite_block() for any regular block, with the largest entry
+   * of a column as pivot.
+   * @param exchanges result, row exchanges of the n pivots
+   * @param smallest pivots must be larger in size
    */
   bool factorize_general_block(double      *a,
                                unsigned int n,
@@ -32,8 +32,8 @@ namespace auxfem
                                double       smallest);
 
   /**
-   * Solves with such factors for the @p m columns of @p b, in place.
-   * @param exchanges nullptr for those of a definite block
+   * Solves with these factors for the @p m columns of @p b, in place.
+   * @param exchanges nullptr for a definite block
    */
   void solve_with_block(const double *factors,
                         const int    *exchanges,
@@ -49,8 +49,10 @@ namespace auxfem
                         unsigned int  n,
                         unsigned int  m2);
 
-  /** Puts L^-1, with L L^T = a and L a lower triangle, in place of the positive
-   * definite block @p a. */
+  /**
+   * Replaces the positive definite block @p a by L^-1, where a = L L^T and L is
+   * lower triangular.
+   */
   void invert_root(double *a, unsigned int n);
 
   /** Number of negative eigenvalues of the symmetric block @p a. */
@@ -62,8 +64,10 @@ namespace auxfem
     dealii::Tensor<1, 3> direction; ///< of length one
   };
 
-  /** Eigenvalues and eigenvectors of a symmetric @p tensor without negative
-   * eigenvalues, the largest first. */
+  /**
+   * Eigenvalues and eigenvectors of a positive semidefinite @p tensor, the
+   * largest eigenvalue first.
+   */
   std::array<PrincipalAxis, 3>
   principal_axes(const dealii::Tensor<2, 3> &tensor);
 } // namespace auxfem

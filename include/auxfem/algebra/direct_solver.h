@@ -13,69 +13,71 @@
 
 namespace auxfem
 {
-  /** How a factorization ended, the same on all ranks. */
+  /** Outcome of a factorization, the same on all ranks. */
   enum class FactorizationOutcome
   {
     done,
-    /** To round-off; of CHOLMOD also: not without pivoting. */
+    /**
+     * Singular to round-off; from CHOLMOD also: factorization needs pivoting.
+     */
     singular,
     not_finite, ///< the matrix has entries that are no numbers
     out_of_memory,
-    /** The solver's integers cannot count the entries of its factors. */
+    /** The factors have more entries than the solver's integers can count. */
     too_large
   };
 
   /**
    * Numbers of negative, zero and positive eigenvalues of a symmetric matrix.
-   * A stable equilibrium has as many negative ones as there are constraints
-   * with multipliers (Sylvester; Gould 1985).
+   * At a stable equilibrium there is one negative eigenvalue per multiplier
+   * constraint (Sylvester; Gould 1985).
    */
   struct Inertia
   {
     unsigned long negative = 0, zero = 0, positive = 0;
   };
 
-  /** The sign of the determinant, 1 or -1, of a regular symmetric matrix. */
+  /** Sign (1 or -1) of the determinant of a regular symmetric matrix. */
   inline int determinant_sign(const Inertia &inertia)
   {
     return inertia.negative % 2 == 0 ? 1 : -1;
   }
 
   /**
-   * Solution of A x = b by factors that serve until the next analyse() or
-   * factorize(); these neither keep nor change the matrix. All functions but
-   * inertia(), determinant_sign() and memory() are collective; what one rank
-   * meets, lack of memory included, all ranks report.
+   * Solves A x = b by factors that stay valid until the next analyse() or
+   * factorize(); the matrix itself is not kept. All functions but inertia(),
+   * determinant_sign() and memory() are collective; a failure of one rank, lack
+   * of memory included, is reported on all.
    */
   class DirectSolver
   {
   public:
     virtual ~DirectSolver() = default;
 
-    /** Does what depends on the pattern of @p matrix only. */
+    /** Symbolic factorization: uses the pattern of @p matrix only. */
     virtual FactorizationOutcome analyse(const SparseMatrix &matrix) = 0;
 
-    /** Factorizes @p matrix, whose pattern was analysed last. */
+    /** Factorizes @p matrix, which must have the pattern analysed last. */
     virtual FactorizationOutcome factorize(const SparseMatrix &matrix) = 0;
 
     /**
-     * Replaces the right-hand side @p x on owned rows by the solution. The last
-     * outcome must have been `done`. Throws std::bad_alloc on all ranks if one
-     * has no memory for it.
+     * Replaces the right-hand side @p x on owned rows by the solution, after
+     * the outcome `done`. Throws std::bad_alloc on all ranks if one lacks
+     * memory.
      */
     virtual void solve(double *x) = 0;
 
     /**
-     * Of the whole matrix factorized last, the same on all ranks; none where
-     * the factors do not tell it (unsymmetric ones, and some singular ones). Of
-     * a singular matrix what is zero is a matter of round-off.
+     * Inertia of the whole matrix factorized last, the same on all ranks; none
+     * if the factors do not give it (unsymmetric and some singular matrices).
+     * The count of zeros of a singular matrix depends on round-off.
      */
     virtual std::optional<Inertia> inertia() const = 0;
 
     /**
-     * 1 or -1: of the determinant of the matrix factorized last, symmetric or
-     * not, the same on all ranks; none of a singular one. That of the inertia,
-     * unless a solver knows it of more matrices.
+     * Sign of the determinant of the matrix factorized last, 1 or -1, the same
+     * on all ranks; none if it is singular. Derived from the inertia unless the
+     * solver computes it for other matrices.
      */
     virtual std::optional<int> determinant_sign() const
     {
@@ -87,31 +89,35 @@ namespace auxfem
     /** Memory of the factors on this rank (bytes). */
     virtual std::size_t memory() const = 0;
 
-    /** The next factorization chooses its pivots from its own entries; that of
-     * before is lost. */
+    /**
+     * Makes the next factorization choose its pivots anew; the present factors
+     * are lost.
+     */
     virtual void forget_pivots()
     {}
   };
 
   /**
-   * Lets a solver for one rank serve any number of them: brings the pattern
-   * (once) and the entries (each time) to the first rank, and the solution back
-   * from there. The solver sees finite entries only; its std::bad_alloc becomes
+   * Wraps a solver for one rank to serve several: gathers the pattern (once)
+   * and the entries (each time) on the first rank and scatters the solution.
+   * The solver sees finite entries only; its std::bad_alloc becomes
    * `out_of_memory`.
    */
   std::unique_ptr<DirectSolver>
   make_first_rank_solver(std::unique_ptr<DirectSolver> solver);
 
-  /** Where MUMPS factorizes. */
+  /** Ranks on which MUMPS factorizes. */
   enum class MumpsRanks
   {
     first,
-    /** Contributions add up as they come in: round-off differs from run to
-     * run. */
+    /**
+     * Contributions are summed in order of arrival: round-off varies from run
+     * to run.
+     */
     all
   };
 
-  /** How rows are ordered so that factors stay sparse. */
+  /** Fill-reducing order of rows. */
   enum class EliminationOrder
   {
     minimum_degree,   ///< AMD (Amestoy, Davis, Duff 1996)
@@ -119,15 +125,14 @@ namespace auxfem
   };
 
   /**
-   * @name Direct solvers, each on any number of ranks. All bring the matrix to
-   * the first rank and factorize it there, unless MUMPS is to use all.
+   * @name Direct solvers for any number of ranks. All factorize on the first
+   *   rank, except MUMPS with MumpsRanks::all.
    */
   ///@{
   /**
-   * CHOLMOD's simplicial LDL' (Chen, Davis, Hager, Rajamanickam 2008), for
-   * symmetric matrices: definite ones, and indefinite ones as long as pivots in
-   * the order that keeps the factors sparse are sound; `singular` otherwise.
-   * Not for matrices with multipliers.
+   * CHOLMOD's simplicial LDL' (Chen, Davis, Hager, Rajamanickam 2008) for
+   * symmetric matrices. Indefinite ones are factorized without pivoting;
+   * `singular` where that is inaccurate. Not for matrices with multipliers.
    */
   std::unique_ptr<DirectSolver> make_cholmod(EliminationOrder order);
 
@@ -135,8 +140,8 @@ namespace auxfem
   std::unique_ptr<DirectSolver> make_klu(EliminationOrder order);
 
   /**
-   * MUMPS (Amestoy, Duff, Koster, L'Excellent 2001), for any matrix: LDL' with
-   * pivots of one and two rows for symmetric ones, else LU.
+   * MUMPS (Amestoy, Duff, Koster, L'Excellent 2001) for any matrix: LDL' with
+   * 1x1 and 2x2 pivots for symmetric matrices, else LU.
    */
   std::unique_ptr<DirectSolver> make_mumps(MumpsRanks ranks);
   ///@}
@@ -144,23 +149,22 @@ namespace auxfem
   /** CSR offsets in the 32-bit integers of CHOLMOD and KLU. */
   std::vector<int> narrow_offsets(const SparseMatrix &matrix);
 
-  /** Whether they can count the entries of @p matrix. */
+  /** Whether 32-bit offsets can count the entries of @p matrix. */
   bool fits_narrow_offsets(const SparseMatrix &matrix);
 
   /**
-   * Order of elimination that keeps the factors of @p matrix, on one rank,
-   * sparse. Throws std::bad_alloc.
+   * Fill-reducing elimination order of @p matrix, on one rank. Throws
+   * std::bad_alloc.
    */
   std::vector<int> elimination_order(const SparseMatrix &matrix,
                                      EliminationOrder    kind);
 
   /**
-   * Largest of |A x - b| / (|A| y + |b|) by rows: how wrong the entries of A
-   * and b would have to be for @p x to be the solution (J. L. Rigal, J. Gaches,
-   * J. ACM 14, 1967, 543-548). y is the largest |x| of all motions, rotations
-   * measured in Unknowns::length times radian, or of all multipliers; what is
-   * below least_of_full_precision is no error. Infinite if something is no
-   * number.
+   * Backward error of @p x, the largest of |A x - b| / (|A| y + |b|) by rows
+   * (J. L. Rigal, J. Gaches, J. ACM 14, 1967, 543-548). y is the largest |x| of
+   * all motions, rotations times Unknowns::length, or of all multipliers.
+   * Residuals below least_of_full_precision are ignored; non-finite numbers
+   * give infinity.
    *
    * @param x values at local unknowns, ghosts up to date
    * @param b owned rows
@@ -171,15 +175,13 @@ namespace auxfem
                         const std::vector<double> &b,
                         Symmetry                   symmetry = Symmetry::none);
 
-  /** Of this rank's rows. */
+  /** Whether the entries of this rank's rows are finite. */
   bool has_finite_entries(const SparseMatrix &matrix);
 
-  /**
-   * The gravest outcome of all ranks, for all of them. Collective.
-   */
+  /** Returns the gravest outcome of all ranks on all ranks. Collective. */
   FactorizationOutcome agree(FactorizationOutcome mine, MPI_Comm communicator);
 
-  /** What @p action returns, or `out_of_memory` if it throws std::bad_alloc. */
+  /** Result of @p action, or `out_of_memory` if it throws std::bad_alloc. */
   template <typename Action>
   FactorizationOutcome catch_bad_alloc(const Action &action)
   {
@@ -194,26 +196,27 @@ namespace auxfem
   }
 
   /**
-   * Factors s_i at local unknowns so that the largest s_i |a_ij| s_j of each
-   * row is about 1 (D. Ruiz, A scaling algorithm to equilibrate both rows and
-   * columns norms in matrices, RAL-TR-2001-034), whatever the units:
-   * 1/sqrt(a_ii) where @p matrix is positive definite. 1 for rows of zeros.
+   * Scaling factors s_i at local unknowns that bring the largest s_i |a_ij| s_j
+   * of each row near 1, independently of units (D. Ruiz, A scaling algorithm to
+   * equilibrate both rows and columns norms in matrices, RAL-TR-2001-034). A
+   * positive definite @p matrix gives 1/sqrt(a_ii); rows of zeros give 1.
    * Collective.
    *
-   * @param scale result, room for local unknowns
-   * @param room for owned unknowns; with both there, nothing is allocated
+   * @param scale result, sized for local unknowns
+   * @param room scratch for owned unknowns; with both allocated before, nothing
+   *   is allocated
    */
   void equilibrate(const SparseMatrix  &matrix,
                    std::vector<double> &scale,
                    std::vector<double> &room);
 
   /**
-   * Estimate from below of the norm of a symmetric matrix, or of the product of
-   * a matrix and its transpose, that @p apply multiplies owned values by: power
-   * iteration, two applications, or one if that finds less than @p enough.
+   * Lower estimate of the norm of a symmetric matrix, or of the product of a
+   * matrix and its transpose, by two power iterations, or one if that gives
+   * less than @p threshold. @p apply multiplies owned values by the matrix.
    * Collective.
    *
-   * @param x room for owned unknowns
+   * @param x scratch for owned unknowns
    */
   double estimate_norm(const UnknownLayout &layout,
                        std::vector<double> &x,
@@ -221,21 +224,23 @@ namespace auxfem
                        const std::function<void(std::vector<double> &)> &apply);
 
   /**
-   * The inverse of a matrix whose rows and columns are scaled to about 1 has a
-   * norm above this if the matrix is singular to round-off. Found of lattices
-   * with 12 to 120,000 unknowns and slenderness 1 to 1e4: free ones 7e15 and
-   * more, those held at one joint only up to 4e12 (400 unknowns), 6e14 (5000).
+   * Norm of the inverse above which a matrix with equilibrated rows and columns
+   * counts as singular. Chosen between free lattices (7e15 and more) and
+   * lattices held at one joint (up to 6e14), with up to 120,000 unknowns and
+   * slenderness 1e4.
    */
   constexpr double singular_inverse_norm = 2e15;
 
   /**
-   * Pivots smaller than this times what they were computed from call for the
-   * estimate of the inverse's norm; others are no sign of a singular matrix.
+   * Ratio of a pivot to its terms before cancellation below which the norm of
+   * the inverse is estimated; larger pivots do not indicate a singular matrix.
    */
   constexpr double suspicious_pivot = sqrt_round_off;
 
-  /** Numbers below have fewer digits than others, or what is subtracted from
-   * them has: forces of a load that begins or ends as a Gaussian, say. */
+  /**
+   * Numbers below this are denormal or arise from denormal terms, with fewer
+   * digits than others: e.g. tails of a Gaussian load.
+   */
   constexpr double least_of_full_precision =
     std::numeric_limits<double>::min() / std::numeric_limits<double>::epsilon();
 } // namespace auxfem

@@ -13,37 +13,44 @@
 namespace auxfem
 {
   /**
-   * K x = lambda M x with symmetric K and M, as operators on the owned rows of
-   * all ranks: M positive semidefinite, or else K - sigma M positive definite.
-   * What they compute is collective.
+   * K x = lambda M x with symmetric operators on the owned rows of all ranks. M
+   * is positive semidefinite, or K - sigma M is positive definite. All
+   * operators are collective.
    */
   struct ShiftedEigenproblem
   {
     const UnknownLayout &layout;
-    /** Sigma: not an eigenvalue itself. */
+    /** Shift sigma; it must not be an eigenvalue. */
     double shift;
     /** y = M x. */
     std::function<void(const double *x, double *y)> multiply_mass;
-    /** x becomes (K - sigma M)^-1 x; returns whether that succeeded. */
+    /** x <- (K - sigma M)^-1 x; returns success. */
     std::function<bool(double *x)> solve;
-    /** How many eigenvalues are finite, at most. */
+    /** Upper bound for the number of finite eigenvalues. */
     unsigned int n_finite;
-    /** y = (K - sigma M) x, where M is not semidefinite: the product in which
-     * vectors have unit length. Else none, and it is that by M. */
+    /**
+     * y = (K - sigma M) x: inner product for unit length of vectors where M is
+     * not semidefinite. If empty, M defines it.
+     */
     std::function<void(const double *x, double *y)> multiply_definite = {};
-    /** Whether eigenvalues below the shift do not count. */
+    /** Whether to ignore eigenvalues below the shift. */
     bool only_above = false;
   };
 
   struct Eigenpair
   {
     double value;
-    /** Owned rows, of unit length in the norm by M, or by K - sigma M where
-     * that is the definite one. */
+    /**
+     * Owned rows, of unit length in the norm of M, or of K - sigma M if
+     * multiply_definite is set.
+     */
     std::vector<double> vector;
   };
 
-  /** What was found, by rising eigenvalue; `why` tells if it is not all. */
+  /**
+   * Eigenpairs by ascending eigenvalue; `why` gives the reason if some are
+   * missing.
+   */
   struct Eigenpairs
   {
     std::vector<Eigenpair> pairs;
@@ -51,15 +58,14 @@ namespace auxfem
   };
 
   /**
-   * The @p n eigenvalues nearest to the shift with their vectors: by
-   * dense_eigenpairs() where few are finite, else by krylov_eigenpairs(). Of
-   * equal eigenvalues the latter may miss some: count them by an inertia.
-   * Collective.
+   * The @p n eigenpairs nearest to the shift: by dense_eigenpairs() if few
+   * eigenvalues are finite, else by krylov_eigenpairs(), which may miss some
+   * equal eigenvalues; verify the count with an inertia. Collective.
    */
   Eigenpairs nearest_eigenpairs(const ShiftedEigenproblem &problem,
                                 unsigned int               n);
 
-  /** Directions that are kept for @p n eigenpairs. */
+  /** Dimension of the Krylov space for @p n eigenpairs. */
   constexpr unsigned int n_krylov_directions(const unsigned int n)
   {
     return 2 * n + 20;
@@ -67,48 +73,46 @@ namespace auxfem
 
   /**
    * As nearest_eigenpairs(), by the Krylov-Schur method (Stewart 2001, SIAM J.
-   * Matrix Anal. Appl. 23, 601; Trilinos Anasazi on Tpetra) for
-   * (K - sigma M)^-1 M in the inner product by M (Ericsson & Ruhe 1980, Math.
-   * Comp. 35, 1251) or K - sigma M (Grimes, Lewis & Simon 1994, SIAM J. Matrix
-   * Anal. Appl. 15, 228). Does not scale vectors.
-   * Collective.
+   * Matrix Anal. Appl. 23, 601; Trilinos Anasazi) for (K - sigma M)^-1 M in the
+   * inner product of M (Ericsson & Ruhe 1980, Math. Comp. 35, 1251) or K -
+   * sigma M (Grimes, Lewis & Simon 1994, SIAM J. Matrix Anal. Appl. 15, 228).
+   * Does not normalize vectors. Collective.
    */
   Eigenpairs krylov_eigenpairs(const ShiftedEigenproblem &problem,
                                unsigned int               n);
 
   /**
-   * As nearest_eigenpairs(), by LAPACK on dense matrices of all unknowns that
-   * every rank has: where so few eigenvalues are finite that Krylov's method
-   * would run out of directions. Eigenvalues far above the lowest keep seven
-   * digits or so on fine meshes, since solutions lose as many as the stiffness
-   * has orders of magnitude. Does not scale vectors. Collective.
+   * As nearest_eigenpairs(), by LAPACK on dense matrices of all unknowns,
+   * replicated on every rank; for so few finite eigenvalues that Krylov's
+   * method runs out of directions. Eigenvalues far above the lowest lose digits
+   * on fine meshes as the condition of K grows. Does not normalize vectors.
+   * Collective.
    */
   Eigenpairs dense_eigenpairs(const ShiftedEigenproblem &problem,
                               unsigned int               n);
 
-  /** Combinations of some vectors with stationary quotients. */
+  /** Ritz values and vectors. */
   struct RitzPairs
   {
-    std::vector<double> values; ///< quotients, by falling size
-    /** Column j: the coefficients of the combination with values[j]. */
+    std::vector<double> values; ///< quotients, descending
+    /** Column j: coefficients of the combination with values[j]. */
     dealii::FullMatrix<double> coefficients;
   };
 
   /**
-   * The Rayleigh-Ritz method: stationary values of y.S y / y.D y over the
-   * combinations of some vectors. Fewer than vectors where these depend on each
-   * other.
+   * Rayleigh-Ritz method: stationary values of y.S y / y.D y over the
+   * combinations of some vectors; dependent vectors reduce their number.
    * @param numerator, denominator S and D, symmetric, D positive definite
    */
   RitzPairs ritz_pairs(const dealii::FullMatrix<double> &numerator,
                        const dealii::FullMatrix<double> &denominator);
 
-  /** The values of ritz_pairs(). */
+  /** Values of ritz_pairs(). */
   std::vector<double>
   ritz_values(const dealii::FullMatrix<double> &numerator,
               const dealii::FullMatrix<double> &denominator);
 
-  /** An eigenvalue of a real matrix with its vector, of unit length. */
+  /** Eigenvalue of a real matrix with its vector of unit length. */
   struct ComplexEigenpair
   {
     std::complex<double>              value;
@@ -116,8 +120,8 @@ namespace auxfem
   };
 
   /**
-   * All of a small matrix without symmetry, of conjugate ones that above the
-   * real axis, by LAPACK; empty where that does not converge.
+   * All eigenpairs of a small unsymmetric matrix by LAPACK; of a conjugate
+   * pair, the one above the real axis. Empty if LAPACK does not converge.
    * @param matrix @p n columns of n entries
    */
   std::vector<ComplexEigenpair> general_eigenpairs(std::vector<double> matrix,

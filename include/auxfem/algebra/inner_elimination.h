@@ -6,8 +6,8 @@
 namespace auxfem
 {
   /**
-   * A dense block of a few unknowns, those at its ends first, then the inner
-   * ones that are eliminated:
+   * Sizes of a dense block: unknowns at its ends first, then the inner ones to
+   * eliminate,
    *
    *     [ A_EE A_EI ]
    *     [ A_IE A_II ],   S = A_EE - A_EI A_II^-1 A_IE.
@@ -17,21 +17,22 @@ namespace auxfem
     unsigned int n_inner, n_ends;
   };
 
-  /** What came of an elimination. */
+  /** Outcome of an elimination. */
   struct EliminationResult
   {
     bool is_regular = true;
-    /** Negative eigenvalues of A_II; where it is unsymmetric, an odd number if
-     * its determinant is negative, else an even one. */
+    /**
+     * Negative eigenvalues of A_II; if it is unsymmetric, odd if and only if
+     * its determinant is negative.
+     */
     unsigned int n_negative = 0;
   };
 
   /**
-   * Elimination of the inner unknowns of one size of blocks, once for all
-   * right-hand sides. What these need are small dense matrices, A_II^-1 and
-   * A_II^-1 A_IE, besides A_EI A_II^-1 where A is unsymmetric: products with
-   * them, unlike substitution with triangles, do not wait for one another. They
-   * take factor_size() numbers.
+   * Elimination of the inner unknowns of blocks of one size, once for all
+   * right-hand sides. It stores the dense matrices A_II^-1 and A_II^-1 A_IE,
+   * and A_EI A_II^-1 if A is unsymmetric, in factor_size() numbers: products
+   * with them vectorize, unlike triangular substitution.
    */
   class InnerElimination
   {
@@ -41,11 +42,11 @@ namespace auxfem
     virtual std::size_t factor_size(Symmetry symmetry) const = 0;
 
     /**
-     * Eliminates the inner unknowns of the whole row-major @p block; returns S,
-     * row-major, in @p condensed. An A_II is not regular if a pivot is the
-     * round-off of what it was the difference of.
+     * Eliminates the inner unknowns of the row-major @p block and writes S,
+     * row-major, to @p condensed. A_II counts as singular if a pivot is
+     * round-off of the terms it is the difference of.
      *
-     * @param added to the diagonal of A_II; none: nullptr
+     * @param added added to the diagonal of A_II; may be nullptr
      */
     virtual EliminationResult eliminate(const double *block,
                                         const double *added,
@@ -55,7 +56,7 @@ namespace auxfem
 
     /**
      * Subtracts A_EI A_II^-1 x_I from x_E.
-     * @param inner, ends where the entries of x_I stand in @p inner_values, those of
+     * @param inner, ends positions of the entries of x_I in @p inner_values, of
      *   x_E in @p end_values
      */
     virtual void reduce(const double *factors,
@@ -74,25 +75,25 @@ namespace auxfem
   };
 
   /**
-   * The elimination for blocks of this size; nullptr if there is none. There
-   * are those for elements with nodes of 3 unknowns up to order 6 and of 6 up
-   * to order 4, and for the node between two elements.
+   * Elimination for blocks of this size, or nullptr. Supported are elements
+   * with nodes of 3 unknowns up to order 6 and of 6 up to order 4, and the node
+   * between two elements.
    */
   const InnerElimination *inner_elimination(EliminationSizes sizes);
 
   /**
-   * The elements of a strut whose inside can be eliminated on this rank: blocks
-   * one after the other, each on the unknowns of its first node, of its last
-   * one, which is the first of the next, and then of those between.
+   * Elements of a strut whose inside can be eliminated on this rank:
+   * consecutive blocks, each on the unknowns of its first node, of its last
+   * node (the first of the next block), then of those between.
    */
   struct StrutElements
   {
     unsigned int strut;
     std::size_t  first_block;
     unsigned int n_elements;
-    /** Unknowns of a node and of an element. */
+    /** Numbers of unknowns of a node and of an element. */
     unsigned int n_node_unknowns, n_element_unknowns;
-    /** Eliminates what is between the nodes; nullptr if nothing is. */
+    /** Eliminates the unknowns between the nodes; nullptr if there are none. */
     const InnerElimination *between_nodes;
     /** Eliminates a node between two elements. */
     const InnerElimination *node;
@@ -104,8 +105,8 @@ namespace auxfem
   };
 
   /**
-   * The struts of @p pattern whose inside can be eliminated: it is owned and
-   * free, and nothing but its elements acts on it.
+   * The struts of @p pattern whose inside is owned and free, and not touched by
+   * blocks other than its elements'.
    */
   std::vector<StrutElements> find_strut_elements(const TangentPattern &pattern);
 } // namespace auxfem

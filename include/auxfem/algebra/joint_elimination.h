@@ -7,31 +7,32 @@ namespace auxfem
 {
   /**
    * Exact elimination of joints with few neighbours, by each rank inside its
-   * own part: what is coupled with rows of other ranks stays. With E eliminated
-   * and L left, A x = b becomes
+   * own part; rows coupled with other ranks remain. With E eliminated and L
+   * remaining, A x = b becomes
    *
    *     S z = g,  S = A_LL - A_LE A_EE^-1 A_EL.
    *
-   * S has fewer, stouter members between joints than the lattice: multigrid
-   * finds their bending less soft against their extension. Moments are divided
-   * by a length and rotations measured in that length times radian, so that all
-   * entries of S have the unit N/m. There are no multipliers.
+   * Multigrid converges faster on S, whose members are stouter. Moments are
+   * divided by a length and rotations multiplied by it, so that S is in N/m.
+   * Multipliers are not supported.
    */
   class JointElimination
   {
   public:
     /**
      * Collective.
-     * @param matrix has the pattern of all matrices to come
-     * @param unknowns of their rows and columns
+     * @param matrix has the pattern of all later matrices
+     * @param unknowns unknowns of its rows and columns
      */
     JointElimination(const SparseMatrix &matrix, const Unknowns &unknowns);
 
-    /** Makes S. Returns false if a pivot block is singular on any rank.
-     * Collective. */
+    /**
+     * Computes S. Returns false if a pivot block is singular on any rank.
+     * Collective.
+     */
     bool factorize(const SparseMatrix &matrix);
 
-    /** The rows that are reduced. */
+    /** Rows of S. */
     const JointRows &rows() const
     {
       return joint_rows;
@@ -43,16 +44,18 @@ namespace auxfem
       return reduced;
     }
 
-    /** Negative eigenvalues of A_EE of this rank, if A is symmetric. */
+    /**
+     * Number of negative eigenvalues of A_EE on this rank, if A is symmetric.
+     */
     unsigned long n_negative() const
     {
       return negative;
     }
 
-    /** Makes @p g from the right-hand side @p b, owned rows. */
+    /** Computes @p g from the right-hand side @p b, owned rows. */
     void reduce(const double *b, double *g);
 
-    /** Completes @p x, owned rows, from @p z and the last reduce(). */
+    /** Computes @p x, owned rows, from @p z and the last reduce(). */
     void expand(const double *z, double *x);
 
     /** Memory on this rank (bytes). */
@@ -61,8 +64,10 @@ namespace auxfem
   private:
     using Pivot = JointOrder::Pivot;
 
-    /** Where an entry of S in this column is found: in the blocks if the column
-     * is owned, else in the matrix. */
+    /**
+     * Source of an entry of S: a position in the blocks if the column is owned,
+     * else in the matrix.
+     */
     struct Source
     {
       unsigned int column;
@@ -78,14 +83,14 @@ namespace auxfem
     JointRows   make_rows() const;
     void        make_pattern(const SparseMatrix &matrix);
     std::size_t count_reduced_entries(const SparseMatrix &matrix) const;
-    /** Of the row of @p unknown, by columns. */
+    /** Sources of the row of @p unknown, by columns. */
     void find_sources(const SparseMatrix  &matrix,
                       unsigned int         unknown,
                       std::vector<Source> &row) const;
     void fill_matrix(const SparseMatrix &matrix);
 
     unsigned int size(unsigned int group) const;
-    /** nullptr for positive definite blocks. */
+    /** Row exchanges of a pivot; nullptr if it is positive definite. */
     const int *exchanges_of(const std::size_t pivot) const
     {
       return is_definite[pivot] ? nullptr : &exchanges[first_exchange[pivot]];
@@ -97,8 +102,10 @@ namespace auxfem
     const JointRows     joint_rows;
     SparseMatrix        reduced;
     std::vector<double> scale; ///< by local unknown
-    /** Largest stiffness between joints, over all ranks (N/m), on the diagonal
-     * of S in rows that stand for nothing. */
+    /**
+     * Largest stiffness between joints over all ranks (N/m): diagonal of S in
+     * unused rows.
+     */
     double                   stiffness = 0;
     std::vector<std::size_t> sources; ///< of all entries of S
 

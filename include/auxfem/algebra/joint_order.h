@@ -9,21 +9,21 @@
 namespace auxfem
 {
   /**
-   * Unknowns at joints in rows of equal blocks, one block a joint, as multigrid
-   * wants them. What a joint does not have (a rotation without struts, what is
-   * prescribed) is a row that stands for nothing; rotations of released ends
-   * that find no place in the joint's block are in further ones.
+   * Rows of equal blocks, one block per joint, as multigrid requires. Motions
+   * that a joint lacks (a rotation without struts, a prescribed motion) leave
+   * unused rows. Rotations of released ends beyond a joint's block go to
+   * additional blocks.
    */
   class JointRows
   {
   public:
-    /** Takes the owned @p unknowns that are numbered in @p selected. */
+    /** Numbers the owned unknowns @p selected. */
     JointRows(const Unknowns &all, const std::vector<int> &selected);
 
-    /** Rows a block: components of motion a node has. */
+    /** Rows of a block: components of motion of a node. */
     unsigned int block_size() const;
 
-    /** The rows; ghosts are those of the unknowns' own ghosts. */
+    /** Layout of the rows; its ghosts correspond to those of the unknowns. */
     const UnknownLayout &layout() const
     {
       return *row_layout;
@@ -35,17 +35,16 @@ namespace auxfem
       return rows[unknown];
     }
 
-    /** Unknown of an owned row; none if the row stands for nothing. */
+    /** Unknown of an owned row; none if the row is unused. */
     std::optional<unsigned int> unknown(const unsigned int row) const
     {
       return unknown_of_row[row];
     }
 
     /**
-     * Motions of the lattice as a rigid body: the translations, then the
-     * rotations about its middle (one in the plane, three in space), over the
-     * owned rows, rotations measured in Unknowns::length times radian. Zero in
-     * rows that stand for nothing or for what is prescribed.
+     * Rigid-body modes over the owned rows: translations, then rotations about
+     * the middle (one in the plane, three in space), with rotations times
+     * Unknowns::length. Zero in unused and prescribed rows.
      */
     std::vector<std::vector<double>> rigid_body_modes() const;
 
@@ -60,49 +59,54 @@ namespace auxfem
     std::unique_ptr<UnknownLayout>           row_layout;
   };
 
-  /** The rows of this rank that are not prescribed, in one group a joint, which
-   * is eliminated as one pivot block. */
+  /**
+   * This rank's rows that are not prescribed, grouped by joint; a group is one
+   * pivot block.
+   */
   struct JointGroups
   {
     explicit JointGroups(const Unknowns &unknowns);
 
-    /** Group of an owned row; none of prescribed ones. */
+    /** Group of an owned row; none for prescribed rows. */
     std::vector<std::optional<unsigned int>> group;
-    /** Number of an owned row in its group. */
+    /** Index of an owned row in its group. */
     std::vector<unsigned int> number;
-    /** By group, its rows. */
+    /** Rows of each group. */
     std::vector<std::vector<int>> rows;
   };
 
   /**
-   * The order in which groups of rows are eliminated, found from the pattern
-   * alone, and where the blocks that come into being are kept. Eliminating a
-   * group couples all its neighbours with each other; so the one with the
-   * fewest comes first (minimum degree; Rose 1972).
+   * Elimination order of groups by minimum degree (Rose 1972), from the pattern
+   * alone, and the storage of fill-in blocks. Eliminating a group couples all
+   * its neighbours, so groups with few neighbours come first.
    */
   class JointOrder
   {
   public:
-    /** A group that another acts on, and the first entry of the block. */
+    /** A coupled group and the position of the first entry of the block. */
     struct Link
     {
       unsigned int group;
       std::size_t  block;
     };
 
-    /** A group to eliminate; with what it is coupled at that time. */
+    /** A group to eliminate and its couplings at that stage. */
     struct Pivot
     {
       unsigned int group;
       std::size_t  block;
-      /** Blocks (pivot, neighbour), and of the same neighbours (., pivot). */
+      /**
+       * Blocks (pivot, neighbour), and (neighbour, pivot) in the same order.
+       */
       std::vector<Link> right, left;
       /** Blocks (neighbour, neighbour), row by row. */
       std::vector<std::size_t> between;
     };
 
-    /** Takes groups while they have at most @p max_neighbours; those coupled
-     * with rows of other ranks stay. */
+    /**
+     * Eliminates groups with at most @p max_neighbours; those coupled with rows
+     * of other ranks remain.
+     */
     JointOrder(const SparseMatrix &matrix,
                const JointGroups  &groups,
                const Unknowns     &unknowns,
@@ -113,17 +117,19 @@ namespace auxfem
       return order;
     }
 
-    /** Entries of all blocks, row by row in each. */
+    /** Number of entries of all blocks, stored row by row. */
     std::size_t n_entries() const
     {
       return n_used;
     }
 
-    /** First entry of the block (@p row, @p column) of two groups that the
-     * matrix itself couples. */
+    /**
+     * Position of the block (@p row, @p column) of two groups that the matrix
+     * itself couples.
+     */
     std::size_t initial_block(unsigned int row, unsigned int column) const;
 
-    /** Groups that stay, and the blocks of their rows, in order of groups. */
+    /** Remaining groups; links() gives the blocks of their rows. */
     const std::vector<unsigned int> &remaining() const
     {
       return remaining_groups;
@@ -134,18 +140,18 @@ namespace auxfem
       return adjacent[group];
     }
 
-    /** Memory of all this (bytes). */
+    /** Memory of the order (bytes). */
     std::size_t memory() const;
 
   private:
     void connect(const SparseMatrix &matrix, const Unknowns &unknowns);
     void eliminate_groups(std::size_t max_neighbours);
     void eliminate(unsigned int group);
-    /** The block (row, column), a new one if there is none yet. */
+    /** The block (row, column), created if it does not exist. */
     std::size_t block(unsigned int row, unsigned int column);
 
     const JointGroups &groups;
-    /** Of every group, itself included, before and during elimination. */
+    /** Links of every group, itself included, before and during elimination. */
     std::vector<std::vector<Link>> initial_links, adjacent;
     std::vector<bool>              is_eliminated, must_stay;
     std::vector<Pivot>             order;

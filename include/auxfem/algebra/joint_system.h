@@ -11,18 +11,16 @@
 namespace auxfem
 {
   /**
-   * The unknowns that are left when those inside struts are eliminated, and the
-   * matrix of their equations as the sum of one block for each strut and of all
-   * other blocks of the pattern. Prescribed rows are those of the identity and
-   * prescribed columns are left out.
-   *
-   * A strut is eliminated on the rank that owns its inside, which sends its
-   * block to the ranks that own joints at its ends.
+   * Equations of the unknowns that remain after struts are eliminated. The
+   * matrix is the sum of one condensed block per strut and all other blocks of
+   * the pattern; prescribed rows are identity rows, prescribed columns are
+   * dropped. The rank that owns the inside of a strut eliminates it and sends
+   * its block to the owners of its end joints.
    */
   class JointSystem
   {
   public:
-    /** @param struts those that are eliminated. Collective. */
+    /** @param struts the eliminated struts. Collective. */
     JointSystem(const TangentPattern             &pattern,
                 const std::vector<StrutElements> &struts);
 
@@ -37,42 +35,48 @@ namespace auxfem
       return joint_unknowns;
     }
 
-    /** Local unknowns of the pattern, by those of the system. */
+    /** Local unknowns of the pattern, indexed by unknowns of the system. */
     const std::vector<int> &retained_unknowns() const;
 
-    /** Prescribed ones among unknowns(), ghosts included. */
+    /** Prescribed unknowns of the system, ghosts included. */
     const std::vector<int> &prescribed() const
     {
       return prescribed_unknowns;
     }
 
-    /** Entries zero but for prescribed rows. */
+    /** Sets all entries to zero, and prescribed rows to identity rows. */
     void reset(Symmetry symmetry);
 
-    /** Adds the square row-major @p block that is left of strut @p number. */
+    /** Adds the condensed row-major @p block of strut @p number. */
     void add_strut(std::size_t number, const double *block);
 
-    /** Adds all blocks that do not belong to struts, and what add_strut() has
-     * set aside for other ranks. Collective. */
+    /**
+     * Adds all blocks that do not belong to struts, and exchanges the strut
+     * blocks of other ranks. Collective.
+     */
     void add_others(const TangentMatrix &matrix);
 
-    /** Adds the values at ghosts to their owners; those of ghosts at ends of
-     * struts that are eliminated here. Collective. */
+    /**
+     * Adds values at ghosts to their owners, for ghosts at ends of struts
+     * eliminated here. Collective.
+     */
     void add_ghosts_to_owners(std::vector<double> &values) const;
 
-    /** Local unknowns of the system at the ends of strut @p number, first node
-     * first. */
+    /**
+     * Local unknowns of the system at the ends of strut @p number, first node
+     * first.
+     */
     const int *ends(const std::size_t number) const
     {
       return end_unknowns.data() + number * n_ends;
     }
 
   private:
-    /** What goes to one rank. */
+    /** Data sent to one rank. */
     struct Neighbour
     {
       std::vector<std::size_t> struts;
-      std::vector<int>         ghosts; ///< their ends that it owns
+      std::vector<int>         ghosts; ///< ends of these struts that it owns
     };
 
     void find_neighbours();
@@ -93,7 +97,7 @@ namespace auxfem
     NeighbourExchange                     block_exchange, end_exchange;
     std::vector<int>                      received_unknowns;
     std::vector<int>                      received_ends;
-    /** Blocks of the pattern that do not belong to struts. */
+    /** Blocks of the pattern that do not belong to eliminated struts. */
     std::vector<std::size_t>        other_blocks;
     std::unique_ptr<SparseAssembly> assembly;
   };

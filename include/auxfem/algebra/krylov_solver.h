@@ -17,9 +17,9 @@
 namespace auxfem
 {
   /**
-   * Iterative solution of S z = g on the rows of joints (Trilinos Belos on
-   * Tpetra) with smoothed aggregation (MueLu) or an incomplete factorization
-   * (Ifpack2) as preconditioner. All functions are collective.
+   * Iterative solution of S z = g on the rows of joints by Belos on Tpetra,
+   * preconditioned by smoothed aggregation (MueLu) or an incomplete
+   * factorization (Ifpack2). All functions are collective.
    */
   class KrylovSolver
   {
@@ -27,11 +27,12 @@ namespace auxfem
     virtual ~KrylovSolver() = default;
 
     /**
-     * Makes the preconditioner.
-     * @param is_new_pattern whether that of @p matrix or @p rows have changed
-     * @param is_definite whether it may be positive definite: conjugate
-     * gradients are tried
-     * @returns whether that is possible on all ranks.
+     * Builds the preconditioner.
+     * @param is_new_pattern whether the pattern of @p matrix or @p rows has
+     *   changed
+     * @param is_definite whether the matrix may be positive definite: conjugate
+     *   gradients are tried first
+     * @returns whether it succeeded on all ranks.
      */
     virtual bool factorize(const SparseMatrix &matrix,
                            const JointRows    &rows,
@@ -39,22 +40,21 @@ namespace auxfem
                            bool                is_definite) = 0;
 
     /**
-     * Solves for @p g into @p z, owned rows. Returns an empty text or why the
-     * equations were not solved; @p z is then the best that was found.
+     * Solves for @p g into @p z, owned rows. Returns an empty text or the
+     * reason of failure; @p z is then the best iterate.
      */
     virtual std::string solve(const double *g, double *z) = 0;
 
     /**
-     * Negative eigenvalues of a matrix that may be positive definite, see
-     * factorize(), at least: those of the coarsest level of multigrid, else 1
-     * if conjugate gradients find that it is not positive definite. They do, as
-     * they come to the solution for a random right-hand side, with a
-     * preconditioner that is positive definite. None if they do not come to it,
-     * or with another preconditioner.
+     * Lower bound for the number of negative eigenvalues of a matrix that may
+     * be positive definite: those of the coarsest multigrid level, else 1 if
+     * conjugate gradients for a random right-hand side meet a negative
+     * curvature. None if they do not converge or the preconditioner is
+     * indefinite.
      */
     virtual std::optional<unsigned long> n_negative() = 0;
 
-    /** Of all solutions so far. */
+    /** Number of iterations of all solutions so far. */
     virtual unsigned long n_iterations() const = 0;
   };
 
@@ -62,35 +62,36 @@ namespace auxfem
   make_krylov_solver(const SolverParameters &parameters);
 
   /**
-   * Solves with a matrix that is symmetric and positive definite in free rows
-   * and columns, as a mass matrix, by conjugate gradients with its diagonal;
-   * needs no factorization.
+   * Solves with a matrix that is symmetric positive definite in free rows and
+   * columns, e.g. a mass matrix, by conjugate gradients with Jacobi
+   * preconditioning.
    *
-   * @param values the right-hand side in owned rows, replaced by the solution at
-   *   all local unknowns, ghosts included
-   * @return whether it has converged; @p values are undefined if it has not.
-   * Collective.
+   * @param values right-hand side in owned rows; on return the solution at all
+   *   local unknowns, ghosts included
+   * @return whether it converged; else @p values are undefined. Collective.
    */
   bool solve_by_conjugate_gradients(const TangentMatrix &matrix,
                                     std::vector<double> &values);
 
-  /** A x = b as operators on the rows that each rank owns. What they compute is
-   * collective. */
+  /**
+   * A x = b as operators on the rows that each rank owns. All operators are
+   * collective.
+   */
   struct OperatorEquations
   {
     MPI_Comm     communicator;
     unsigned int n_owned;
     /** y = A x. */
     std::function<void(const double *x, double *y)> multiply;
-    /** Makes x what nearly solves A y = x; returns whether that succeeded. */
+    /** Replaces x by an approximate solution y of A y = x; returns success. */
     std::function<bool(double *x)> precondition;
   };
 
   /**
-   * Solves @p equations for @p b, owned rows, into @p x, whose values are the
-   * first guess, by GMRES (Saad & Schultz 1986; deal.II), until the
-   * preconditioned residual is below @p tolerance times that of b. Returns an
-   * empty text or why that was not reached. Collective.
+   * Solves @p equations for @p b, owned rows, by GMRES (Saad & Schultz 1986;
+   * deal.II) from the initial guess @p x, until the preconditioned residual is
+   * below @p tolerance times that of b. Returns an empty text or the reason of
+   * failure. Collective.
    */
   std::string solve_by_gmres(const OperatorEquations   &equations,
                              const std::vector<double> &b,

@@ -8,32 +8,35 @@
 
 namespace auxfem
 {
-  /** What a factorization is for. */
+  /** Accuracy demanded of a factorization. */
   enum class Exactness
   {
-    /** The equations as they are. */
+    /** Solves the given equations. */
     exact,
     /**
-     * An unsymmetric matrix may give way to its symmetric part, whose
-     * factorization costs a fraction: for Newton's method.
+     * May replace an unsymmetric matrix by its symmetric part, whose
+     * factorization costs a fraction; for Newton's method.
      */
     approximate
   };
 
-  /** How many modes have a negative stiffness. */
+  /** Number of modes with negative stiffness. */
   struct NegativeModes
   {
     unsigned long n = 0;
-    /** There may be more, if there are any: iteration does not count all. */
+    /**
+     * Whether `n`, if positive, is only a lower bound: iterative solvers do not
+     * count all.
+     */
     bool is_least = false;
   };
 
   /**
-   * Solution of the linear equations A x = b of a TangentMatrix: what lies
-   * inside struts is condensed, what is left at the joints solved directly or
-   * by iteration, with factors that serve until the next factorize(). Only that
-   * needs the entries of the matrix. All functions are collective but those
-   * that return a text or a count.
+   * Solves A x = b of a TangentMatrix: condenses the insides of struts and
+   * solves the remaining equations at the joints directly or iteratively. The
+   * factors stay valid until the next factorize(), which alone needs the
+   * entries of the matrix. All functions are collective but those that return a
+   * text or a count.
    */
   class LinearSolver
   {
@@ -44,83 +47,89 @@ namespace auxfem
 
     /**
      * Factorizes the matrix as it is now. If the outcome is not `done`, why()
-     * says what was found and what to do. The outcome is the same on all ranks,
-     * but std::bad_alloc is thrown on one of several ranks that has no memory
-     * for the matrix of the joints. Throws InputError where Solver/Type cannot
-     * serve the scene.
+     * gives the reason and the remedy. The outcome is the same on all ranks,
+     * but a rank without memory for the matrix of the joints throws
+     * std::bad_alloc. Throws InputError if Solver/Type cannot solve the scene.
      */
     FactorizationOutcome factorize(Exactness exactness);
 
-    /** Whether the last factorization is that of the matrix, not of its
-     * symmetric part. */
+    /**
+     * Whether the last factorization is of the given matrix, not of its
+     * symmetric part.
+     */
     bool is_exact() const
     {
       return solves_given_matrix;
     }
 
     /**
-     * Numbers of eigenvalues of all free unknowns and multipliers, of the
-     * symmetric part if not is_exact(); none where the matrix is unsymmetric or
-     * solved by iteration. Costs nothing but where KLU has factorized, which
-     * does not tell: then one factorization by MUMPS.
+     * Inertia over all free unknowns and multipliers, of the symmetric part if
+     * not is_exact(); none if the factorized matrix is unsymmetric or solved
+     * iteratively. After KLU, which does not compute it, MUMPS factorizes once
+     * more.
      */
     std::optional<Inertia> inertia();
 
     /**
-     * Negative eigenvalues beyond one a multiplier, of what inertia() is of:
-     * modes in which an equilibrium is unstable. None where the matrix is
-     * unsymmetric, or solved with ILU. Of multigrid it costs a solution.
+     * Negative eigenvalues of the matrix of inertia() beyond one per
+     * multiplier: unstable modes of an equilibrium. None if that matrix is
+     * unsymmetric or solved with ILU. With multigrid it costs a solution.
      */
     std::optional<NegativeModes> negative_modes();
 
     /**
-     * 1 or -1: sign of the determinant of the matrix of all free unknowns and
-     * multipliers, symmetric or not. None if not is_exact() or solved by
-     * iteration.
+     * Sign of the determinant over all free unknowns and multipliers, 1 or -1;
+     * none if not is_exact() or solved iteratively.
      */
     std::optional<int> determinant_sign() const;
 
     /**
-     * Replaces @p values at local unknowns, owned rows of the right-hand side
-     * with increments in prescribed rows, by the solution, ghosts included.
-     * Returns false if that fails: why() tells the reason, and the values are
-     * not finite.
+     * Solves for @p values at local unknowns: the right-hand side in owned rows
+     * and increments in prescribed rows become the solution, ghosts included.
+     * On failure returns false; why() gives the reason and the values are not
+     * finite.
      */
     bool solve(std::vector<double> &values);
 
-    /** Why the last factorize() or solve() failed, as a part of a sentence;
-     * empty if it did not. */
+    /**
+     * Reason why the last factorize() or solve() failed, as a part of a
+     * sentence; empty if it succeeded.
+     */
     const std::string &why() const
     {
       return failure_reason;
     }
 
-    /** Which method solves, and why, e.g. `CHOLMOD (symmetric matrix, 300
-     * unknowns at joints)`; empty before the first factorization. */
+    /**
+     * The current method and the reason for it, e.g. `CHOLMOD (symmetric
+     * matrix, 300 unknowns at joints)`; empty before the first factorization.
+     */
     const std::string &method() const
     {
       return description_of_current;
     }
 
-    /** Iterations of all solutions so far; 0 for direct types. */
+    /** Iterations of all solutions so far; 0 for direct solvers. */
     unsigned long n_iterations() const;
 
-    /** The next factorization depends on its matrix alone; that of before is
-     * lost. */
+    /**
+     * Makes the next factorization choose its pivots anew; the present factors
+     * are lost.
+     */
     void forget_pivots();
 
     /** Memory of all factors on this rank (bytes). */
     std::size_t memory() const;
 
   private:
-    /** A method and the version of the pattern that it has analysed. */
+    /** A method and the pattern version it has analysed. */
     struct Analysed
     {
       std::unique_ptr<LinearSolverMethod> method;
       std::optional<unsigned long>        version;
     };
 
-    /** Sets solves_given_matrix, too. Collective. */
+    /** Also sets solves_given_matrix. Collective. */
     Symmetry             choose_symmetry(Exactness exactness);
     FactorizationOutcome try_to_factorize(Exactness exactness);
     FactorizationOutcome factorize_joints(const LinearSolverChoice &choice);
@@ -135,10 +144,10 @@ namespace auxfem
     const unsigned long    n_prescribed, n_multipliers;
     StrutCondensation      condensation;
     Symmetry               symmetry = Symmetry::given;
-    /** Whether what is factorized is not another symmetric part. */
+    /** Whether the given matrix, not its symmetric part, is factorized. */
     bool                                 solves_given_matrix = true;
     std::map<LinearSolverType, Analysed> methods;
-    /** The one that solves. */
+    /** The method in use. */
     LinearSolverMethod *current = nullptr;
     std::string         description_of_current, failure_reason;
     std::vector<double> joint_values;

@@ -16,10 +16,12 @@
 
 namespace auxfem
 {
-  /** @name Work on a list that every rank has, of which each does a part. */
+  /** @name Work on a list that every rank has, divided among the ranks */
   ///@{
-  /** The part of @p n items that this rank looks at: [begin, end). The parts of
-   * the ranks follow each other. */
+  /**
+   * This rank's part of @p n items, [begin, end). The parts of the ranks are
+   * consecutive.
+   */
   inline std::array<std::size_t, 2> share_of_rank(const UnknownLayout &layout,
                                                   const std::size_t    n)
   {
@@ -27,15 +29,17 @@ namespace auxfem
              n * (layout.rank() + 1) / layout.n_ranks()}};
   }
 
-  /** How many of all ranks' items each has, and of those of all ranks, one
-   * after the other, each one's first and the end. */
+  /**
+   * Numbers of items of the ranks, and the index of each rank's first item in
+   * their concatenation.
+   */
   class ItemsOfRanks
   {
   public:
     /** Collective. @param n_mine number of items of this rank */
     ItemsOfRanks(std::size_t n_mine, MPI_Comm communicator);
 
-    /** Of the unknowns that each rank owns. */
+    /** Items are the unknowns owned by each rank. */
     explicit ItemsOfRanks(const UnknownLayout &layout);
 
     std::size_t n() const
@@ -43,8 +47,10 @@ namespace auxfem
       return first.back();
     }
 
-    /** Brings the items of all ranks, @p size bytes each, to all of them.
-     * Collective. */
+    /**
+     * Gathers the items of all ranks, @p size bytes each, on all ranks.
+     * Collective.
+     */
     void gather(const void *mine, std::size_t size, void *all) const;
 
     std::vector<int> sizes, first;
@@ -53,9 +59,10 @@ namespace auxfem
     MPI_Comm communicator;
   };
 
-  /** What the ranks have, one after the other, on all of them. Collective.
-   * deal.II's all_gather() would compress it, which takes longer than all else,
-   * and longest to compile. */
+  /**
+   * Concatenates the items of all ranks on all ranks. Collective. deal.II's
+   * all_gather() would compress them, which is slower to run and to compile.
+   */
   template <typename T>
   std::vector<T> over_all_ranks(const std::vector<T> &mine,
                                 const MPI_Comm        communicator)
@@ -67,14 +74,16 @@ namespace auxfem
     return all;
   }
 
-  /** What @p result_of makes of each of @p n items, by its number; of many each
-   * rank looks at a share. The same on all ranks. Collective. */
+  /**
+   * Results of @p result_of for the numbers 0 to @p n - 1, the same on all
+   * ranks; long lists are divided among the ranks. Collective.
+   */
   template <class ResultOf>
   auto shared_results(const std::size_t    n,
                       const UnknownLayout &layout,
                       const ResultOf      &result_of)
   {
-    // Fewer are looked at sooner than ranks tell each other of them.
+    // For fewer items, communication costs more than the work.
     constexpr std::size_t many      = 1000;
     const bool            is_shared = layout.n_ranks() > 1 && n >= many;
     const auto [begin, end] =
@@ -86,8 +95,10 @@ namespace auxfem
     return is_shared ? over_all_ranks(results, layout.communicator()) : results;
   }
 
-  /** Values of all ranks' unknowns by global number: @p mine on one rank, else
-   * brought into @p room. Collective. */
+  /**
+   * Values of all ranks' unknowns by global number: @p mine on one rank, else
+   * gathered into @p room. Collective.
+   */
   inline const std::vector<double> &
   by_global_number(const std::vector<double> &mine,
                    const UnknownLayout       &layout,
@@ -100,11 +111,11 @@ namespace auxfem
     return room;
   }
 
-  /** The texts of all ranks on all of them. Collective. */
+  /** Texts of all ranks on all ranks. Collective. */
   std::vector<std::string> texts_of_all_ranks(const std::string &mine,
                                               MPI_Comm           communicator);
 
-  /** On every rank, @p text of @p rank. Collective. */
+  /** Broadcasts @p text of @p rank. Collective. */
   std::string
   text_of_rank(unsigned int rank, std::string text, MPI_Comm communicator);
   ///@}
@@ -112,58 +123,58 @@ namespace auxfem
   /** Numbers of values, by rank. */
   using SizesByRank = std::map<unsigned int, std::size_t>;
 
-  /**
-   * Messages of fixed lengths between ranks that know of each other, sent again
-   * and again with new values.
-   */
+  /** Repeated exchange of messages of fixed lengths between known ranks. */
   class NeighbourExchange
   {
   public:
-    /** To or from nobody. */
+    /** An exchange without messages. */
     NeighbourExchange() = default;
 
     /**
-     * @param sent, received numbers of values; each rank receives what the
-     *   others send.
+     * @param sent, received numbers of values by rank, consistent between the
+     *   ranks.
      */
     NeighbourExchange(MPI_Comm           communicator,
                       const SizesByRank &sent,
                       const SizesByRank &received);
 
     /**
-     * Sends @p values, those for each rank one after the other, and returns
-     * what comes in, in the same order. Collective.
+     * Sends @p values, concatenated by rank, and returns the received ones in
+     * the same order. Collective.
      */
     template <typename T>
     std::vector<T> exchange(const std::vector<T> &values) const
     {
       static_assert(std::is_trivially_copyable_v<T>);
-      std::vector<T> comes(std::accumulate(
+      std::vector<T> received_values(std::accumulate(
         received.begin(),
         received.end(),
         std::size_t(0),
         [](const std::size_t n, const auto &item) { return n + item.second; }));
-      transfer(values.data(), sizeof(T), comes.data());
-      return comes;
+      transfer(values.data(), sizeof(T), received_values.data());
+      return received_values;
     }
 
   private:
-    /** Of values of @p size bytes each. */
-    void transfer(const void *values, std::size_t size, void *comes) const;
+    /** Transfers values of @p size bytes each. */
+    void
+    transfer(const void *values, std::size_t size, void *received_values) const;
 
     MPI_Comm    communicator = MPI_COMM_NULL;
     SizesByRank sent, received;
   };
 
-  /** What other ranks send to this one, of what each sends to others.
-   * Collective. */
+  /**
+   * Numbers of values that other ranks send to this one, from the numbers that
+   * each sends. Collective.
+   */
   SizesByRank received_sizes(const SizesByRank &sent, MPI_Comm communicator);
 
-  /** Of other ranks, by rank. */
+  /** Lists of other ranks, by rank. */
   template <typename T>
   using ListsByRank = std::map<unsigned int, std::vector<T>>;
 
-  /** Those of all ranks, in the order of these. */
+  /** Concatenates the lists of all ranks, in ascending order of ranks. */
   template <typename T>
   std::vector<T> concatenated(const ListsByRank<T> &lists)
   {
@@ -173,7 +184,7 @@ namespace auxfem
     return all;
   }
 
-  /** Of each list, how many values it has, times @p factor. */
+  /** Length of each list times @p factor. */
   template <typename T>
   SizesByRank lengths(const ListsByRank<T> &lists, const std::size_t factor = 1)
   {
@@ -183,19 +194,21 @@ namespace auxfem
     return n;
   }
 
-  /** The lists that others have for this rank, of those that each has @p for_others.
-   * Collective. deal.II's some_to_some() would compress them, which takes
-   * longer than sending them. */
+  /**
+   * Sends each rank its list and returns the received lists. Collective.
+   * deal.II's some_to_some() would compress them, which is slower.
+   */
   template <typename T>
   ListsByRank<T> exchange_lists(const ListsByRank<T> &for_others,
                                 const MPI_Comm        communicator)
   {
     const SizesByRank    sent     = lengths(for_others);
     const SizesByRank    received = received_sizes(sent, communicator);
-    const std::vector<T> comes = NeighbourExchange(communicator, sent, received)
-                                   .exchange(concatenated(for_others));
+    const std::vector<T> values =
+      NeighbourExchange(communicator, sent, received)
+        .exchange(concatenated(for_others));
     ListsByRank<T> lists;
-    auto           next = comes.begin();
+    auto           next = values.begin();
     for (const auto &[rank, n] : received)
       {
         lists[rank].assign(next, next + n);
@@ -204,7 +217,7 @@ namespace auxfem
     return lists;
   }
 
-  /** More do not fit into the int of one message. */
+  /** Message size that MPI counts with an int. */
   inline constexpr std::size_t max_message_bytes = 1 << 30;
 
   /** Sends @p n values to the first rank, which calls receive(). */
@@ -223,7 +236,7 @@ namespace auxfem
                communicator);
   }
 
-  /** What the rank @p from has sent by send_to_first(). */
+  /** Receives the values of send_to_first() of the rank @p from. */
   template <typename T>
   void receive(T                 *values,
                const std::size_t  n,

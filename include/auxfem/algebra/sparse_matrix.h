@@ -10,16 +10,16 @@
 namespace auxfem
 {
   /**
-   * This rank's rows of a square sparse matrix, by rows. Row i is that of owned
-   * unknown i of the layout; columns are local numbers of the layout. The
-   * pattern is symmetric and has the whole diagonal.
+   * This rank's rows of a square sparse matrix (CSR). Row i belongs to owned
+   * unknown i of the layout; columns are local numbers. The pattern is
+   * symmetric and contains the diagonal.
    */
   struct SparseMatrix
   {
     explicit SparseMatrix(const UnknownLayout &layout);
 
     const UnknownLayout *layout;
-    /** Index of the first entry of every owned row, and the end of the last. */
+    /** Index of the first entry of every owned row, and the end. */
     std::vector<std::size_t> first;
     std::vector<int>         columns; ///< ascending in a row
     std::vector<double>      entries;
@@ -33,7 +33,9 @@ namespace auxfem
     void multiply(const double *x, double *y) const;
   };
 
-  /** Sorts what belongs to a row by its member `column`; mostly it is in order.
+  /**
+   * Sorts the items of a row by their member `column`; usually they are in
+   * order.
    */
   template <typename T>
   void sort_by_column(std::vector<T> &row)
@@ -46,8 +48,8 @@ namespace auxfem
   }
 
   /**
-   * A SparseMatrix as the sum of dense blocks. Each block remembers where its
-   * entries lie, so adding it is a plain scatter.
+   * Assembles a SparseMatrix from dense blocks. The positions of each block's
+   * entries are precomputed, so that adding a block is a plain scatter.
    */
   class SparseAssembly
   {
@@ -55,8 +57,8 @@ namespace auxfem
     /**
      * @param layout must outlive the object.
      * @param first index of the first unknown of each block in @p unknowns, and
-     *   the end of the last
-     * @param unknowns local unknowns; -1: its row and column are left out
+     *   the end
+     * @param unknowns local unknowns; -1 omits the row and column
      *
      * Throws InputError if the blocks of a rank have more entries than an int
      * can count. Collective.
@@ -71,9 +73,9 @@ namespace auxfem
     }
 
     /**
-     * All entries zero.
-     * @param symmetry of what will be added; with `enforced` the symmetric
-     *   part of each block is.
+     * Sets all entries to zero.
+     * @param symmetry of the blocks to add; with `enforced` their symmetric
+     *   parts are added.
      */
     void reset(Symmetry symmetry);
 
@@ -83,7 +85,7 @@ namespace auxfem
     void add_to_diagonal(unsigned int owned, double value);
 
   private:
-    /** The rows of blocks that are added to each owned row of the matrix. */
+    /** Rows of blocks that contribute to each owned row of the matrix. */
     class BlockRows;
 
     void make_pattern(const BlockRows &rows);
@@ -93,34 +95,34 @@ namespace auxfem
     bool                     enforces_symmetry = false;
     std::vector<std::size_t> begins; ///< of each block's positions, and the end
     std::vector<int>         sizes;  ///< of each block
-    /** Index of each entry of a block in the matrix; -1: none. */
+    /** Index of each block entry in the matrix; -1 if omitted. */
     std::vector<int> positions;
     std::vector<int> diagonal_positions;
   };
 
-  /** @name Of the values in some rows, on this rank alone. */
+  /** @name Norms of the values in some rows, on this rank alone */
   ///@{
   double sum_of_squares(const double *values, const std::vector<int> &rows);
 
-  /** The largest absolute value; 0 without rows. */
+  /** Largest absolute value; 0 without rows. */
   double largest_size(const double *values, const std::vector<int> &rows);
   ///@}
 
   /**
-   * Rows and columns of a tangent or mass matrix that belong to free
-   * displacements and rotations and to multipliers, assembled: the matrix of
-   * the structure that its supports hold, as eigenvalue problems want it.
+   * Assembled rows and columns of a tangent or mass matrix for free
+   * displacements, rotations and multipliers, i.e. of the supported structure;
+   * for eigenvalue problems.
    */
   class FreeBlock
   {
   public:
-    /** With the pattern that @p matrix has now. Collective. */
+    /** Uses the present pattern of @p matrix. Collective. */
     explicit FreeBlock(const TangentMatrix &matrix);
 
     FreeBlock(const FreeBlock &)            = delete;
     FreeBlock &operator=(const FreeBlock &) = delete;
 
-    /** Takes the entries of @p matrix; its pattern must be the one it was. */
+    /** Copies the entries of @p matrix, whose pattern must be unchanged. */
     void assemble(const TangentMatrix &matrix);
 
     const SparseMatrix &matrix() const
@@ -128,7 +130,7 @@ namespace auxfem
       return assembly.matrix();
     }
 
-    /** Which unknowns the rows of matrix() are. */
+    /** Unknowns of the rows of matrix(). */
     const UnknownSelection &selection() const
     {
       return free;

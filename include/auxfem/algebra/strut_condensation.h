@@ -10,45 +10,41 @@
 namespace auxfem
 {
   /**
-   * Static condensation: what equations A x = b leave at the joints once the
-   * unknowns inside the struts are eliminated,
+   * Static condensation of A x = b: eliminates the unknowns I inside struts and
+   * leaves those at joints J,
    *
-   *     S z = g,  S = A_JJ - A_JI A_II^-1 A_IJ,
+   *     S z = g,  S = A_JJ - A_JI A_II^-1 A_IJ
    *
-   * I inside struts, J at joints (E. L. Wilson, The static condensation
-   * algorithm, Int. J. Numer. Meth. Eng. 8, 1974, 198-203). Element after
-   * element along each strut, first what is between its nodes, then the node
-   * shared with those before, so the cost is linear in the number of elements.
-   * The inside of a strut that other blocks act on stays among the joints.
-   *
-   * Prescribed rows of S are those of the identity, prescribed columns go to
-   * the right-hand side, so S is symmetric if A is in free rows and columns.
+   * (E. L. Wilson, Int. J. Numer. Meth. Eng. 8, 1974, 198-203). It proceeds
+   * element by element along each strut, so the cost is linear in their number.
+   * A strut whose inside other blocks act on is not condensed. Prescribed rows
+   * of S are identity rows and prescribed columns move to the right-hand side,
+   * so S is symmetric if A is in free rows and columns.
    */
   class StrutCondensation
   {
   public:
     /**
-     * @param matrix must outlive the object; its entries are needed by
-     *   condense() only.
+     * @param matrix must outlive the object; only condense() needs its entries.
      */
     explicit StrutCondensation(const TangentMatrix &matrix);
 
     /**
-     * Makes S from the matrix as it is now. `singular` if the inside of a strut
-     * is; see description(). Collective.
+     * Computes S from the matrix as it is now. Returns `singular` if the inside
+     * of a strut is singular; see description(). Collective.
      */
     FactorizationOutcome condense(Symmetry symmetry);
 
-    /** Which strut has not been condensed; empty if all have. */
+    /** The strut whose condensation failed; empty if all succeeded. */
     const std::string &description() const
     {
       return failure_place;
     }
 
-    /** S. Valid until a condense() after a change of the pattern. */
+    /** S; valid until a condense() after a change of the pattern. */
     const SparseMatrix &matrix() const;
 
-    /** Unknowns of S. Valid as matrix(). */
+    /** Unknowns of S; valid as long as matrix(). */
     const Unknowns &joints() const;
 
     /** Version of the pattern that matrix() was made for. */
@@ -58,31 +54,33 @@ namespace auxfem
     }
 
     /**
-     * Of A_II, over all ranks; none if it is unsymmetric. The inertia of A is
-     * the sum of this and that of S (Haynsworth 1968), whose prescribed rows
-     * add one positive eigenvalue each.
+     * Inertia of A_II over all ranks; none if it is unsymmetric. The inertia of
+     * A is the sum of this and that of S (Haynsworth 1968), whose prescribed
+     * rows add one positive eigenvalue each.
      */
     const std::optional<Inertia> &inner_inertia() const
     {
       return inertia;
     }
 
-    /** Of the determinant of A_II over all ranks, 1 or -1; that of A is the
-     * product of this and that of S. */
+    /**
+     * Sign of the determinant of A_II over all ranks, 1 or -1. The sign for A
+     * is the product of this and that of S.
+     */
     int inner_determinant_sign() const
     {
       return determinant;
     }
 
     /**
-     * Makes the right-hand side @p g of S, owned rows with room for ghosts,
-     * from @p values: b in owned rows, increments in prescribed ones.
-     * Afterwards @p values are what expand() wants. Collective.
+     * Computes the right-hand side @p g of S, owned rows with room for ghosts,
+     * from @p values: b in owned rows, increments in prescribed ones. On return
+     * @p values are the input of expand(). Collective.
      */
     void reduce(std::vector<double> &values, std::vector<double> &g) const;
 
     /**
-     * Completes @p values at all local unknowns, ghosts included, from the
+     * Computes @p values at all local unknowns, ghosts included, from the
      * solution @p z of S z = g on owned rows. Collective.
      */
     void expand(std::vector<double> &z, std::vector<double> &values) const;
@@ -94,18 +92,20 @@ namespace auxfem
     }
 
   private:
-    void        follow_pattern();
+    void        update_pattern();
     std::size_t node_size(const StrutElements &elements) const;
     std::size_t factors_size(const StrutElements &elements) const;
 
-    /** Room that all struts use in turn. */
+    /** Scratch arrays used by all struts in turn. */
     struct Room
     {
       std::vector<double> element, strut, around_node, inner;
     };
 
-    /** Eliminates a strut, its factors into @p strut_factors, what is left into
-     * Room::strut_factors; whether it is regular. */
+    /**
+     * Eliminates a strut: writes the factors to @p strut_factors and the
+     * condensed block to Room::strut. Returns whether it is regular.
+     */
     bool              condense_strut(const StrutElements &elements,
                                      double              *strut_factors,
                                      Room                &room,
@@ -118,7 +118,7 @@ namespace auxfem
                                      std::size_t          block,
                                      double              *node_factors,
                                      Room                &room) const;
-    /** What is added to the diagonal at the unknowns; nullptr if nothing. */
+    /** Terms added to the diagonal at these unknowns; nullptr if none. */
     const double *
     added(const int *unknowns, unsigned int n, std::vector<double> &room) const;
     bool has_finite_entries(const StrutElements &elements) const;
@@ -127,7 +127,7 @@ namespace auxfem
     /** Local unknowns between the nodes of element @p e of a strut. */
     const int *inner_unknowns(const StrutElements &elements,
                               unsigned int         e) const;
-    /** Of a strut of several elements. */
+    /** Right-hand side and solution of a strut of several elements. */
     ///@{
     void reduce_chain(const StrutElements &elements,
                       const double        *strut_factors,
@@ -143,7 +143,9 @@ namespace auxfem
                       Room                      &room) const;
     ///@}
 
-    /** Of nodes between elements, which stand symmetrized. */
+    /**
+     * Symmetry of nodes between elements, whose blocks are symmetrized already.
+     */
     Symmetry symmetry_of_nodes() const
     {
       return symmetry == Symmetry::enforced ? Symmetry::given : symmetry;
@@ -153,8 +155,10 @@ namespace auxfem
     unsigned long                built_version = 0;
     std::vector<StrutElements>   struts;
     std::unique_ptr<JointSystem> system;
-    /** Owned ones, blocks with any, and the entries of these one after the
-     * other. */
+    /**
+     * Owned prescribed unknowns, blocks with any, and the entries of these
+     * blocks.
+     */
     ///@{
     std::vector<int>         prescribed_unknowns;
     std::vector<std::size_t> prescribed_blocks;
@@ -162,7 +166,7 @@ namespace auxfem
     ///@}
     Symmetry            symmetry = Symmetry::given;
     std::vector<double> factors;
-    /** Where those of a strut begin, and the end of the last. */
+    /** Index of the first factor of each strut, and the end. */
     std::vector<std::size_t> first_factor;
     std::optional<Inertia>   inertia;
     int                      determinant = 1; ///< its sign

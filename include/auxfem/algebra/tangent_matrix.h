@@ -10,12 +10,11 @@
 namespace auxfem
 {
   /**
-   * Which unknowns act on each other: dense blocks on the unknowns that effects
-   * register. It may change between steps; its version then changes too.
-   *
-   * The blocks of a strut's elements can be condensed if they are registered
-   * one after the other along it, each on the unknowns of its first node, of
-   * its last one, and then of those between (see StrutCondensation).
+   * Coupling of unknowns: dense blocks registered by the effects. It may change
+   * between steps; its version then changes too. Blocks of a strut's elements
+   * can be condensed if they are registered consecutively along it, each on the
+   * unknowns of its first node, last node, then those between (see
+   * StrutCondensation).
    */
   class TangentPattern
   {
@@ -24,16 +23,15 @@ namespace auxfem
     explicit TangentPattern(const Unknowns &unknowns);
 
     /**
-     * Announces a dense block on @p n local unknowns (entries -1: not there).
-     * A block is announced on all ranks that own one of its unknowns. Returns
-     * its number; blocks are numbered in the order in which they come.
+     * Registers a dense block on @p n local unknowns (-1 for none), on all
+     * ranks that own one of them. Returns its number; numbers are consecutive.
      */
     std::size_t register_block(const int *unknowns, unsigned int n);
 
     /**
-     * Announces a block for each of @p items, on the array of unknowns that
-     * @p unknowns_of (a member or a function) gives of it. Returns the number of
-     * the first.
+     * Registers a block for each of @p items on the unknowns that @p
+     * unknowns_of (a member or a function) returns for it. Returns the number
+     * of the first block.
      */
     template <class Items, class UnknownsOf>
     std::size_t register_blocks(const Items      &items,
@@ -48,10 +46,10 @@ namespace auxfem
       return first_of_items;
     }
 
-    /** No blocks; @p unknowns must outlive the object. */
+    /** Removes all blocks; @p unknowns must outlive the object. */
     void reset(const Unknowns &unknowns);
 
-    /** A number that grows with every change. */
+    /** Increases with every change. */
     unsigned long version() const
     {
       return changes;
@@ -93,22 +91,20 @@ namespace auxfem
     unsigned long            changes = 0;
   };
 
-  /** How the equations of a matrix A are to be solved. */
+  /** Symmetry of a matrix A in a solution. */
   enum class Symmetry
   {
     given,    ///< A is symmetric (to round-off)
-    enforced, ///< its symmetric part (A + A^T)/2 takes its place
+    enforced, ///< its symmetric part (A + A^T)/2 is used instead
     none
   };
 
   /**
-   * The tangent (or mass) matrix, not assembled: the dense values of every
-   * block of a pattern, one after the other, so adding a block is a plain sum.
-   * The matrix is the sum of its blocks; on each rank the owned rows are
-   * complete.
-   *
-   * Rows of prescribed unknowns are identity rows; their columns are kept, so
-   * that a prescribed increment on the right-hand side moves the rest along.
+   * Tangent (or mass) matrix, not assembled: the dense values of all blocks of
+   * a pattern. The matrix is the sum of its blocks; on each rank the owned rows
+   * are complete. Rows of prescribed unknowns are identity rows; their columns
+   * are kept, so that prescribed increments on the right-hand side act on the
+   * free unknowns.
    */
   class TangentMatrix
   {
@@ -117,22 +113,21 @@ namespace auxfem
     explicit TangentMatrix(const TangentPattern &pattern);
 
     /**
-     * All entries zero, identity in prescribed rows; with the blocks of the
-     * pattern as it is now. Until then the matrix must not be used if the
-     * pattern has changed.
+     * Sets all entries to zero and prescribed rows to identity rows, for the
+     * present blocks of the pattern. Required after each change of the pattern.
      */
     void reset();
 
-    /** Lets go of the memory of the entries; until reset() there are none. */
+    /** Frees the entries until the next reset(). */
     void release();
 
-    /** Not between release() and reset(). */
+    /** False between release() and reset(). */
     bool has_entries() const
     {
       return !first.empty();
     }
 
-    /** Adds the row-major block @p values to block @p block. */
+    /** Adds the row-major @p values to block @p block. */
     void add(std::size_t block, const double *values);
 
     /** Adds @p factor times @p other, which has the same pattern. */
@@ -143,13 +138,13 @@ namespace auxfem
       return tangent_pattern;
     }
 
-    /** Version of the pattern that the matrix has. */
+    /** Pattern version of the matrix. */
     unsigned long version() const
     {
       return built_version;
     }
 
-    /** The row-major values of a block. */
+    /** Row-major values of a block. */
     const double *values(const std::size_t block) const
     {
       return entries.data() + first[block];
@@ -163,26 +158,28 @@ namespace auxfem
                 entries.begin() + first[block]);
     }
 
-    /** Takes the transpose of what is between free unknowns. */
+    /** Transposes the part of free unknowns. */
     void transpose();
 
-    /** Takes the symmetric part (A + A^T)/2 of each block. */
+    /** Replaces each block by its symmetric part (A + A^T)/2. */
     void take_symmetric_part();
 
     /**
-     * Adds @p values, one value for each owned row, to the diagonal of free
-     * rows, until the next reset().
+     * Adds @p values of the owned rows to the diagonal of free rows, until the
+     * next reset().
      */
     void add_to_diagonal(const std::vector<double> &values);
 
-    /** What was added by add_to_diagonal(), zero in prescribed rows; empty if
-     * nothing was. */
+    /**
+     * Sum of add_to_diagonal(), zero in prescribed rows; empty if nothing was
+     * added.
+     */
     const std::vector<double> &added_diagonal() const
     {
       return further_diagonal;
     }
 
-    /** The diagonal of the owned rows; 1 if prescribed. */
+    /** Diagonal of the owned rows; 1 if prescribed. */
     std::vector<double> diagonal() const;
 
     /** As add_to_diagonal(), so that diagonal() becomes @p values. */
@@ -190,7 +187,7 @@ namespace auxfem
 
     /**
      * Size of each owned row: the largest |entry| of its blocks and its
-     * diagonal; zero for a row that nothing has been added to.
+     * diagonal; zero for an empty row.
      */
     std::vector<double> row_sizes() const;
 
@@ -205,16 +202,15 @@ namespace auxfem
                   Symmetry      symmetry = Symmetry::none) const;
 
     /**
-     * @p y = the sum of all blocks and the added diagonal times x in owned
-     * rows, those of prescribed unknowns too: forces of supports, say.
+     * @p y = (sum of all blocks and the added diagonal) x in owned rows,
+     *   prescribed ones included, e.g. for forces of supports.
      * @param x, symmetry as for multiply()
      */
     void multiply_blocks(const double *x,
                          double       *y,
                          Symmetry      symmetry = Symmetry::none) const;
 
-    /** An asymmetry() below this is the round-off of sums of symmetric terms.
-     */
+    /** An asymmetry() below this is round-off of symmetric terms. */
     static constexpr double symmetric_to_round_off = 1e-13;
 
     /**
@@ -225,14 +221,17 @@ namespace auxfem
     double asymmetry() const;
 
     /**
-     * Whether the matrix is symmetric as a whole to round-off. Its blocks need
-     * not be: those of struts in space are not, but where moments at joints
-     * balance, what they lack cancels. Collective.
+     * Whether the sum of the blocks is symmetric to round-off. Blocks of struts
+     * in space are not, but their skew parts cancel where moments at joints
+     * balance. Collective.
      */
     bool is_symmetric() const;
 
   private:
-    /** As asymmetry(), of the sum of all blocks; estimated with a vector. */
+    /**
+     * As asymmetry() for the sum of all blocks; estimated by a product with one
+     * vector.
+     */
     double asymmetry_of_sum() const;
 
     template <class Action>

@@ -13,20 +13,20 @@
 namespace auxfem
 {
   /**
-   * How unknowns are spread over the ranks: each rank owns a contiguous range
+   * Distribution of unknowns over the ranks. Each rank owns a contiguous range
    * of global numbers and stores ("local" numbers) its owned unknowns first,
-   * then ghosts: copies of unknowns of other ranks that it needs.
+   * then ghosts, i.e. copies of other ranks' unknowns.
    */
   class UnknownLayout
   {
   public:
     /**
-     * @param ghosts global numbers of unknowns of other ranks, in the order
-     * they are to be stored in, each once. Collective.
+     * @param ghost_numbers global numbers of other ranks' unknowns in storage
+     *   order, each once. Collective.
      */
     UnknownLayout(MPI_Comm                communicator,
                   unsigned int            n_owned,
-                  const std::vector<int> &ghosts);
+                  const std::vector<int> &ghost_numbers);
 
     MPI_Comm communicator() const
     {
@@ -53,13 +53,13 @@ namespace auxfem
       return n_owned() + ghosts.size();
     }
 
-    /** Of all ranks. */
+    /** Number of unknowns of all ranks. */
     unsigned int n_global() const
     {
       return first.back();
     }
 
-    /** First global number of @p rank; with rank = n_ranks() their number. */
+    /** First global number of @p rank; for n_ranks() the total number. */
     int first_of(const unsigned int rank) const
     {
       return first[rank];
@@ -68,7 +68,7 @@ namespace auxfem
     /** Rank that owns a global number. */
     unsigned int owner(int global) const;
 
-    /** Whether a local number is this rank's own; false for -1. */
+    /** Whether a local number is owned; false for -1. */
     bool is_owned(const int local) const
     {
       return local >= 0 && local < static_cast<int>(n_owned());
@@ -83,19 +83,19 @@ namespace auxfem
     /** Local number of a global one; -1 if it is -1 or not on this rank. */
     int local(int global) const;
 
-    /** Brings owned values to the ghosts of other ranks. Collective. */
+    /** Copies owned values to the ghosts of other ranks. Collective. */
     void update_ghosts(double *values) const;
 
-    /** The same for numbers that some unknowns have. Collective. */
+    /** As above for optional numbers. Collective. */
     void update_ghosts(std::vector<std::optional<unsigned int>> &numbers) const;
 
     /**
-     * Appends ghosts; those that are local already are left out. The numbers
-     * of the others stay. Returns whether any rank has gained one. Collective.
+     * Appends ghosts that are not local yet; other local numbers do not change.
+     * Returns whether any rank gained one. Collective.
      */
     bool add_ghosts(const std::vector<int> &globals);
 
-    /** @name Over all ranks, of what each contributes. Collective. */
+    /** @name Reductions over all ranks. Collective. */
     ///@{
     double              sum(double mine) const;
     std::vector<double> sum(const std::vector<double> &mine) const;
@@ -110,12 +110,12 @@ namespace auxfem
     std::vector<int>             first; ///< by rank, and the end of the last
     std::vector<int>             ghosts;
     std::unordered_map<int, int> local_of_ghost;
-    /** None on one rank. */
+    /** Null on one rank. */
     std::shared_ptr<const dealii::Utilities::MPI::NoncontiguousPartitioner>
       exchange;
   };
 
-  /** Kinds of unknowns, measured apart in convergence tests. */
+  /** Kinds of unknowns, with separate norms in convergence tests. */
   enum class UnknownKind : unsigned char
   {
     translation,
@@ -124,7 +124,7 @@ namespace auxfem
     multiplier
   };
 
-  /** Owned rows apart by what is measured and by whether they are free. */
+  /** Owned rows by kind and by whether they are prescribed. */
   struct OwnedRows
   {
     std::vector<int> free_translations, free_rotations, prescribed_translations,
@@ -132,25 +132,24 @@ namespace auxfem
   };
 
   /**
-   * What linear algebra knows of the unknowns of a structure beside how they
-   * act on each other: which are prescribed, which lie inside a strut and can
-   * be condensed there, which belong to one joint. All ghosts included.
+   * Properties of a structure's unknowns for linear algebra: which are
+   * prescribed, which lie inside a strut and can be condensed, which belong to
+   * one joint. Ghosts are included.
    */
   struct Unknowns
   {
     explicit Unknowns(const UnknownLayout &layout);
 
     UnknownLayout layout;
-    /** By local unknown. */
+    /** Kind by local unknown. */
     std::vector<UnknownKind> kinds;
     /** Whether a local unknown is a rotation, prescribed or not. */
     std::vector<bool> is_rotation;
-    /** Strut that a local unknown lies inside of; none at joints. */
+    /** Strut whose inside contains the local unknown; none at joints. */
     std::vector<std::optional<unsigned int>> strut;
     /**
-     * Of local unknowns not inside struts: the joint they belong to, of
-     * multipliers one that they constrain. The numbers are the same on all
-     * ranks.
+     * Joint of local unknowns not inside struts, for multipliers a constrained
+     * joint. The same numbering on all ranks.
      */
     std::vector<unsigned int> joint;
     /**
@@ -158,22 +157,19 @@ namespace auxfem
      * meaningless for multipliers.
      */
     std::vector<unsigned char> component;
-    /** Positions of joints, then of other things that `joint` names (m). */
+    /** Positions of joints, then of other objects that `joint` numbers (m). */
     std::shared_ptr<const std::vector<dealii::Point<3>>> positions;
-    /** Components of motion that nodes have: 0, 1, 5 in the plane, else all. */
+    /** Components of motion of nodes: 0, 1, 5 in the plane, else all. */
     std::vector<unsigned int> components;
-    /** Ties moments to forces (m). */
+    /** Length that scales moments to forces (m). */
     double length = 1;
 
-    /**
-     * Keeps copies of further unknowns of other ranks. Returns whether any rank
-     * has gained one. Collective.
-     */
+    /** Adds ghosts. Returns whether any rank gained one. Collective. */
     bool add_ghosts(const std::vector<int> &globals);
 
     /**
-     * What the local unknown @p i is divided by to be compared with others:
-     * 1/length for rotations, measured in length times radian, else 1.
+     * Unit of the local unknown @p i for comparisons: 1/length for rotations,
+     * else 1.
      */
     double unit(const unsigned int i) const
     {
@@ -183,8 +179,7 @@ namespace auxfem
     OwnedRows owned_rows() const;
 
     /**
-     * Number of displacements and rotations that are not prescribed, over all
-     * ranks. Collective.
+     * Number of free displacements and rotations over all ranks. Collective.
      */
     unsigned int n_free() const;
 
@@ -192,18 +187,18 @@ namespace auxfem
     unsigned long n_of_kind(UnknownKind kind) const;
   };
 
-  /** Some of the unknowns of a layout, with a layout of their own. */
+  /** A subset of the unknowns of a layout, with a layout of its own. */
   struct UnknownSelection
   {
     /**
      * @param is_selected by local unknown of @p all; owned and ghost copies
-     *   agree. Their order stays. Collective.
+     *   must agree. The order is preserved. Collective.
      */
     UnknownSelection(const UnknownLayout     &all,
                      const std::vector<bool> &is_selected);
 
     UnknownLayout layout;
-    /** By local unknown of all: local unknown of the selection, or -1. */
+    /** Local unknown of the selection by local unknown of all, or -1. */
     std::vector<int> number;
     /** Local unknowns of all, in the order of the selection. */
     std::vector<int> unknowns;

@@ -7,16 +7,15 @@
 
 /**
  * @file
- * Rotation increments as Cayley's transform measures them. In the plane a
- * rotation by the angle a takes a vector r_0 to r_1 such that
+ * Rotation increments in Cayley's parametrization. In the plane, a rotation by
+ * the angle a takes a vector r_0 to r_1 with
  * @code
  * r_1 - r_0 = 2 tan(a/2) J (r_0 + r_1) / 2
  * @endcode
- * with J the rotation by a right angle. So the vector product with the mean
- * position, which is what a virtual rotation makes, gives finite increments
- * exactly if the rotation is measured by 2 tan(a/2), and by nothing else. In
- * space the measure is a vector c of this length along the axis,
- * r_1 - r_0 = c x (r_0 + r_1) / 2.
+ * where J rotates by a right angle. A virtual rotation, which acts on the mean
+ * position, gives finite increments exactly if and only if the rotation is
+ * measured by 2 tan(a/2). In space the measure is a vector c of this length
+ * along the axis, r_1 - r_0 = c x (r_0 + r_1) / 2.
  */
 namespace auxfem
 {
@@ -26,7 +25,9 @@ namespace auxfem
     return 2 * std::tan(angle / 2);
   }
 
-  /** @name Functions of half the rotation increment of a step, which is small. */
+  /**
+   * @name Functions of half the rotation increment of a step, a small angle.
+   */
   ///@{
   /** sin(x) / x. */
   template <class Number>
@@ -56,22 +57,22 @@ namespace auxfem
   ///@}
 
   /**
-   * a / (2 tan(a/2)): a moment times this does on 2 tan(a/2) the work that the
-   * moment does on the angle a = @p angle (rad).
+   * a / (2 tan(a/2)) for the angle a = @p angle (rad): converts a moment
+   * conjugate to a into one conjugate to 2 tan(a/2).
    */
   inline double angle_per_cayley_rotation(const double angle)
   {
     return angle == 0 ? 1. : angle / cayley_rotation(angle);
   }
 
-  /** c of a rotation by less than half a turn. */
+  /** Vector c of a rotation by less than half a turn. */
   template <class Number>
   inline VectorOf<Number> cayley_rotation(const QuaternionOf<Number> &rotation)
   {
     return 2 / rotation.scalar * rotation.vector;
   }
 
-  /** c of a rotation vector shorter than pi. */
+  /** Vector c of a rotation vector shorter than pi. */
   template <class Number>
   inline VectorOf<Number>
   cayley_rotation(const VectorOf<Number> &rotation_vector)
@@ -79,8 +80,10 @@ namespace auxfem
     return cayley_rotation(exponential(rotation_vector));
   }
 
-  /** The mean of @p v and what the rotation with @p c makes of it:
-   * (I - [c]x / 2)^-1 v. */
+  /**
+   * Mean of @p v and its image under the rotation with @p c: (I - [c]x / 2)^-1
+   * v.
+   */
   template <class Number>
   inline VectorOf<Number> mean_over_rotation(const VectorOf<Number> &c,
                                              const VectorOf<Number> &v)
@@ -91,9 +94,8 @@ namespace auxfem
   }
 
   /**
-   * The derivative of @p c by a spin theta that follows it in axes that turn
-   * along, C <- C exp(theta): I + [c]x / 2 + c c^T / 4. In fixed axes, of
-   * exp(theta) C, it is that of -c.
+   * Derivative of @p c by a material spin theta, C <- C exp(theta): I + [c]x /
+   * 2 + c c^T / 4. For a spatial spin, C <- exp(theta) C, take it at -c.
    */
   template <class Number>
   inline TensorOf<Number> cayley_change_by_spin(const VectorOf<Number> &c)

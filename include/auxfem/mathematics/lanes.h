@@ -9,59 +9,66 @@
 
 /**
  * @file
- * Several elements computed at a time by vector instructions: what a kernel
- * does with a number it does with one of each element, its lane. Lanes do not
- * meet, so results do not depend on which elements share them.
+ * SIMD over elements: a kernel written for a number computes one number per
+ * element, its lane, at a time. Lanes do not interact, so results do not depend
+ * on the grouping of elements.
  */
 namespace auxfem
 {
 #ifdef AUXFEM_SANITIZERS
-  /** One element at a time: sanitizers, which look into each function of the
-   * library's vectors, would make several slower than one after the other. */
+  /**
+   * One element at a time: sanitizers instrument each function of the SIMD
+   * library and make it slower than scalar code.
+   */
   using Lanes = double;
 
   constexpr std::size_t n_lanes = 1;
 
-  /** What @p function, a function of a lane, gives for each. */
+  /** The values of @p function at all lanes. */
   template <class Function>
   Lanes each_lane(const Function &function)
   {
     return function(std::size_t(0));
   }
 
-  /** The number of one @p lane. */
+  /** The number in one @p lane. */
   inline double number_in(const Lanes &lanes, const std::size_t /*lane*/)
   {
     return lanes;
   }
 #else
-  /** A number of each of the elements that are computed at a time: as many as
-   * a register of the compiling processor's instructions holds. */
+  /**
+   * One number for each element of a batch, as many as a register of the target
+   * processor holds.
+   */
   using Lanes = std::experimental::native_simd<double>;
 
-  /** How many elements these are: 4 with AVX2, 2 without. */
+  /** Number of lanes: 4 with AVX2, 2 without. */
   constexpr std::size_t n_lanes = Lanes::size();
 
-  /** What @p function, a function of a lane, gives for each. */
+  /** The values of @p function at all lanes. */
   template <class Function>
   Lanes each_lane(const Function &function)
   {
     return Lanes(function);
   }
 
-  /** The number of one @p lane. */
+  /** The number in one @p lane. */
   inline double number_in(const Lanes &lanes, const std::size_t lane)
   {
     return lanes[lane];
   }
 #endif
 
-  /** An object of each of them. */
+  /** One object per lane. */
   template <class T>
   using EachLane = std::array<T, n_lanes>;
 
-  /** @p LaneObject is the object of Lanes that @p Object is of double: the same
-   * numbers in the same order, and nothing else. */
+  /**
+   * Packs one object per lane into an object of Lanes. @p LaneObject must have
+   * the layout of @p Object with Lanes in place of double, and no other
+   * members.
+   */
   template <class LaneObject, class Object>
   LaneObject in_lanes(const EachLane<const Object *> &objects)
   {
@@ -86,8 +93,7 @@ namespace auxfem
     return in_lanes<LaneObject>(pointers);
   }
 
-  /** The object of double of one @p lane of an object of Lanes; as in_lanes().
-   */
+  /** Unpacks the object of one @p lane; inverse of in_lanes(). */
   template <class Object, class LaneObject>
   Object in_lane(const LaneObject &objects, const std::size_t lane)
   {
@@ -100,7 +106,7 @@ namespace auxfem
     return result;
   }
 
-  /** The @p n numbers at @p lanes of one @p lane. */
+  /** Copies the @p n numbers of one @p lane to @p numbers. */
   template <std::size_t n>
   void
   take_lane(const Lanes (&lanes)[n], const std::size_t lane, double *numbers)
@@ -113,7 +119,7 @@ namespace auxfem
 #ifndef AUXFEM_SANITIZERS
 namespace dealii
 {
-  /** Tensors take Lanes for numbers. */
+  /** Admits Lanes as the number type of tensors. */
   template <>
   struct EnableIfScalar<auxfem::Lanes>
   {
@@ -124,8 +130,8 @@ namespace dealii
 
 /**
  * @file
- * What the library has for several numbers at a time, for one: a function
- * written with it is for either.
+ * Scalar counterparts of the SIMD library's masked assignment, so that one
+ * function template serves double and Lanes:
  * @code
  * Number result = series(x);
  * const auto large = x > limit;
@@ -140,7 +146,7 @@ namespace auxfem
     return condition;
   }
 
-  /** A number that is assigned to on a condition. */
+  /** Assigns to a number under a condition. */
   class WhereExpression
   {
   public:

@@ -10,13 +10,13 @@
 
 /**
  * @file
- * Series of trigonometric functions by the square of the angle, exact to the
- * last digit up to largest_small_square. They cost a fraction of the library's
+ * Series of trigonometric functions in the square of the angle, accurate to
+ * round-off up to largest_small_square and cheaper than the library's
  * functions.
  */
 namespace auxfem
 {
-  /** Up to which square of the angle (rad^2) the series may be used. */
+  /** Largest square of the angle (rad^2) for the series. */
   constexpr double largest_small_square = 0.1;
 
   /** sin(x) / x with x^2 = @p y. */
@@ -51,7 +51,7 @@ namespace auxfem
     Number sine, cosine;
   };
 
-  /** Of @p x (rad), by series where it is small. */
+  /** Sine and cosine of @p x (rad), by series for small angles. */
   template <class Number>
   inline SineAndCosine<Number> sine_and_cosine(const Number &x)
   {
@@ -70,27 +70,28 @@ namespace auxfem
 
 /**
  * @file
- * Rotations in space as unit quaternions. The algebra needed is short, and the
- * beam kernel differentiates it twice by the four numbers of a quaternion: a
- * plain struct shows these, while Boost's quaternions lack logarithm, rotation
- * of vectors (Boost.Math) or vector algebra (QVM).
+ * Rotations in space as unit quaternions. The beam kernel differentiates twice
+ * by the four numbers of a quaternion and therefore needs a plain struct;
+ * Boost's quaternions lack logarithm, rotation of vectors or vector algebra.
  */
 namespace auxfem
 {
-  /** Components along x, y, z. @p Number is double or, of several elements at
-   * a time, Lanes. */
+  /**
+   * Components along x, y, z. @p Number is double, or Lanes for a batch of
+   * elements.
+   */
   template <class Number>
   using VectorOf    = dealii::Tensor<1, 3, Number>;
   using SpaceVector = VectorOf<double>;
 
-  /** Square matrix; as a frame of axes it has them as columns. */
+  /** Square matrix; a frame has its axes as columns. */
   template <class Number>
   using TensorOf    = dealii::Tensor<2, 3, Number>;
   using SpaceTensor = TensorOf<double>;
 
   /**
-   * A quaternion; with unit norm, the rotation by the angle a about the unit
-   * vector n is (cos(a/2), sin(a/2) n), as is its negative.
+   * A quaternion. With unit norm, (cos(a/2), sin(a/2) n) and its negative are
+   * the rotation by the angle a about the unit vector n.
    */
   template <class Number>
   struct QuaternionOf
@@ -108,7 +109,7 @@ namespace auxfem
       return {factor * q.scalar, factor * q.vector};
     }
 
-    /** Hamilton's product; of rotations, first @p q, then @p p. */
+    /** Hamilton's product; for rotations, @p q acts first, then @p p. */
     friend QuaternionOf operator*(const QuaternionOf &p, const QuaternionOf &q)
     {
       return {p.scalar * q.scalar - p.vector * q.vector,
@@ -118,7 +119,7 @@ namespace auxfem
   };
   using Quaternion = QuaternionOf<double>;
 
-  /** Of a rotation, its inverse. */
+  /** Conjugate; the inverse of a rotation. */
   template <class Number>
   inline QuaternionOf<Number> conjugate(const QuaternionOf<Number> &q)
   {
@@ -133,7 +134,7 @@ namespace auxfem
     return p.scalar * q.scalar + p.vector * q.vector;
   }
 
-  /** @p q with unit norm; it must not be zero. */
+  /** @p q scaled to unit norm; it must not be zero. */
   template <class Number>
   inline QuaternionOf<Number> normalized(const QuaternionOf<Number> &q)
   {
@@ -174,8 +175,8 @@ namespace auxfem
     where(rotation.scalar < 0, sign) = -1;
     // Square of the sine of half the angle.
     const Number y = rotation.vector.norm_square();
-    // Relative rotations in an element are small; there the series of
-    // asin(x) / x is exact to the last digit, and the library's function slow.
+    // Relative rotations in an element are small: the series of asin(x) / x
+    // then is accurate to round-off and much cheaper.
     Number half_angle_per_sine = 1 +
       y * (1. / 6) *
         (1 +
@@ -216,7 +217,7 @@ namespace auxfem
     return v + rotation_change(rotation, v);
   }
 
-  /** R @p matrix: its columns, such as the axes of a frame, rotated. */
+  /** R @p matrix: rotates the columns, e.g. the axes of a frame. */
   template <class Number>
   inline TensorOf<Number> rotated(const QuaternionOf<Number> &rotation,
                                   const TensorOf<Number>     &matrix)
@@ -267,27 +268,30 @@ namespace auxfem
   bool nearly_parallel(const SpaceVector &a, const SpaceVector &b);
 
   /**
-   * The reference vector of a strut that was given none: the z axis, so that
-   * struts in the x-y plane bend in it about axis 3; for struts within five
-   * degrees of z the x axis.
+   * Default reference vector of a strut: the z axis, so that struts in the x-y
+   * plane bend in it about axis 3; the x axis for struts within five degrees of
+   * z.
    */
   SpaceVector default_reference(const SpaceVector &tangent);
 
   /**
-   * Section axes of a strut, as columns: 1 along @p tangent, 3 as near to
-   * @p reference as can be, 2 = 3 x 1. Neither vector needs unit length; they
-   * must not be parallel (nearly_parallel() is what to refuse).
+   * Section axes of a strut, as columns: 1 along @p tangent, 3 as near as
+   * possible to @p reference, 2 = 3 x 1. The vectors need no unit length;
+   * reject parallel ones with nearly_parallel() before.
    */
   SpaceTensor section_frame(const SpaceVector &tangent,
                             const SpaceVector &reference);
 
-  /** The same; without a @p reference with default_reference(). */
+  /**
+   * As section_frame(); a missing @p reference is replaced by
+   * default_reference().
+   */
   SpaceTensor section_frame(const SpaceVector                &tangent,
                             const std::optional<SpaceVector> &reference);
 
   /**
-   * Angular velocity (rad/s) and acceleration (rad/s2), material: W with
-   * P' = P [W]x, and its rate.
+   * Material angular velocity W (rad/s), P' = P [W]x, and angular acceleration
+   * W' (rad/s2).
    */
   struct AngularMotion
   {
@@ -295,13 +299,13 @@ namespace auxfem
   };
 
   /**
-   * T(Theta)^-1, by which a rotation vector changes when exp(Theta) turns:
-   * d exp(Theta) = exp(Theta) [T dTheta]x; singular at |Theta| = 2 pi.
+   * T(Theta)^-1, which maps a material spin to the change of the rotation
+   * vector: d exp(Theta) = exp(Theta) [T dTheta]x. Singular at |Theta| = 2 pi.
    */
   SpaceTensor inverse_tangent_operator(const SpaceVector &rotation_vector);
 
   /**
-   * Of P = exp(phi(t)): W = T phi', W' = T phi'' + T' phi'.
+   * Angular motion of P = exp(phi(t)): W = T phi', W' = T phi'' + T' phi'.
    * @param rotation_vector phi (rad)
    * @param first, second phi' (rad/s), phi'' (rad/s2)
    */
@@ -310,8 +314,8 @@ namespace auxfem
                                const SpaceVector &second);
 
   /**
-   * That of all rotation vectors of @p rotation, of any number of turns, which
-   * is nearest to @p guess (rad).
+   * Rotation vector of @p rotation nearest to @p guess (rad), among those of
+   * any number of turns.
    */
   SpaceVector rotation_vector_near(const Quaternion  &rotation,
                                    const SpaceVector &guess);

@@ -51,7 +51,7 @@ namespace auxfem
     return sum;
   }
 
-  /** a and b. */
+  /** Coefficients a and b of T. */
   template <class Number>
   struct TangentCoefficientsOf
   {
@@ -77,7 +77,10 @@ namespace auxfem
     }
 
   protected:
-    /** Of the angle; else quotients would cancel. */
+    /**
+     * Whether the angle is too large for the series; below, the quotients would
+     * cancel.
+     */
     auto is_large() const
     {
       return square >= 0.25;
@@ -100,7 +103,7 @@ namespace auxfem
   };
   using TangentCoefficients = TangentCoefficientsOf<double>;
 
-  /** a, b and their derivatives. */
+  /** Coefficients a, b and their derivatives. */
   template <class Number>
   struct RotationCoefficientsOf : public TangentCoefficientsOf<Number>
   {
@@ -155,7 +158,7 @@ namespace auxfem
   };
   using RotationCoefficients = RotationCoefficientsOf<double>;
 
-  /** T. */
+  /** The operator T. */
   template <class Number>
   inline TensorOf<Number>
   tangent_operator(const TangentCoefficientsOf<Number> &c,
@@ -176,7 +179,7 @@ namespace auxfem
       c.a * dealii::cross_product_3d(p, q);
   }
 
-  /** p (p . v) - t^2 v. */
+  /** p x (p x v) = p (p . v) - t^2 v. */
   template <class Number>
   inline VectorOf<Number>
   double_cross_product(const RotationCoefficientsOf<Number> &c,
@@ -265,7 +268,7 @@ namespace auxfem
                          c.db * squared - c.da * linear - 2 * c.b * (m * q));
   }
 
-  /** c and its derivative c'. */
+  /** Coefficient c of T^-1 and its derivative c'. */
   template <class Number>
   struct InverseRotationCoefficientsOf
   {
@@ -302,7 +305,7 @@ namespace auxfem
   };
   using InverseRotationCoefficients = InverseRotationCoefficientsOf<double>;
 
-  /** T^-1; its transpose is that of -p. */
+  /** T^-1; its transpose is T(-p)^-1. */
   template <class Number>
   inline TensorOf<Number>
   inverse_tangent_operator(const InverseRotationCoefficientsOf<Number> &c,

@@ -30,10 +30,12 @@ namespace auxfem
     using Teuchos::RCP;
     using Teuchos::rcp;
 
-    /** Directions GMRES keeps. */
+    /** Restart length of GMRES. */
     constexpr unsigned int n_directions = 200;
 
-    /** Times iteration goes on from where its own residual was too optimistic.
+    /**
+     * Number of restarts when the true residual exceeds the estimate of the
+     * method.
      */
     constexpr unsigned int n_refinements = 5;
 
@@ -82,8 +84,8 @@ namespace auxfem
                 n_negative_of_preconditioner = multigrid.n_negative;
               }
           }
-        // Belos, Ifpack2 and MueLu throw a break-down as std::logic_error or
-        // std::runtime_error.
+        // Belos, Ifpack2 and MueLu throw std::logic_error or std::runtime_error
+        // on breakdown.
         catch (const std::exception &)
           {
             is_made = false;
@@ -155,8 +157,10 @@ namespace auxfem
         return list;
       }
 
-      /** Returns whether conjugate gradients get to @p tolerance of the
-       * right-hand side; that they find the matrix indefinite is noted. */
+      /**
+       * Returns whether conjugate gradients reach @p tolerance relative to the
+       * right-hand side; sets is_definite to false at negative curvature.
+       */
       bool run_gradients(const RCP<LinearProblem> &problem,
                          const unsigned int        most,
                          const double              tolerance)
@@ -170,7 +174,7 @@ namespace auxfem
             n_done += gradients.getNumIters();
             return has_converged;
           }
-        // Belos::CGIterateFailure, where the matrix is not positive definite.
+        // Belos::CGIterateFailure if the matrix is not positive definite.
         catch (const std::exception &)
           {
             is_definite = false;
@@ -178,8 +182,10 @@ namespace auxfem
           }
       }
 
-      /** Solves for some right-hand side of which no mode is missing; returns
-       * as run_gradients(). */
+      /**
+       * Solves for a random right-hand side, which excites all modes; returns
+       * as run_gradients().
+       */
       bool solve_random_right_side()
       {
         const auto right_side = rcp(new TpetraVectors(row_map, 1)),
@@ -193,7 +199,8 @@ namespace auxfem
           rcp(new LinearProblem(matrix, solution, right_side));
         problem->setLeftPrec(preconditioner);
         problem->setProblem();
-        // A mode has a thousandth of the right-hand side of a million unknowns.
+        // Each mode has about a thousandth of the right-hand side of a million
+        // unknowns.
         constexpr double tolerance = 1e-8;
         return run_gradients(problem, parameters.maximum_iterations, tolerance);
       }
@@ -230,7 +237,7 @@ namespace auxfem
         return failure_message(error / size, n);
       }
 
-      /** Iterates @p most times at most. */
+      /** Iterates at most @p most times. */
       void run_method(const RCP<LinearProblem> &problem,
                       const unsigned int        most)
       {
@@ -255,7 +262,7 @@ namespace auxfem
         n_done += gmres.getNumIters();
       }
 
-      /** Residual that rounding leaves of any solution. */
+      /** Residual due to rounding of any solution. */
       double round_off(const TpetraVectors &solution) const
       {
         return std::numeric_limits<double>::epsilon() *
@@ -266,8 +273,8 @@ namespace auxfem
                                   const unsigned int n) const
       {
         std::ostringstream message;
-        message << (is_definite ? "conjugate gradients have" : "GMRES has")
-                << " come to a relative residual of " << relative_residual
+        message << (is_definite ? "conjugate gradients" : "GMRES")
+                << " reached a relative residual of " << relative_residual
                 << " in " << n
                 << " iterations (Solver/Tolerance = " << parameters.tolerance
                 << ", Maximum iterations = " << parameters.maximum_iterations
@@ -277,12 +284,12 @@ namespace auxfem
       }
 
       const SolverParameters parameters;
-      /** As far as is known. */
+      /** Whether the matrix may be positive definite. */
       bool                is_definite = false;
       RCP<const Map>      row_map, column_map;
       RCP<TpetraMatrix>   matrix;
       RCP<TpetraOperator> preconditioner;
-      /** Negative eigenvalues of the preconditioner, where known. */
+      /** Negative eigenvalues of the preconditioner, if known. */
       std::optional<unsigned long> n_negative_of_preconditioner;
       unsigned long                n_done = 0;
     };

@@ -21,7 +21,10 @@ namespace auxfem
     using KrylovSchur =
       Anasazi::BlockKrylovSchurSolMgr<double, TpetraVectors, TpetraOperator>;
 
-    /** Vectors that are iterated together, so that equal eigenvalues are. */
+    /**
+     * Block size of the iteration: two vectors resolve pairs of equal
+     * eigenvalues.
+     */
     unsigned int size_of_block(const unsigned int n_finite)
     {
       return n_finite < 8 ? 1 : 2;
@@ -70,11 +73,11 @@ namespace auxfem
       const Function             function;
     };
 
-    /** A solution that fails; Anasazi passes it on. */
+    /** Signals a failed solution through Anasazi. */
     struct SolutionFailed : public std::exception
     {};
 
-    /** Numbers between -1 and 1, the same on any number of ranks. */
+    /** Pseudo-random numbers in [-1, 1], independent of the number of ranks. */
     void fill(const UnknownLayout &layout, double *values)
     {
       for (unsigned int i = 0; i < layout.n_owned(); ++i)
@@ -95,7 +98,7 @@ namespace auxfem
       parameters.set("Block Size", int(block_size));
       parameters.set("Num Blocks", int(n_basis / block_size));
       parameters.set("Maximum Restarts", 100);
-      // Lengths by the stiffness keep fewer digits than those by masses.
+      // The norm of the stiffness keeps fewer digits than that of the mass.
       parameters.set("Convergence Tolerance",
                      problem.multiply_definite ? 1e-7 : 1e-12);
       parameters.set("Verbosity", int(Anasazi::Errors));
@@ -122,7 +125,7 @@ namespace auxfem
     try
       {
         const unsigned int n_together = size_of_block(problem.n_finite);
-        // Motions without mass must not be in the first vector.
+        // The start vector must not contain motions without mass.
         const auto          start = rcp(new TpetraVectors(map, n_together));
         std::vector<double> random(problem.layout.n_owned());
         fill(problem.layout, random.data());
@@ -152,8 +155,8 @@ namespace auxfem
         const auto &solution = eigenproblem->getSolution();
         for (int j = 0; j < solution.numVecs; ++j)
           {
-            // One more application takes what round-off has left of unknowns
-            // without mass.
+            // One more application removes the round-off in motions without
+            // mass.
             std::vector<double> vector(random.size());
             image(solution.Evecs->getData(j).get(), vector.data());
             found.pairs.push_back(
@@ -165,7 +168,7 @@ namespace auxfem
       {
         found.why = "a linear solution failed";
       }
-    // Anasazi throws its own break-downs as std::logic_error or runtime_error.
+    // Anasazi throws std::logic_error or std::runtime_error on breakdown.
     catch (const std::exception &error)
       {
         found.why =

@@ -32,8 +32,8 @@ namespace auxfem
     using Utilities    = MueLu::Utilities<double>;
 
     /**
-     * The coarsest level, factorized by MUMPS on the first rank. Amesos2, which
-     * MueLu would use, returns wrong solutions on several ranks (Trilinos 13.2,
+     * The coarsest level, factorized by MUMPS on the first rank. MueLu's
+     * default Amesos2 gives wrong solutions on several ranks (Trilinos 13.2,
      * KLU2).
      */
     class CoarsestLevel
@@ -64,7 +64,7 @@ namespace auxfem
       }
 
     private:
-      /** MueLu numbers the rows of coarse levels rank by rank, as we do. */
+      /** MueLu numbers coarse rows rank by rank, as UnknownLayout does. */
       static UnknownLayout make_layout(const TpetraMatrix &matrix)
       {
         const TpetraMap &rows = *matrix.getRowMap();
@@ -150,11 +150,10 @@ namespace auxfem
     }
 
     /**
-     * Chebyshev smoothing does the same on any number of ranks. With MueLu's
-     * own bounds of eigenvalues conjugate gradients break down. Aggregates of
-     * at most 6 joints make cheaper iterations in the plane, but cost
-     * iterations in space. A larger coarsest level saves a level, which costs
-     * iterations; in space its factors would be dense.
+     * Settings of MueLu. Chebyshev smoothing is independent of the number of
+     * ranks. The default eigenvalue bounds make conjugate gradients break down.
+     * Aggregate and coarse sizes balance the cost and the number of iterations;
+     * in space a larger coarsest level would have dense factors.
      */
     ParameterList settings(const unsigned int block_size)
     {

@@ -7,8 +7,8 @@
 
 #include <optional>
 
-// What the iterative solution shares among few translation units: the headers
-// of Tpetra take seconds to compile.
+// Types shared by few translation units: Tpetra's headers take seconds to
+// compile.
 
 namespace auxfem
 {
@@ -17,7 +17,7 @@ namespace auxfem
   using TpetraOperator = Tpetra::Operator<double>;
   using TpetraMap      = TpetraMatrix::map_type;
 
-  /** The first @p n local numbers of @p layout. */
+  /** Map of the first @p n local numbers of @p layout. */
   Teuchos::RCP<const TpetraMap> make_map(const UnknownLayout &layout,
                                          unsigned int         n);
 
@@ -25,25 +25,25 @@ namespace auxfem
   {
     Teuchos::RCP<TpetraOperator> cycle;
     /**
-     * Negative eigenvalues of the coarsest level, of which the matrix has as
-     * many at least; without any, the cycle is positive definite. Nothing where
-     * they are not known.
+     * Negative eigenvalues of the coarsest level, a lower bound for those of
+     * the matrix; none if unknown. If there are none, the cycle is positive
+     * definite.
      */
     std::optional<unsigned long> n_negative;
   };
 
   /**
-   * Smoothed aggregation (MueLu) with the rigid-body motions of @p rows as near
-   * null space and a direct solver on the coarsest level. Throws if that is
-   * singular. Collective.
+   * Smoothed aggregation (MueLu) with the rigid-body modes of @p rows as near
+   * null space and a direct solver on the coarsest level. Throws if that level
+   * is singular. Collective.
    */
   Multigrid make_multigrid(const Teuchos::RCP<TpetraMatrix> &matrix,
                            const JointRows                  &rows,
                            bool                              is_symmetric);
 
   /**
-   * ILU(1) (Ifpack2), on several ranks with one layer of overlap. Throws if it
-   * breaks down.
+   * ILU(1) (Ifpack2), with one layer of overlap between ranks. Throws on
+   * breakdown.
    */
   Teuchos::RCP<TpetraOperator>
   make_incomplete_factorization(const Teuchos::RCP<TpetraMatrix> &matrix);
