@@ -206,11 +206,12 @@ namespace auxfem
       if (id.n == 0)
         return FactorizationOutcome::done;
 
-      FactorizationOutcome outcome = agree(catch_bad_alloc([&] {
-                                             collect_pattern(matrix);
-                                             return FactorizationOutcome::done;
-                                           }),
-                                           communicator);
+      FactorizationOutcome outcome =
+        gravest_outcome(catch_bad_alloc([&] {
+                          collect_pattern(matrix);
+                          return FactorizationOutcome::done;
+                        }),
+                        communicator);
       if (outcome == FactorizationOutcome::done)
         outcome = start(matrix);
       if (outcome != FactorizationOutcome::done)
@@ -258,9 +259,10 @@ namespace auxfem
     {
       is_factorized = false;
       FactorizationOutcome outcome =
-        agree(has_finite_entries(matrix) ? FactorizationOutcome::done
-                                         : FactorizationOutcome::not_finite,
-              matrix.layout->communicator());
+        gravest_outcome(has_finite_entries(matrix)
+                          ? FactorizationOutcome::done
+                          : FactorizationOutcome::not_finite,
+                        matrix.layout->communicator());
       if (outcome != FactorizationOutcome::done || id.n == 0)
         return outcome;
       if (matrix.is_symmetric != is_symmetric)

@@ -199,8 +199,8 @@ namespace auxfem
     return sum == 0.;
   }
 
-  FactorizationOutcome agree(const FactorizationOutcome mine,
-                             const MPI_Comm             communicator)
+  FactorizationOutcome gravest_outcome(const FactorizationOutcome mine,
+                                       const MPI_Comm             communicator)
   {
     return static_cast<FactorizationOutcome>(
       dealii::Utilities::MPI::max(static_cast<int>(mine), communicator));

@@ -68,7 +68,7 @@ namespace auxfem
         if (outcome == FactorizationOutcome::done && gathered)
           outcome =
             catch_bad_alloc([&] { return solver->analyse(gathered->matrix); });
-        return agree(outcome, communicator);
+        return gravest_outcome(outcome, communicator);
       }
 
       FactorizationOutcome factorize(const SparseMatrix &matrix) override
@@ -89,7 +89,7 @@ namespace auxfem
             return outcome;
           }
 
-        outcome = agree(outcome, communicator);
+        outcome = gravest_outcome(outcome, communicator);
         if (outcome != FactorizationOutcome::done)
           return outcome;
         for (std::size_t i = 0; i < order.size(); ++i)
@@ -107,7 +107,7 @@ namespace auxfem
             global_sign    = solver->determinant_sign();
           }
         broadcast_signs();
-        return agree(outcome, communicator);
+        return gravest_outcome(outcome, communicator);
       }
 
       void solve(double *x) override
@@ -180,19 +180,18 @@ namespace auxfem
         for (unsigned int r = 0; r <= n_ranks; ++r)
           first_row.push_back(matrix.layout->first_of(r));
 
-        const FactorizationOutcome outcome =
-          agree(catch_bad_alloc([&] {
-                  sort_rows(matrix);
-                  if (rank == 0)
-                    {
-                      gathered =
-                        std::make_unique<GatheredMatrix>(first_row.back());
-                      gathered->matrix.columns.resize(first_entry.back());
-                      gathered->matrix.entries.resize(first_entry.back());
-                    }
-                  return FactorizationOutcome::done;
-                }),
-                communicator);
+        const FactorizationOutcome outcome = gravest_outcome(
+          catch_bad_alloc([&] {
+            sort_rows(matrix);
+            if (rank == 0)
+              {
+                gathered = std::make_unique<GatheredMatrix>(first_row.back());
+                gathered->matrix.columns.resize(first_entry.back());
+                gathered->matrix.entries.resize(first_entry.back());
+              }
+            return FactorizationOutcome::done;
+          }),
+          communicator);
         if (outcome != FactorizationOutcome::done)
           {
             gathered.reset();

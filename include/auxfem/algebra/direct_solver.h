@@ -179,7 +179,8 @@ namespace auxfem
   bool has_finite_entries(const SparseMatrix &matrix);
 
   /** Returns the gravest outcome of all ranks on all ranks. Collective. */
-  FactorizationOutcome agree(FactorizationOutcome mine, MPI_Comm communicator);
+  FactorizationOutcome gravest_outcome(FactorizationOutcome mine,
+                                       MPI_Comm             communicator);
 
   /** Result of @p action, or `out_of_memory` if it throws std::bad_alloc. */
   template <typename Action>
