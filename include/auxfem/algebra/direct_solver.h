@@ -212,10 +212,9 @@ namespace auxfem
                    std::vector<double> &room);
 
   /**
-   * Lower estimate of the norm of a symmetric matrix, or of the product of a
-   * matrix and its transpose, by two power iterations, or one if that gives
-   * less than @p threshold. @p apply multiplies owned values by the matrix.
-   * Collective.
+   * Lower estimate of a norm by two power iterations, or one if that gives less
+   * than @p threshold. @p apply multiplies owned values by the matrix, which is
+   * symmetric or the product of a matrix and its transpose. Collective.
    *
    * @param x scratch for owned unknowns
    */

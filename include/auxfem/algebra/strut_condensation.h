@@ -15,11 +15,10 @@ namespace auxfem
    *
    *     S z = g,  S = A_JJ - A_JI A_II^-1 A_IJ
    *
-   * (E. L. Wilson, Int. J. Numer. Meth. Eng. 8, 1974, 198-203). It proceeds
-   * element by element along each strut, so the cost is linear in their number.
-   * A strut whose inside other blocks act on is not condensed. Prescribed rows
-   * of S are identity rows and prescribed columns move to the right-hand side,
-   * so S is symmetric if A is in free rows and columns.
+   * (E. L. Wilson, Int. J. Numer. Meth. Eng. 8, 1974, 198-203), element by
+   * element along each strut. A strut whose inside other blocks act on is not
+   * condensed. Prescribed rows of S are identity rows; prescribed columns move
+   * to the right-hand side. S is symmetric if A is in free rows and columns.
    */
   class StrutCondensation
   {

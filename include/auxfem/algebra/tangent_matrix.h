@@ -11,10 +11,9 @@ namespace auxfem
 {
   /**
    * Coupling of unknowns: dense blocks registered by the effects. It may change
-   * between steps; its version then changes too. Blocks of a strut's elements
-   * can be condensed if they are registered consecutively along it, each on the
-   * unknowns of its first node, last node, then those between (see
-   * StrutCondensation).
+   * between steps; its version then changes too. To be condensed, blocks of a
+   * strut's elements are registered consecutively along it. Each lists its
+   * first node, its last node, then those between (see StrutCondensation).
    */
   class TangentPattern
   {
