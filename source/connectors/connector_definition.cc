@@ -15,14 +15,14 @@ namespace auxfem
     const Text between = {
       "Between",
       "in-cell",
-      "Pairs of joints: a set of pairs the cell offers (in-cell, rod), numbers "
+      "Pairs of joints: a pair set of the cell (in-cell, rod), numbers "
       "\"3 5; 7 9\", or \"ground: JOINTS\"."};
     const Choice geometry = {
       "Geometry",
       "line",
       {"line", "direction"},
-      "Extension along the current line between the two ends, or along a "
-      "direction fixed in space."};
+      "Extension along the current line between the ends, or along a fixed "
+      "direction."};
     const QuantityList direction = {
       "Direction",
       "0 0",
@@ -30,8 +30,8 @@ namespace auxfem
       Range::any(),
       2,
       3,
-      "Components x, y and in space z of the direction, of any length but zero; "
-      "only with Geometry = direction."};
+      "Direction vector x, y and in space z, of any nonzero length; only with "
+      "Geometry = direction."};
     const QuantityList ground_offset = {
       "Ground offset",
       "0 0",
@@ -39,8 +39,8 @@ namespace auxfem
       Range::any(),
       2,
       3,
-      "Position x, y and in space z of the ground point, counted from the joint at "
-      "rest; only with Between = ground: JOINTS."};
+      "Vector x, y and in space z from the joint at rest to the ground point; only "
+      "with Between = ground: JOINTS."};
 
     void check_connector(const ParameterValues     &values,
                          const ConnectorDefinition &connector,
@@ -66,7 +66,7 @@ namespace auxfem
                       "Give a Ground offset or set Geometry = direction");
     }
 
-    /** The position of the reduced cell's connector is part of the model. */
+    /** The model defines the position of the connector of the reduced cell. */
     void refuse_position(const ParameterValues &values)
     {
       for (const Parameter &parameter :
@@ -80,8 +80,6 @@ namespace auxfem
     }
   } // namespace
 
-
-
   SubsectionSchema connectors_schema()
   {
     return {"Connectors",
@@ -92,8 +90,6 @@ namespace auxfem
             variants_of(connector_law_registry()),
             {Model::lattice, Model::reduced_cell}};
   }
-
-
 
   ConnectorDefinition read_connector(ParameterValues &values)
   {

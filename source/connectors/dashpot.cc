@@ -8,8 +8,7 @@ namespace auxfem
                                    "",
                                    "N s/m",
                                    Range::non_negative(),
-                                   "Force of the dashpot per rate of "
-                                   "extension."};
+                                   "Dashpot force per rate of extension."};
 
     /** Linear dashpot: F = C du/dt. */
     std::unique_ptr<ConnectorLaw> make_dashpot(ParameterValues &values)

@@ -5,7 +5,7 @@ namespace auxfem
 {
   namespace
   {
-    /** Spring and dashpot side by side: F = K u + C du/dt. */
+    /** Spring and dashpot in parallel: F = K u + C du/dt. */
     class KelvinVoigt : public ConnectorLaw
     {
     public:
@@ -56,9 +56,9 @@ namespace auxfem
       }
 
       /**
-       * The loss is that at the mean rate of the step. Where the mean of the
-       * rates at both ends is that too (average-acceleration Newmark), stored
-       * and lost energy add up exactly to the trapezoidal work of the force.
+       * The dissipation uses the mean rate of the step. With
+       * average-acceleration Newmark, stored and dissipated energy then equal
+       * the trapezoidal work of the force.
        */
       ConnectorEnergy energy(const ConnectorMotion &motion,
                              const double * /*committed*/,
@@ -67,7 +67,7 @@ namespace auxfem
         const double stored =
           0.5 * stiffness * motion.extension * motion.extension;
         const double increment = motion.extension - motion.previous_extension;
-        // A step of length zero in which nothing happens loses nothing.
+        // A step of length zero dissipates nothing.
         if (increment == 0)
           return {stored, 0};
         return {stored, damping * increment * (increment / motion.dt)};
@@ -99,20 +99,20 @@ namespace auxfem
       const double damping;   ///< C (N s/m)
     };
 
-    const Quantity kelvin_voigt_stiffness{"Spring stiffness",
-                                          "",
-                                          "N/m",
-                                          Range::positive(),
-                                          "Stiffness of the spring; a dashpot "
-                                          "without spring is Law = dashpot."};
+    const Quantity kelvin_voigt_stiffness{
+      "Spring stiffness",
+      "",
+      "N/m",
+      Range::positive(),
+      "Stiffness of the spring; for a dashpot "
+      "alone set Law = dashpot."};
 
     const Quantity kelvin_voigt_damping{
       "Damping coefficient",
       "",
       "N s/m",
       Range::non_negative(),
-      "Force of the dashpot per rate of extension; below 0 it would "
-      "create energy."};
+      "Dashpot force per rate of extension; below 0 it would create energy."};
 
     std::unique_ptr<ConnectorLaw> make_kelvin_voigt(ParameterValues &values)
     {
@@ -130,7 +130,7 @@ namespace auxfem
   RegistryEntry<ConnectorLaw> kelvin_voigt_entry()
   {
     return {"kelvin-voigt",
-            "Spring and dashpot side by side.",
+            "Spring and dashpot in parallel.",
             {kelvin_voigt_stiffness, kelvin_voigt_damping},
             make_kelvin_voigt};
   }

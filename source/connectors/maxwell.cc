@@ -10,16 +10,15 @@ namespace auxfem
       "",
       "N/m",
       Range::positive(),
-      "Stiffness of the spring in series with the dashpot; without it "
-      "there is no force."};
+      "Stiffness of the spring in series with the dashpot."};
 
     const Quantity maxwell_damping{
       "Damping coefficient",
       "",
       "N s/m",
       Range::non_negative(),
-      "Force of the dashpot per rate of its own extension; "
-      "below 0 it would create energy."};
+      "Dashpot force per rate of its own extension; below 0 it would create "
+      "energy."};
 
     /** Spring and dashpot in series: dF/dt + (K/C) F = K du/dt. */
     std::unique_ptr<ConnectorLaw> make_maxwell(ParameterValues &values)

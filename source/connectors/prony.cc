@@ -45,15 +45,17 @@ namespace auxfem
       return a == 0 ? 1 : -std::expm1(-a) / a;
     }
 
-    /** k times the extension over a step (N), and a = dt / tau. */
+    /** Motion of an element in a step: forces k u (N), and a = dt / tau. */
     struct Extension
     {
       double a;
-      double increment; ///< of the step
-      double lead;      ///< what the rate at the end makes more of it than that
+      double increment; ///< force increment
+      double lead; ///< excess of the end rate over the mean rate, times k dt
     };
 
-    /** The force at the part @p s in [0, 1] of a step that starts with @p force. */
+    /**
+     * Force at the fraction @p s in [0, 1] of a step that starts with @p force.
+     */
     double
     force_at(const double s, const double force, const Extension &extension)
     {
@@ -67,8 +69,8 @@ namespace auxfem
     double mean_square(const double force, const Extension &extension)
     {
       const double a = extension.a;
-      // The closed form would lose eps / a^4 to cancellation; the integrand is
-      // a polynomial to round-off.
+      // The closed form would lose eps / a^4 to cancellation. The quadrature is
+      // exact to round-off.
       if (a < 0.5)
         return boost::math::quadrature::gauss<double, 7>::integrate(
           [&](const double s) {
@@ -87,7 +89,7 @@ namespace auxfem
         rest * rest * mean_decay(2 * a);
     }
 
-    /** Spring side by side with Maxwell elements; see maxwell_element.h. */
+    /** Spring in parallel with Maxwell elements; see maxwell.h. */
     class GeneralizedMaxwell : public ConnectorLaw
     {
     public:
@@ -206,7 +208,7 @@ namespace auxfem
         for (unsigned int i = 0; i < elements.size(); ++i)
           {
             internal_rates[i] = elements[i].force_rate(internal[i], rate);
-            // Without resistance of the dashpot there is no force either.
+            // A dashpot without resistance carries no force.
             if (elements[i].relaxation_time == 0)
               continue;
             response.force += internal[i];
@@ -240,7 +242,10 @@ namespace auxfem
       }
 
     private:
-      /** Adds force and tangent of one element to those of all connectors. */
+      /**
+       * Adds force and tangent of one element to the responses of all
+       * connectors.
+       */
       void add_element(const unsigned int     element,
                        const unsigned int     n,
                        const ConnectorMotion *motion,
@@ -248,7 +253,7 @@ namespace auxfem
                        double                *trial,
                        ConnectorResponse     *response) const
       {
-        // Connectors share the step, so the exponential is needed once.
+        // All connectors share the step, so compute the exponential once.
         double               dt   = motion[0].dt;
         MaxwellElement::Step step = elements[element].step(dt);
         for (unsigned int i = 0; i < n; ++i)
@@ -277,8 +282,7 @@ namespace auxfem
                                        "0",
                                        "N/m",
                                        Range::non_negative(),
-                                       "Stiffness of the spring beside the "
-                                       "Maxwell elements."};
+                                       "Stiffness of the parallel spring."};
 
     const QuantityList stiffnesses{"Stiffnesses",
                                    "",
@@ -296,8 +300,7 @@ namespace auxfem
       Range::positive(),
       1,
       std::numeric_limits<unsigned int>::max(),
-      "Damping coefficient over stiffness in "
-      "each Maxwell element."};
+      "Damping coefficient over stiffness of each Maxwell element."};
 
     std::unique_ptr<ConnectorLaw>
     make_generalized_maxwell(ParameterValues &values)
@@ -395,7 +398,7 @@ namespace auxfem
   RegistryEntry<ConnectorLaw> generalized_maxwell_entry()
   {
     return {"generalized-maxwell",
-            "Spring side by side with any number of Maxwell elements (Prony "
+            "Spring in parallel with any number of Maxwell elements (Prony "
             "series).",
             {long_time_stiffness, stiffnesses, relaxation_times},
             make_generalized_maxwell};

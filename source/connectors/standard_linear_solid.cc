@@ -9,8 +9,7 @@ namespace auxfem
                                       "",
                                       "N/m",
                                       Range::non_negative(),
-                                      "Stiffness of the spring beside the "
-                                      "Maxwell element."};
+                                      "Stiffness of the parallel spring."};
 
     const Quantity series_stiffness{"Spring stiffness",
                                     "",
@@ -23,12 +22,12 @@ namespace auxfem
                                   "",
                                   "N s/m",
                                   Range::non_negative(),
-                                  "Force of the dashpot per rate of its "
-                                  "own extension."};
+                                  "Dashpot force per rate of its own "
+                                  "extension."};
 
     /**
-     * A spring side by side with a Maxwell element:
-     * F = Kinf u + F1, dF1/dt + (K/C) F1 = K du/dt.
+     * A spring in parallel with a Maxwell element: F = Kinf u + F1, dF1/dt +
+     * (K/C) F1 = K du/dt.
      */
     std::unique_ptr<ConnectorLaw>
     make_standard_linear_solid(ParameterValues &values)
@@ -43,7 +42,7 @@ namespace auxfem
   RegistryEntry<ConnectorLaw> standard_linear_solid_entry()
   {
     return {"standard-linear-solid",
-            "Spring side by side with a Maxwell element.",
+            "Spring in parallel with a Maxwell element.",
             {parallel_stiffness, series_stiffness, series_damping},
             make_standard_linear_solid};
   }

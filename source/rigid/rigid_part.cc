@@ -91,23 +91,23 @@ namespace auxfem
   {
     const Text     struts          = {"Struts",
                                       "",
-                                      "Set of struts that are rigid; or give Joints."};
+                                      "Set of rigid struts; alternative to Joints."};
     const Text     joints          = {"Joints",
                                       "",
-                                      "Set of joints that move as one rigid part without "
-                                                   "struts of its own; or give Struts."};
+                                      "Set of joints of one rigid part without struts; "
+                                                   "alternative to Struts."};
     const Choice   parts           = {"Parts",
                                       "struts that meet",
                                       {"struts that meet", "single struts"},
-                                      "What is one part: rigid struts connected with each "
-                                                  "other, or every strut (bars hinged at both ends)."};
+                                      "One part per group of connected rigid struts, or "
+                                                  "per strut (bars hinged at both ends)."};
     const Quantity rigid_part_mass = {
       "Mass",
       "0 kg",
       "kg",
       Range::non_negative(),
-      "Mass of each part, spread evenly along its struts, "
-      "without struts equally over its joints."};
+      "Mass of each part, uniform along its struts; without struts, equal "
+      "at all joints."};
     const QuantityList rotary_inertia = {
       "Rotary inertia",
       "auto",
@@ -116,14 +116,14 @@ namespace auxfem
       1,
       3,
       "Moment of inertia of each part about its centre of mass: one number, in "
-      "space the same about every axis, or three, about x, y and z at rest, of "
-      "which the plane uses the last; auto: that of the spread mass.",
+      "space for every axis, or three about x, y and z at rest (the plane uses "
+      "the last); auto: from the mass distribution.",
       {"auto"}};
     const Choice elastic_struts = {
       "Elastic struts",
       "hinged",
       {"hinged", "clamped"},
-      "How elastic struts that end at joints of the part are connected to it."};
+      "Connection of elastic struts at the joints of the part."};
 
     void check_rotary_inertia(const ParameterValues      &values,
                               const dealii::Tensor<1, 3> &moments)
@@ -131,14 +131,14 @@ namespace auxfem
       if (moments.norm() == 0)
         values.refuse(rotary_inertia,
                       "it must not be zero. Allowed: numbers > 0, "
-                      "or auto for that of the spread mass");
+                      "or auto: from the mass distribution");
       if (values.context.dimension == 2)
         return;
       for (unsigned int axis = 0; axis < 3; ++axis)
         {
           const double others =
             moments[(axis + 1) % 3] + moments[(axis + 2) % 3];
-          // a flat part has equality, up to the digits given
+          // Flat parts reach equality up to the given digits.
           if (moments[axis] > others * (1 + 1e-6))
             values.refuse(rotary_inertia,
                           "no body has such moments, since none "
@@ -147,8 +147,6 @@ namespace auxfem
         }
     }
   } // namespace
-
-
 
   SubsectionSchema rigid_parts_schema()
   {
@@ -159,8 +157,6 @@ namespace auxfem
       "where they share a joint.",
       {struts, joints, parts, rigid_part_mass, rotary_inertia, elastic_struts}};
   }
-
-
 
   RigidPartDefinition read_rigid_part(ParameterValues &values)
   {
@@ -178,10 +174,9 @@ namespace auxfem
         check_rotary_inertia(values, *part.rotary_inertia);
       }
     if (part.struts.empty() == part.joints.empty())
-      values.refuse(
-        part.struts.empty()
-          ? "give either Struts or Joints, here none of them is given"
-          : "give either Struts or Joints, here both are given");
+      values.refuse(part.struts.empty()
+                      ? "neither Struts nor Joints is given. Give one of them"
+                      : "both Struts and Joints are given. Give one of them");
     if (part.mass == 0 && part.rotary_inertia)
       values.refuse("Rotary inertia is given, but Mass = 0. "
                     "Give the part a mass");

@@ -17,10 +17,10 @@ namespace auxfem
     using PointMatrix = std::array<std::array<double, order>, order>;
 
     /**
-     * Curvatures at the Gauss points by the derivatives of rotations there: in
-     * terms of orthonormal polynomials L^-1 with L L^T = I - X, where X is the
-     * compliance of the @p shear that is made up for over that of bending
-     * (doc/theory.md, Sections).
+     * Curvatures at the Gauss points by the derivatives of rotations there. In
+     * orthonormal polynomials this is L^-1 with L L^T = I - X. X is the shear
+     * compliance of @p shear over the bending compliance (doc/theory.md,
+     * Sections).
      */
     template <int order>
     PointMatrix<order> curvatures_by_derivatives(const double shear)
@@ -63,7 +63,7 @@ namespace auxfem
 
     /** Sets rotation_derivative and moment. */
     template <int order>
-    void make_up_for_shear(BeamShape<order> &shape, const double shear)
+    void compensate_shear(BeamShape<order> &shape, const double shear)
     {
       const PointMatrix<order> curvatures =
         curvatures_by_derivatives<order>(shear);
@@ -83,7 +83,7 @@ namespace auxfem
   } // namespace
 
   template <int order>
-  BeamShape<order>::BeamShape(const double shear_made_up_for)
+  BeamShape<order>::BeamShape(const double compensated_shear)
   {
     const dealii::FE_Q<1>   fe(order);
     const dealii::QGauss<1> reduced(order), full(order + 1);
@@ -103,9 +103,9 @@ namespace auxfem
         for (int h = 0; h < order; ++h)
           moment[g][h] = h == g ? 1. : 0.;
       }
-    // Linear elements are stiffer as they are.
-    if (shear_made_up_for > 0 && order > 1)
-      make_up_for_shear(*this, shear_made_up_for);
+    // Linear elements already have this stiffness.
+    if (compensated_shear > 0 && order > 1)
+      compensate_shear(*this, compensated_shear);
     for (int a = 0; a < n_nodes; ++a)
       {
         integral[a] = 0;

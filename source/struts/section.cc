@@ -19,18 +19,16 @@ namespace auxfem
                                    {"rectangle", "circle", "tube", "given"},
                                    "Shape of the cross-section."};
 
-    const Quantity width = {
-      "Width",
-      "",
-      "m",
-      Range::positive(),
-      "Side of the rectangle along axis 3, normal to the plane."};
-    const Quantity height = {
-      "Height",
-      "",
-      "m",
-      Range::positive(),
-      "Side of the rectangle along axis 2, in the plane."};
+    const Quantity width          = {"Width",
+                                     "",
+                                     "m",
+                                     Range::positive(),
+                                     "Side along axis 3, normal to the plane."};
+    const Quantity height         = {"Height",
+                                     "",
+                                     "m",
+                                     Range::positive(),
+                                     "Side along axis 2, in the plane."};
     const Quantity radius         = {"Radius",
                                      "",
                                      "m",
@@ -79,9 +77,8 @@ namespace auxfem
       "none",
       "m",
       Range::positive(),
-      "Distance of the outermost fibre from axis 3, for strains by bending in "
-      "the plane; none: not known, the Yield strain is then compared with the "
-      "least strain there can be, that of the radius of gyration.",
+      "Distance of the outermost fibre from axis 3, for bending strains in the "
+      "plane; none: unknown, Yield strain is checked at the radius of gyration.",
       {"none"}};
     const Quantity extreme_fibre_2 = {
       "Extreme fibre 2",
@@ -111,7 +108,7 @@ namespace auxfem
       Range::non_negative(),
       3,
       3,
-      "Rotary inertia per length about axes 1, 2 and 3, of which the plane uses the last; auto: density times the second moments of area, about axis 1 their sum.",
+      "Rotary inertia per length about axes 1, 2 and 3; the plane uses the last; auto: density times the second moments of area, for axis 1 their sum.",
       {"auto"}};
     const QuantityList reference = {
       "Reference vector",
@@ -120,14 +117,14 @@ namespace auxfem
       Range::any(),
       3,
       3,
-      "Vector x, y, z that axis 3 is as near to as can be, at rest; it may not lie along a strut; unused in the plane; auto: z, or x for struts within 5 degrees of z.",
+      "Vector x, y, z whose projection normal to the strut gives axis 3 at rest; not parallel to a strut; unused in the plane; auto: z, or x for struts within 5 degrees of z.",
       {"auto"}};
     const Quantity drawing_radius = {
       "Drawing radius",
       "auto",
       "m",
       Range::positive(),
-      "Radius of the tube drawn in ParaView; auto: half the height of the "
+      "Radius of the tube drawn in ParaView; auto: half the height of a "
       "rectangle of equal area and second moment.",
       {"auto"}};
     const Quantity shear_correction = {
@@ -154,16 +151,16 @@ namespace auxfem
              "none",
              "kg/m3",
              Range::non_negative(),
-             "Mass per volume; none will do for statics without weight only.",
+             "Mass per volume; none: allowed only in statics without weight.",
              {"none"}};
     const Quantity yield_strain = {
       "Yield strain",
       "none",
       "1",
       Range::positive(),
-      "Strain of an outer fibre, in tension or compression, up to which the "
-      "material is linear elastic; beyond it the verdict on the run is "
-      "doubtful; of Shape = given see Extreme fibre.",
+      "Outer-fibre strain at which the material yields, in tension or "
+      "compression; beyond it the verdict is doubtful. With Shape = given see "
+      "Extreme fibre.",
       {"none"}};
     const Quantity stiffness_damping = {
       "Stiffness-proportional damping",
@@ -188,23 +185,26 @@ namespace auxfem
 
     /**
      * Saint-Venant's torsion constant of a rectangle with longer side @p b and
-     * shorter side @p t (m4), exact to round-off: Timoshenko and Goodier,
-     * Theory of Elasticity, section 109,
-     * J = b t^3 / 3 (1 - 192/pi^5 t/b sum tanh(n pi b / (2 t)) / n^5)
-     * over odd n.
+     * shorter side @p t (m4), exact to round-off (Timoshenko and Goodier,
+     * Theory of Elasticity, section 109):
+     * J = b t^3 / 3 (1 - 192/pi^5 t/b sum tanh(n pi b / (2 t)) / n^5) over odd
+     * n.
      */
     double torsion_constant_of_rectangle(const double b, const double t)
     {
-      // Summed as one minus tanh, of which ten terms reach round-off, since
-      // exp(-21 pi) < 1e-28; the ones sum to 31/32 zeta(5).
+      // The sum of 1 - tanh converges in ten terms, since exp(-21 pi) < 1e-28;
+      // the ones sum to 31/32 zeta(5).
       double sum = 31. / 32. * 1.0369277551433699263;
       for (unsigned int n = 1; n < 20; n += 2)
         sum -= 2 / ((std::exp(n * PI * b / t) + 1) * std::pow(n, 5));
       return b * t * t * t / 3 * (1 - 192 / std::pow(PI, 5) * t / b * sum);
     }
 
-    /** A section that is the same about every axis across the strut. */
-    void set_round(const double second_moment, Section &section)
+    /**
+     * Sets the moments of a section that is the same about every transverse
+     * axis.
+     */
+    void set_axisymmetric_moments(const double second_moment, Section &section)
     {
       section.second_moment_2  = second_moment;
       section.second_moment_3  = second_moment;
@@ -232,7 +232,7 @@ namespace auxfem
       section.area            = PI * r * r;
       section.radius          = r;
       section.fibre_distances = section.half_thicknesses = {{r, r}};
-      set_round(PI / 4 * r * r * r * r, section);
+      set_axisymmetric_moments(PI / 4 * r * r * r * r, section);
       set_shear_areas(values, 0.9, section);
     }
 
@@ -248,7 +248,9 @@ namespace auxfem
       section.area            = PI * (outer * outer - inner * inner);
       section.radius          = outer;
       section.fibre_distances = section.half_thicknesses = {{outer, outer}};
-      set_round(PI / 4 * (std::pow(outer, 4) - std::pow(inner, 4)), section);
+      set_axisymmetric_moments(PI / 4 *
+                                 (std::pow(outer, 4) - std::pow(inner, 4)),
+                               section);
       set_shear_areas(values, 0.5, section);
     }
 
@@ -273,11 +275,11 @@ namespace auxfem
            values[extreme_fibre]}};
       else if (!values.is_word(extreme_fibre_2))
         values.refuse(extreme_fibre_2,
-                      "Extreme fibre is none. Give both distances, or none");
+                      "Extreme fibre is none. Give both distances, or neither");
       if (!values.is_word(given_rotary_inertia))
         {
-          const std::vector<double> given = values[given_rotary_inertia];
-          section.given_rotary_inertia    = {{given[0], given[1], given[2]}};
+          const std::vector<double> moments = values[given_rotary_inertia];
+          section.given_rotary_inertia = {{moments[0], moments[1], moments[2]}};
         }
     }
 
@@ -291,48 +293,44 @@ namespace auxfem
     }
   } // namespace
 
-
-
   SubsectionSchema sections_schema()
   {
-    return {"Sections",
-            SubsectionSchema::Form::named_groups,
-            "Cross-sections and materials; of several for one strut the last "
-            "counts. Axis 1 of a section is along the strut; in the plane axis "
-            "2 lies in it and axis 3 is its normal, in space see Reference "
-            "vector.",
-            {section_struts,
-             section_shape,
-             youngs_modulus,
-             poissons_ratio,
-             density,
-             yield_strain,
-             reference,
-             stiffness_damping,
-             mass_damping},
-            "Shape",
-            {{"rectangle",
-              "Solid rectangle.",
-              {width, height, shear_correction, torsion_of_rectangle}},
-             {"circle", "Solid circle.", {radius, shear_correction}},
-             {"tube",
-              "Circular tube.",
-              {outer_radius, wall_thickness, shear_correction}},
-             {"given",
-              "Area and moments as numbers.",
-              {area,
-               shear_area,
-               shear_area_3,
-               second_moment,
-               second_moment_2,
-               extreme_fibre,
-               extreme_fibre_2,
-               given_torsion,
-               given_rotary_inertia,
-               drawing_radius}}}};
+    return {
+      "Sections",
+      SubsectionSchema::Form::named_groups,
+      "Cross-sections and materials. If several apply to a strut, the last "
+      "one counts. Axis 1 is along the strut. In the plane, axis 2 lies "
+      "in it and axis 3 is its normal; in space see Reference vector.",
+      {section_struts,
+       section_shape,
+       youngs_modulus,
+       poissons_ratio,
+       density,
+       yield_strain,
+       reference,
+       stiffness_damping,
+       mass_damping},
+      "Shape",
+      {{"rectangle",
+        "Solid rectangle.",
+        {width, height, shear_correction, torsion_of_rectangle}},
+       {"circle", "Solid circle.", {radius, shear_correction}},
+       {"tube",
+        "Circular tube.",
+        {outer_radius, wall_thickness, shear_correction}},
+       {"given",
+        "Area and moments as numbers.",
+        {area,
+         shear_area,
+         shear_area_3,
+         second_moment,
+         second_moment_2,
+         extreme_fibre,
+         extreme_fibre_2,
+         given_torsion,
+         given_rotary_inertia,
+         drawing_radius}}}};
   }
-
-
 
   SectionDefinition read_section(ParameterValues &values)
   {

@@ -17,7 +17,7 @@ TEST(Dashpot, ForceTangentAndLoss)
   EXPECT_DOUBLE_EQ(dashpot.dissipated, 0.2);
 }
 
-TEST(Dashpot, IsWithoutForceOnceAllHasComeToRest)
+TEST(Dashpot, HasNoForceAfterRelaxation)
 {
   const auto dashpot = make_law("dashpot", {{"Damping coefficient", "50"}});
   const ConnectorResponse response = dashpot->relaxed(0.02);

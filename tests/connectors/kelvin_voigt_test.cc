@@ -32,9 +32,9 @@ TEST(KelvinVoigt, Ramp)
     }
 }
 
-// Storage modulus k and loss modulus c w, so W = pi c w U^2 a cycle. The loss
-// is taken at the mean rate of the step, which is low by (w dt)^2 / 24, twice
-// that in its square: second order in dt.
+// Storage modulus k and loss modulus c w give W = pi c w U^2 per cycle. The
+// dissipation uses the mean rate of the step, low by (w dt)^2 / 24, twice that
+// in its square: second order in dt.
 TEST(KelvinVoigt, LossOfAHarmonicCycle)
 {
   const double w = 20, U = 0.01, exact = 0.314159265358979;

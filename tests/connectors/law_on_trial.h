@@ -18,7 +18,7 @@ namespace auxfem
 
   using LawParameters = std::map<std::string, std::string>;
 
-  /** The law @p name of the table, made from its own subsection. */
+  /** Creates the law @p name of the registry from its own subsection. */
   inline std::unique_ptr<ConnectorLaw> make_law(const std::string   &name,
                                                 const LawParameters &values)
   {
@@ -37,7 +37,7 @@ namespace auxfem
     throw std::logic_error("no law " + name);
   }
 
-  /** One connector that is led through a motion step by step. */
+  /** One connector that follows a motion step by step. */
   class LawOnTrial
   {
   public:
@@ -46,7 +46,7 @@ namespace auxfem
       , history(this->law->n_history(), 0.)
     {}
 
-    /** Extends to @p new_extension in @p dt and commits. */
+    /** Extends to @p new_extension in @p dt and commits the step. */
     ConnectorResponse
     step(const double new_extension, const double rate, const double dt)
     {
@@ -65,7 +65,9 @@ namespace auxfem
       return response;
     }
 
-    /** The same at a constant rate, none if no time passes or for ever. */
+    /**
+     * Extends at a constant rate; the rate is zero if dt is zero or infinite.
+     */
     ConnectorResponse ramp(const double new_extension, const double dt)
     {
       return step(new_extension,
@@ -77,7 +79,7 @@ namespace auxfem
     std::vector<double>                 history;
     double                              extension = 0;
     double                              force     = 0;
-    /** Work of the force by the trapezoidal rule, and energies, so far (J). */
+    /** Trapezoidal work of the force and energies since the start (J). */
     double work = 0, stored = 0, dissipated = 0;
   };
 } // namespace auxfem

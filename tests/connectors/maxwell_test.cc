@@ -38,7 +38,9 @@ namespace
     return {increment, increment / dt, 0., dt};
   }
 
-  /** Integral of F^2/c over a step, from the force of steady flow c v. */
+  /**
+   * Integral of F^2/c over a step that starts with the steady-flow force c v.
+   */
   long double loss(const long double k,
                    const long double force,
                    const long double increment,
@@ -50,7 +52,10 @@ namespace
       k;
   }
 
-  /** Amplitudes of force over extension in the last of @p cycles, and loss. */
+  /**
+   * Amplitude ratios of force and extension in the last of @p cycles, and
+   * dissipation.
+   */
   struct Harmonic
   {
     double storage = 0, loss = 0, dissipated = 0;
@@ -117,9 +122,9 @@ TEST(Maxwell, Ramp)
     }
 }
 
-// w tau = 1: K' = K'' = k/2. The rate is linear in the steps instead of a
-// cosine: third order in dt, of a whole cycle's loss fourth.
-// After 12 cycles the start is forgotten to e^-75.
+// w tau = 1: K' = K'' = k/2. The rate is linear in each step instead of a
+// cosine: third order in dt, fourth for the dissipation of a cycle. After 12
+// cycles the start has decayed to e^-75.
 TEST(Maxwell, HarmonicModuliAndLossOfACycle)
 {
   const Harmonic coarse = harmonic(maxwell(), 20, 0.01, 100, 12);
@@ -165,14 +170,14 @@ TEST(Maxwell, SubstepsEqualOneStepForLinearExtension)
       halves.ramp(0.01, 0.5 * a * tau);
       EXPECT_NEAR(halves.force, whole.force, 1e-14 * 10) << a;
       EXPECT_NEAR(halves.stored, whole.stored, 1e-14 * 0.05) << a;
-      // The loss of a half step is a quadratic form with coefficients good to
-      // 3 eps / a^2 at its worst, a = 0.5.
+      // The dissipation of a half step is a quadratic form whose coefficients
+      // have errors up to 3 eps / a^2, at a = 0.5.
       EXPECT_NEAR(halves.dissipated, whole.dissipated, 1e-13 * whole.dissipated)
         << a;
     }
 }
 
-// The reference loses about 1e-19 / a^2 of the loss to cancellation.
+// The reference loses about 1e-19 / a^2 of the dissipation to cancellation.
 TEST(Maxwell, UpdateAndLossForAllStepLengths)
 {
   const MaxwellElement element = {1000., tau};
@@ -225,7 +230,7 @@ TEST(Maxwell, StepsFromTinyToInfinite)
   EXPECT_EQ(element.dissipated_energy(4., {0.01, 0., 0., 0.}), 0.);
 }
 
-TEST(Maxwell, InfiniteStepRelaxesAndLosesAllThatWasStored)
+TEST(Maxwell, InfiniteStepDissipatesAllStoredEnergy)
 {
   LawOnTrial law = maxwell();
   law.ramp(0.01, 0.);
@@ -249,13 +254,13 @@ TEST(Maxwell, LimitOfNoDamping)
       EXPECT_EQ(law.stored, 0.);
       EXPECT_EQ(law.dissipated, 0.);
     }
-  // From above: the force of steady flow, c v.
+  // The upper limit is the steady-flow force c v.
   EXPECT_NEAR(maxwell("1000", "1e-9").step(0.01, 0.1, 0.1).force, 1e-10, 1e-20);
 }
 
 TEST(Maxwell, LimitOfInfiniteDampingIsASpring)
 {
-  // What is lost of the force is a / 2 of it: dt k / (2 c) = 5e-14.
+  // The force decays by the fraction a / 2: dt k / (2 c) = 5e-14.
   LawOnTrial law = maxwell("1000", "1e15");
   EXPECT_NEAR(law.step(0.01, 0.1, 0.1).force, 10., 1e-12);
   EXPECT_NEAR(law.stored, 0.05, 1e-14);
@@ -271,8 +276,8 @@ TEST(Maxwell, LimitOfInfiniteStiffnessIsADashpot)
   EXPECT_NEAR(law.dissipated, 0.05, 1e-12);
 }
 
-// Stored and lost energy are exact for extensions linear in the steps; the
-// trapezoidal work is not, its error falls with dt^2.
+// Stored and dissipated energy are exact for extensions linear in the steps;
+// the trapezoidal work has an error of order dt^2.
 TEST(Maxwell, EnergyBalanceConvergesWithSecondOrder)
 {
   double error[2];
@@ -290,7 +295,7 @@ TEST(Maxwell, EnergyBalanceConvergesWithSecondOrder)
   EXPECT_NEAR(std::log2(error[0] / error[1]), 2, 0.05);
 }
 
-TEST(Maxwell, RefusesNoStiffness)
+TEST(Maxwell, RefusesZeroStiffness)
 {
   EXPECT_ANY_THROW(maxwell("0", "50"));
 }

@@ -14,7 +14,7 @@ namespace
                                    {"Stiffnesses", "1000, 200"},
                                    {"Relaxation times", "0.05, 0.4"}};
 
-  /** Every law of the table with values of its own. */
+  /** Every registered law with suitable values. */
   std::vector<std::unique_ptr<ConnectorLaw>> all_laws()
   {
     std::vector<std::unique_ptr<ConnectorLaw>> laws;
@@ -48,7 +48,7 @@ namespace
   }
 } // namespace
 
-TEST(ConnectorLaws, NamesOfTheTable)
+TEST(ConnectorLaws, NamesOfTheRegistry)
 {
   std::vector<std::string> names;
   for (const RegistryEntry<ConnectorLaw> &entry : connector_law_registry())
@@ -86,7 +86,7 @@ TEST(ConnectorLaws, NoForceAtRest)
       }
 }
 
-TEST(ConnectorLaws, RelaxedIsWhatIsLeftOfALongHold)
+TEST(ConnectorLaws, RelaxedResponseIsTheLimitOfALongHold)
 {
   for (const auto &law : all_laws())
     {
@@ -100,8 +100,8 @@ TEST(ConnectorLaws, RelaxedIsWhatIsLeftOfALongHold)
     }
 }
 
-// The laws are linear, so central differences carry no truncation error; what
-// is left is round-off, 1e-16 of the force over the increment.
+// The laws are linear, so central differences have only round-off, 1e-16 of the
+// force over the increment.
 TEST(ConnectorLaws, TangentsAgainstCentralDifferences)
 {
   for (const auto &law : all_laws())
@@ -268,9 +268,9 @@ namespace
   }
 } // namespace
 
-// Maxwell elements take the rate to be linear in steps that end with the true
-// one: third order. Losses of Kelvin-Voigt are of second order. The
-// Runge-Kutta reference is exact to 1e-10 and better.
+// Maxwell elements assume a linear rate that ends with the true one: third
+// order. The dissipation of Kelvin-Voigt is of second order. The Runge-Kutta
+// reference has an error below 1e-10.
 TEST(ConnectorLaws, SmallStepsTendToTheContinuousForm)
 {
   const auto laws = all_laws();
@@ -296,7 +296,7 @@ TEST(ConnectorLaws, SmallStepsTendToTheContinuousForm)
     }
 }
 
-// At a stage the internal variables go by Euler's backward rule.
+// At a stage the internal variables follow Euler's backward rule.
 TEST(ConnectorLaws, StagesFollowTheContinuousForm)
 {
   const double dt = 3e-3;
@@ -347,7 +347,7 @@ TEST(ConnectorLaws, ContinuousPowerBalance)
          law->continuous(u - h * rate, rate, before.data(), ignored.data())
            .stored) /
         (2 * h);
-      // stored energy is quadratic: only the round-off of the difference
+      // The stored energy is quadratic: the difference has only round-off.
       EXPECT_NEAR(now.force * rate, stored_rate + now.lost_power, 1e-8);
       EXPECT_GE(now.lost_power, 0);
     }
@@ -367,7 +367,7 @@ TEST(ConnectorLaws, ContinuousFormWithoutResistanceOfTheDashpot)
   EXPECT_EQ(force_rate, 0);
 }
 
-TEST(ConnectorLaws, NothingIsEverGained)
+TEST(ConnectorLaws, DissipationIsNeverNegative)
 {
   for (const auto &law : all_laws())
     for (const double dt : {1e-9, 1e-4, 0.03, 0.1, 50.})

@@ -24,7 +24,7 @@ TEST(Spring, IsItsOwnLongTimeLimit)
   EXPECT_DOUBLE_EQ(law->long_time_stiffness(), 2000.);
 }
 
-TEST(Spring, StandInWhenViscosityIsLeftOut)
+TEST(Spring, ReplacesLawsWithoutViscosity)
 {
   LawOnTrial spring(make_spring_law(300.));
   EXPECT_DOUBLE_EQ(spring.step(0.1, 0., infinity).force, 30.);

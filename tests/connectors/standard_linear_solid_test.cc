@@ -54,10 +54,9 @@ TEST(StandardLinearSolid, Ramp)
     }
 }
 
-// Force amplitudes of the last of 12 cycles (start forgotten to e^-75 at
-// w = 20, e^-141 at 10.7) and the loss factor at its peak. Extension is linear
-// in the steps: error close to (w dt)^2 / 6 of a modulus or
-// smaller.
+// Force amplitudes of the last of 12 cycles (start decayed to e^-75 at w = 20,
+// e^-141 at 10.7) and the loss factor at its peak. Extension is linear in the
+// steps: error up to (w dt)^2 / 6 of a modulus.
 TEST(StandardLinearSolid, HarmonicModuliAndPeakLossFactor)
 {
   const unsigned int n     = 1000;

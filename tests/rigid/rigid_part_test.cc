@@ -35,13 +35,16 @@ namespace
   /** The base at rest. */
   const PlaneVector rest = vector(1.2, 0.9);
 
-  /** Where a rigid motion, a turn about the origin and a shift, takes @p p. */
+  /**
+   * Position of @p p after a rigid motion, a rotation about the origin and a
+   * translation.
+   */
   PlaneVector moved(const dealii::Point<3> &p, const double angle)
   {
     return turned_by(vector(p[0], p[1]), angle) + vector(4., -7.);
   }
 
-  /** Velocity of @p p in a turn at @p rate about @p pole. */
+  /** Velocity of @p p in a rotation at @p rate about @p pole. */
   PlaneVector turning(const dealii::Point<3> &p,
                       const dealii::Point<3> &pole,
                       const double            rate)
@@ -63,7 +66,7 @@ namespace
   }
 } // namespace
 
-TEST(RigidPartElement, BasePointsHaveThePlacesOfABase)
+TEST(RigidPartElement, BasePointsHaveBasePositions)
 {
   const NaturalPosition first  = natural_position<2>(r0, r1, r0),
                         second = natural_position<2>(r0, r1, r1);
@@ -73,9 +76,9 @@ TEST(RigidPartElement, BasePointsHaveThePlacesOfABase)
   EXPECT_NEAR(second.b, 0, rigid_part_round_off);
 }
 
-TEST(RigidPartElement, PlacesCountToTheLeftOfTheBase)
+TEST(RigidPartElement, PositionsArePositiveToTheLeftOfTheBase)
 {
-  // From (0, 0) to (2, 0): half a base on, a quarter to the left.
+  // Base from (0, 0) to (2, 0): half a base along, a quarter to the left.
   const NaturalPosition position =
     natural_position<2>({0, 0, 0}, {2, 0, 0}, {1, 0.5, 0});
   EXPECT_NEAR(position.a, 0.5, rigid_part_round_off);
@@ -153,7 +156,7 @@ TEST(RigidPartElement, EnergyIsThatOfTranslationAndOfRotationAboutAnyPoint)
           EXPECT_NEAR(
             kinetic_energy(M, turning(r0, pole, rate), turning(r1, pole, rate)),
             (mass * centre.distance_square(pole) + inertia) * rate * rate / 2,
-            // Of sums of up to a few thousand joules.
+            // Round-off of sums of up to a few thousand joules.
             1e-11);
         }
       for (unsigned int i = 0; i < 4; ++i)
@@ -162,7 +165,7 @@ TEST(RigidPartElement, EnergyIsThatOfTranslationAndOfRotationAboutAnyPoint)
     }
 }
 
-TEST(RigidPartElement, DistanceIsMetByEveryRotation)
+TEST(RigidPartElement, EveryRotationSatisfiesTheDistance)
 {
   const DistanceConstraint<2> distance = {rest, length};
   for (const double angle : {0.7, 2.5, pi, -3., 2 * pi + 0.7})
@@ -178,7 +181,7 @@ TEST(RigidPartElement, DistanceIsMetByEveryRotation)
 
 TEST(RigidPartElement, DistanceIsExactForTinyMotions)
 {
-  // 1e-12 m along the base: to rounding of the product, not of the length.
+  // 1e-12 m along the base: round-off of the product, not of the length.
   const DistanceConstraint<2> distance = {rest, length};
   EXPECT_NEAR(distance.value(1e-12 / length * rest), 1e-12, 1e-24);
 }
@@ -193,7 +196,7 @@ TEST(RigidPartElement, DerivativesOfDistanceAreItsDifferences)
     {
       PlaneVector step;
       step[c] = h;
-      // Central differences of a quadratic have no error but round-off / h.
+      // Central differences of a quadratic have only round-off, eps / h.
       EXPECT_NEAR((distance.value(stretch + step) -
                    distance.value(stretch - step)) /
                     (2 * h),
@@ -206,7 +209,7 @@ TEST(RigidPartElement, DerivativesOfDistanceAreItsDifferences)
     }
 }
 
-TEST(RigidPartElement, ClampIsMetWhenTheSectionTurnsWithTheBody)
+TEST(RigidPartElement, SectionsThatRotateWithTheBodySatisfyTheClamp)
 {
   const ClampConstraint clamp = {rest, length};
   for (const double angle : {0., 0.7, 2 * pi + 0.7, -2.5})
@@ -217,7 +220,7 @@ TEST(RigidPartElement, ClampIsMetWhenTheSectionTurnsWithTheBody)
   EXPECT_NEAR(clamp.normal(0.2) * turned_by(rest, 0.9),
               length * std::sin(0.7),
               rigid_part_round_off);
-  // Also after a turn of the section alone.
+  // The section may also rotate alone.
   EXPECT_NEAR(clamp.normal(2 * pi + 0.2) * turned_by(rest, 0.9),
               length * std::sin(0.7),
               rigid_part_round_off);

@@ -44,7 +44,9 @@ namespace
     return beam.template force<true, false>(u, u, force).strain;
   }
 
-  /** Travel from @p u0 to @p u1, rotations by Cayley's measure. */
+  /**
+   * Displacement increments from @p u0 to @p u1, rotations by Cayley's measure.
+   */
   template <class Vector>
   Vector travel(const Vector &u0, const Vector &u1)
   {
@@ -87,24 +89,24 @@ namespace
   }
 } // namespace
 
-TEST(Beam2DBetween, WorkOnAStepIsTheChangeOfEnergyAndWhatIsLost)
+TEST(Beam2DBetween, WorkIsTheEnergyChangePlusDissipation)
 {
   for_each_step([](const auto &beam, const auto &u0, const auto &u1) {
     auto       force  = u0;
     const auto energy = mean_force(beam, u0, u1, force);
-    EXPECT_GT(energy.lost, 0);
+    EXPECT_GT(energy.dissipation, 0);
     EXPECT_NEAR(energy.strain,
                 strain_energy(beam, u1),
                 between_round_off * (1 + energy.strain));
     EXPECT_NEAR(product(force, travel(u0, u1)),
-                energy.strain - strain_energy(beam, u0) + energy.lost,
-                between_round_off * (1 + energy.strain + energy.lost));
+                energy.strain - strain_energy(beam, u0) + energy.dissipation,
+                between_round_off * (1 + energy.strain + energy.dissipation));
   });
 }
 
-TEST(Beam2DBetween, WhatIsLostIsThatOfTheMeanRateOfStrain)
+TEST(Beam2DBetween, DissipationUsesTheMeanStrainRate)
 {
-  // A straight element stretched evenly: beta EA (delta epsilon)^2 L / dt.
+  // Uniform stretch of a straight element: beta EA (delta epsilon)^2 L / dt.
   const BeamOnTrial<2> beam(1.6, 0, 0);
   auto                 u0 = BeamOnTrial<2>::Vector(), u1 = u0, force = u0;
   for (int a = 0; a <= 2; ++a)
@@ -113,12 +115,12 @@ TEST(Beam2DBetween, WhatIsLostIsThatOfTheMeanRateOfStrain)
       u1[3 * a] = 0.3 * beam.nodes[a][0];
     }
   const auto energy = mean_force(beam, u0, u1, force);
-  EXPECT_NEAR(energy.lost, 0.4 * 3 * 0.04 * 1.6 / dt, between_round_off);
+  EXPECT_NEAR(energy.dissipation, 0.4 * 3 * 0.04 * 1.6 / dt, between_round_off);
   // The mean stretch 0.2 and its rate.
   EXPECT_NEAR(force[3], 3 * 0.2 + 0.4 * 3 * 0.2 / dt, between_round_off);
 }
 
-TEST(Beam2DBetween, NoWorkOnRigidMotionsAboutTheMeanPlaces)
+TEST(Beam2DBetween, NoWorkOnRigidMotionsAboutTheMeanPositions)
 {
   for_each_step([](const auto &beam, const auto &u0, const auto &u1) {
     auto force = u0;
@@ -140,7 +142,7 @@ TEST(Beam2DBetween, NoWorkOnRigidMotionsAboutTheMeanPlaces)
   });
 }
 
-TEST(Beam2DBetween, AStepThatTurnsAsAWholeLoadsNothing)
+TEST(Beam2DBetween, RigidRotationsGiveNoForces)
 {
   for_each_beam([](const auto &beam) {
     using Vector = typename std::decay_t<decltype(beam)>::Vector;
@@ -151,11 +153,11 @@ TEST(Beam2DBetween, AStepThatTurnsAsAWholeLoadsNothing)
                                    beam.moved(rest, 1.9, {{0.1, 0.5}}),
                                    force);
     EXPECT_NEAR(largest(force), 0, between_round_off);
-    EXPECT_NEAR(energy.lost, 0, between_round_off);
+    EXPECT_NEAR(energy.dissipation, 0, between_round_off);
   });
 }
 
-TEST(Beam2DBetween, OfNoStepItIsTheForceAtRest)
+TEST(Beam2DBetween, ZeroStepGivesTheStaticForce)
 {
   for_each_beam([](const auto &beam) {
     using Vector   = typename std::decay_t<decltype(beam)>::Vector;
@@ -168,10 +170,9 @@ TEST(Beam2DBetween, OfNoStepItIsTheForceAtRest)
   });
 }
 
-// What the tangent leaves out, the derivative of the shapes of the rotation,
-// vanishes with the turn in the step; the error of the central difference is
-// 1e-10.
-TEST(Beam2DBetween, TangentIsThatOfDifferencesUpToTheTurnOfTheStep)
+// The tangent omits the derivative of the rotation shapes, which vanishes with
+// the rotation increment; the central difference has an error of 1e-10.
+TEST(Beam2DBetween, TangentMatchesDifferencesUpToTheRotationIncrement)
 {
   for_each_beam([](const auto &beam) {
     using Beam          = std::decay_t<decltype(beam)>;
@@ -238,18 +239,19 @@ TEST(Beam2DBetween, DampedIncrementsNeverCreateEnergy)
     for (const double dt_before : {0., 0.1, dt, 0.9})
       {
         IncrementDamping damping(chi, dt, dt_before);
-        damping.last        = last.data();
-        damping.now         = now.data();
-        auto         force  = u0;
-        const auto   energy = mean_force(beam, u0, u1, force, damping);
+        damping.previous_increments = last.data();
+        damping.current_increments  = now.data();
+        auto         force          = u0;
+        const auto   energy         = mean_force(beam, u0, u1, force, damping);
         const double allowed =
-          between_round_off * (1 + energy.strain + energy.lost);
+          between_round_off * (1 + energy.strain + energy.dissipation);
         EXPECT_NEAR(product(force, travel(u0, u1)),
-                    energy.strain - strain_energy(beam, u0) + energy.lost +
-                      energy.taken,
+                    energy.strain - strain_energy(beam, u0) +
+                      energy.dissipation + energy.numerical_dissipation,
                     allowed);
         const double before = dt_before > 0 ? square_of(last) : 0.;
-        EXPECT_GE(energy.taken, chi / 4 * (square_of(now) - before) - allowed);
+        EXPECT_GE(energy.numerical_dissipation,
+                  chi / 4 * (square_of(now) - before) - allowed);
       }
   });
 }

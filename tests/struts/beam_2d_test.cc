@@ -37,7 +37,7 @@ namespace
                            std::abs(matrix[i * Beam::n + j] -
                                     (right[i] - left[i]) / (2 * step)));
       }
-    // The difference is right to step^2 (1e-10) and 1e-16 / step (1e-11), each
+    // The difference has errors of step^2 (1e-10) and 1e-16 / step (1e-11),
     // times numbers up to 100.
     EXPECT_LT(worst, 1e-8 * scale);
   }
@@ -86,13 +86,13 @@ TEST(Beam2D, ForceIsTheDerivativeOfTheStrainEnergy)
           (beam.template force<true, false>(right, u, unused).strain -
            beam.template force<true, false>(left, u, unused).strain) /
           (2 * step);
-        // step^2 and 1e-16 / step times numbers up to 100.
+        // Errors of step^2 and 1e-16 / step times numbers up to 100.
         EXPECT_NEAR(force[i], slope, 1e-8 * largest(force));
       }
   });
 }
 
-TEST(Beam2D, DampingTakesThePowerOfItsForceAndNeverGivesAny)
+TEST(Beam2D, DampingDissipatesThePowerOfItsForce)
 {
   for_each_beam([](const auto &beam) {
     using Beam   = std::decay_t<decltype(beam)>;
@@ -116,7 +116,7 @@ TEST(Beam2D, DampingTakesThePowerOfItsForceAndNeverGivesAny)
   });
 }
 
-TEST(Beam2D, RigidMotionGivesNoForceAlsoAfterSeveralTurns)
+TEST(Beam2D, RigidMotionGivesNoForceEvenAfterSeveralTurns)
 {
   for_each_beam([](const auto &beam) {
     using Beam   = std::decay_t<decltype(beam)>;
@@ -142,7 +142,7 @@ TEST(Beam2D, RigidMotionGivesNoForceAlsoAfterSeveralTurns)
   });
 }
 
-TEST(Beam2D, ForcesTurnWithASuperposedRotation)
+TEST(Beam2D, ForcesFollowASuperposedRotation)
 {
   for_each_beam([](const auto &beam) {
     using Beam         = std::decay_t<decltype(beam)>;
@@ -289,7 +289,7 @@ TEST(Beam2D, UniformShearGivesTheShearForceAndItsMoment)
 
 TEST(Beam2D, UniformCurvatureWithoutShearGivesEndMomentsOnly)
 {
-  // A small curvature, whose square (of the axial strain) is below round-off.
+  // The square of this small curvature, an axial strain, is below round-off.
   const double curvature = 1e-7;
   for (unsigned int order = 2; order <= 6; ++order)
     dispatch_order(order, [curvature](auto p) {
@@ -305,8 +305,8 @@ TEST(Beam2D, UniformCurvatureWithoutShearGivesEndMomentsOnly)
 
 TEST(Beam2D, LinearElementBendsWithoutShearLocking)
 {
-  // Equal and opposite end rotations with one Gauss point: the shear strain in
-  // the middle is zero, so the answer is the moment EI 2 phi / L alone.
+  // Equal and opposite end rotations with one Gauss point: zero shear strain in
+  // the middle, so the moment is EI 2 phi / L.
   const BeamOnTrial<1>         beam(1.6, 0, 0);
   const double                 angle = 1e-7;
   BeamOnTrial<1>::Vector       force;

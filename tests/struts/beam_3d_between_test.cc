@@ -22,7 +22,7 @@ namespace
     return SpaceVector({values[0], values[1], values[2]});
   }
 
-  /** A beam on trial in a step. */
+  /** A test beam in a step. */
   template <class Beam>
   struct BeamInStep
   {
@@ -32,7 +32,7 @@ namespace
     const Beam &beam;
     Nodes       start, end;
 
-    /** Irregular states, deformed by @p size, turned and moved as a whole. */
+    /** Irregular states, deformed by @p size, rotated and translated. */
     BeamInStep(const Beam &beam, const double size, const unsigned int seed)
       : beam(beam)
       , start(beam.moved(Beam::nodes_of(irregular<Vector>(size, seed)),
@@ -76,7 +76,7 @@ namespace
       return sum;
     }
 
-    /** Moments about the mean places of the step, and forces. */
+    /** Moments about the mean positions of the step, and forces. */
     std::array<SpaceVector, 2> resultants(const Vector &force) const
     {
       std::array<SpaceVector, 2> sums;
@@ -92,7 +92,7 @@ namespace
       return sums;
     }
 
-    /** Twice the energy of strains that are @p increments, point by point. */
+    /** Twice the energy of strains equal to @p increments, point by point. */
     double square_of(const std::vector<double> &increments) const
     {
       double sum = 0;
@@ -154,21 +154,22 @@ namespace
   }
 } // namespace
 
-TEST(Beam3DBetween, WorkOnAStepIsTheChangeOfEnergyAndWhatIsLost)
+TEST(Beam3DBetween, WorkIsTheEnergyChangePlusDissipation)
 {
   for_each_step_in_space([](const auto &step) {
     using Beam = std::decay_t<decltype(step.beam)>;
     typename Beam::Vector force;
     const auto            energy = step.force(force);
-    EXPECT_GT(energy.lost, 0);
+    EXPECT_GT(energy.dissipation, 0);
     EXPECT_NEAR(energy.strain, step.strain_energy(step.end), step_round_off);
     EXPECT_NEAR(step.work(force),
-                energy.strain - step.strain_energy(step.start) + energy.lost,
-                step_round_off * (1 + energy.strain + energy.lost));
+                energy.strain - step.strain_energy(step.start) +
+                  energy.dissipation,
+                step_round_off * (1 + energy.strain + energy.dissipation));
   });
 }
 
-TEST(Beam3DBetween, NoWorkOnRigidMotionsAboutTheMeanPlaces)
+TEST(Beam3DBetween, NoWorkOnRigidMotionsAboutTheMeanPositions)
 {
   for_each_step_in_space([](const auto &step) {
     using Beam = std::decay_t<decltype(step.beam)>;
@@ -179,7 +180,7 @@ TEST(Beam3DBetween, NoWorkOnRigidMotionsAboutTheMeanPlaces)
   });
 }
 
-TEST(Beam3DBetween, AStepThatTurnsAsAWholeLoadsNothing)
+TEST(Beam3DBetween, RigidRotationsGiveNoForces)
 {
   for_each_beam_3d([](const auto &beam) {
     using Beam = std::decay_t<decltype(beam)>;
@@ -187,11 +188,11 @@ TEST(Beam3DBetween, AStepThatTurnsAsAWholeLoadsNothing)
     typename Beam::Vector  force;
     const auto             energy = step.force(force);
     EXPECT_NEAR(largest(force), 0, step_round_off);
-    EXPECT_NEAR(energy.lost, 0, step_round_off);
+    EXPECT_NEAR(energy.dissipation, 0, step_round_off);
   });
 }
 
-TEST(Beam3DBetween, OfNoStepItIsTheForceAtRest)
+TEST(Beam3DBetween, ZeroStepGivesTheStaticForce)
 {
   for_each_beam_3d([](const auto &beam) {
     using Beam = std::decay_t<decltype(beam)>;
@@ -205,9 +206,9 @@ TEST(Beam3DBetween, OfNoStepItIsTheForceAtRest)
   });
 }
 
-// What the tangent leaves out, the derivative of A_a and B_a, is multiplied by
-// section forces; the error of the central difference is 1e-9.
-TEST(Beam3DBetween, TangentIsThatOfDifferencesUpToTheSectionForces)
+// The tangent omits the derivative of A_a and B_a, which is proportional to
+// section forces; the central difference has an error of 1e-9.
+TEST(Beam3DBetween, TangentMatchesDifferencesUpToTheSectionForces)
 {
   for_each_beam_3d([](const auto &beam) {
     using Beam          = std::decay_t<decltype(beam)>;
@@ -218,7 +219,7 @@ TEST(Beam3DBetween, TangentIsThatOfDifferencesUpToTheSectionForces)
   });
 }
 
-TEST(Beam3DBetween, DampedIncrementsNeverCreateEnergyAndKeepMomenta)
+TEST(Beam3DBetween, DampedIncrementsNeverCreateEnergyAndConserveMomenta)
 {
   for_each_step_in_space([](const auto &step) {
     using Beam              = std::decay_t<decltype(step.beam)>;
@@ -230,20 +231,20 @@ TEST(Beam3DBetween, DampedIncrementsNeverCreateEnergyAndKeepMomenta)
     for (const double dt_before : {0., 0.1, 0.3, 0.7})
       {
         IncrementDamping damping(chi, 0.3, dt_before);
-        damping.last = last.data();
-        damping.now  = now.data();
+        damping.previous_increments = last.data();
+        damping.current_increments  = now.data();
         typename Beam::Vector force;
-        const auto            energy = step.force(force, damping);
-        const double          allowed =
-          step_round_off * (1 + energy.strain + energy.lost + largest(force));
+        const auto            energy  = step.force(force, damping);
+        const double          allowed = step_round_off *
+          (1 + energy.strain + energy.dissipation + largest(force));
         EXPECT_NEAR(step.work(force),
                     energy.strain - step.strain_energy(step.start) +
-                      energy.lost + energy.taken,
+                      energy.dissipation + energy.numerical_dissipation,
                     allowed);
         for (const SpaceVector &resultant : step.resultants(force))
           EXPECT_LT(resultant.norm(), allowed);
         const double before = dt_before > 0 ? step.square_of(last) : 0.;
-        EXPECT_GE(energy.taken,
+        EXPECT_GE(energy.numerical_dissipation,
                   chi / 4 * (step.square_of(now) - before) - allowed);
       }
   });

@@ -16,7 +16,7 @@ namespace
   // rounded once.
   constexpr double damping_round_off = 1e-12;
 
-  /** A beam on trial with the velocities of its nodes. */
+  /** A test beam with nodal velocities. */
   template <class Beam>
   struct Moving
   {
@@ -98,7 +98,7 @@ TEST(DampingOfBeam3D, TangentIsTheDerivativeOfTheForce)
                            std::abs(matrix[i * Beam::n + j] -
                                     (right[i] - left[i]) / (2 * step)));
       }
-    // The difference is right to step^2 (1e-10) and 1e-16 / step (1e-11), each
+    // The difference has errors of step^2 (1e-10) and 1e-16 / step (1e-11),
     // times numbers up to 100.
     EXPECT_LT(worst, 1e-8 * largest(matrix));
   });
@@ -129,7 +129,7 @@ TEST(DampingOfBeam3D, UniformRatesOfStretchAndTwistGiveForcesAtTheEndsOnly)
   });
 }
 
-TEST(DampingOfBeam3D, TakesThePowerOfItsForceAndNeverGivesAny)
+TEST(DampingOfBeam3D, DissipatesThePowerOfItsForce)
 {
   for_each_beam_3d([](const auto &beam) {
     using Beam = std::decay_t<decltype(beam)>;
@@ -172,7 +172,7 @@ TEST(DampingOfBeam3D, RigidMotionOfADeformedElementIsNotDamped)
   });
 }
 
-TEST(DampingOfBeam3D, StrainRatesAreThoseOfTheStrainsWhereNodesTurnedAlike)
+TEST(DampingOfBeam3D, StrainRatesAreExactIfNodesRotateAlike)
 {
   for_each_beam_3d([](const auto &beam) {
     using Beam = std::decay_t<decltype(beam)>;

@@ -19,7 +19,7 @@ namespace auxfem
     {
       double curvature; ///< of the axis, a helix about z (1/m); 0: straight
       double rise;      ///< dz/ds
-      double twist;     ///< turn of the section about the axis (rad/m)
+      double twist;     ///< twist rate of the section (rad/m)
 
       SpaceVector position(const double s) const
       {
@@ -43,8 +43,8 @@ namespace auxfem
     };
 
     /**
-     * One beam element in space, with section stiffnesses of equal size and all
-     * different, so that no term hides behind a larger or an equal one.
+     * One beam element in space, with distinct section stiffnesses of equal
+     * size, so that no term hides behind another.
      */
     template <int p>
     class Beam3DOnTrial
@@ -65,7 +65,7 @@ namespace auxfem
                     const Beam3DShape &rest,
                     const bool         makes_up_for_shear = false)
         : jacobian(length / 2)
-        , shape(makes_up_for_shear ? BeamShape<p>::most_shear : 0.)
+        , shape(makes_up_for_shear ? BeamShape<p>::max_compensated_shear : 0.)
       {
         for (int a = 0; a <= p; ++a)
           positions[a] = rest.position(jacobian * (1 + shape.node[a]));
@@ -109,7 +109,7 @@ namespace auxfem
         return kinematics(nodes).points[g].strains;
       }
 
-      /** Displacements and rotation vectors @p u as motion of the nodes. */
+      /** Node motion of displacements and rotation vectors @p u. */
       static Nodes nodes_of(const Vector &u)
       {
         Nodes nodes;
@@ -122,7 +122,7 @@ namespace auxfem
         return nodes;
       }
 
-      /** @p nodes turned about the origin, then moved. */
+      /** Rotates @p nodes about the origin, then translates them. */
       Nodes moved(Nodes              nodes,
                   const Quaternion  &rotation,
                   const SpaceVector &shift) const
@@ -134,7 +134,7 @@ namespace auxfem
         return nodes;
       }
 
-      /** @p nodes with unknown @p j varied by @p step. */
+      /** Varies unknown @p j of @p nodes by @p step. */
       static Nodes varied(Nodes nodes, const int j, const double step)
       {
         Beam3D::Node &node      = nodes[j / Beam3D::n_components];

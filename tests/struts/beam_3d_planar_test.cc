@@ -14,7 +14,7 @@ namespace
 
 namespace
 {
-  /** Unknown of the planar beam to unknown of the one in space. */
+  /** Unknown of the beam in space for an unknown of the planar beam. */
   int in_space(const int planar)
   {
     const int component = planar % 3;
@@ -27,7 +27,7 @@ namespace
     double energy, force, tangent;
   };
 
-  /** A beam in space with the axis and section of a planar one on trial. */
+  /** A beam in space with the axis and section of a planar test beam. */
   template <int p>
   class PlanarBeamInSpace
   {
@@ -103,7 +103,7 @@ namespace
   }
 } // namespace
 
-TEST(PlanarMotionOfBeam3D, IsThatOfThePlanarBeam)
+TEST(PlanarMotionOfBeam3D, EqualsThePlanarBeam)
 {
   for_each_planar_beam([](const auto &beams) {
     using Vector = typename std::decay_t<decltype(beams.planar)>::Vector;

@@ -55,7 +55,7 @@ TEST(Beam3D, TangentIsTheDerivativeOfTheForce)
                      std::abs(matrix[i * Beam::n + j] -
                               factor * (right[i] - left[i]) / (2 * step)));
       }
-    // The difference is right to step^2 (1e-10) and 1e-16 / step (1e-11), each
+    // The difference has errors of step^2 (1e-10) and 1e-16 / step (1e-11),
     // times numbers up to 100.
     EXPECT_LT(worst, 1e-8 * largest(matrix));
   });
@@ -75,7 +75,7 @@ TEST(Beam3D, ForceIsTheDerivativeOfTheStrainEnergy)
           (beam.force(Beam::varied(nodes, i, step), unused) -
            beam.force(Beam::varied(nodes, i, -step), unused)) /
           (2 * step);
-        // step^2 and 1e-16 / step times numbers up to 100.
+        // Errors of step^2 and 1e-16 / step times numbers up to 100.
         EXPECT_NEAR(force[i], slope, 1e-8 * largest(force));
       }
   });
@@ -98,7 +98,7 @@ TEST(Beam3D, AntisymmetricPartOfTheTangentIsHalfTheMomentsOnTheNodes)
           if (i / components == j / components && row >= 0 && column >= 0 &&
               row != column)
             {
-              // Of the spin tensor of the moment, times -1/2.
+              // Expected: -1/2 times the spin tensor of the moment.
               const int    third = 3 - row - column;
               const double sign  = (row + 1) % 3 == column ? 0.5 : -0.5;
               expected =
@@ -121,7 +121,7 @@ TEST(Beam3D, ElementAtRestIsFreeOfStressHoweverCurvedAndTwisted)
   });
 }
 
-TEST(Beam3D, RigidMotionGivesNoForceAlsoAfterSeveralTurns)
+TEST(Beam3D, RigidMotionGivesNoForceEvenAfterSeveralTurns)
 {
   for_each_beam_3d([](const auto &beam) {
     using Beam = std::decay_t<decltype(beam)>;
@@ -138,7 +138,7 @@ TEST(Beam3D, RigidMotionGivesNoForceAlsoAfterSeveralTurns)
   });
 }
 
-TEST(Beam3D, StrainsAreObjectiveAndForcesTurnWithASuperposedRotation)
+TEST(Beam3D, StrainsAreObjectiveAndForcesFollowASuperposedRotation)
 {
   for_each_beam_3d([](const auto &beam) {
     using Beam             = std::decay_t<decltype(beam)>;
@@ -186,7 +186,7 @@ TEST(Beam3D, ClosedPathsOfRotationsBeyondATurnReturn)
     using Beam       = std::decay_t<decltype(beam)>;
     const auto start = irregular_nodes(beam, 6);
     auto       nodes = start;
-    // Each node goes round its own axis by up to three turns, in steps.
+    // Each node rotates about its own axis by up to three turns, in steps.
     for (int a = 0; a <= Beam::order; ++a)
       {
         const int         n_steps = 40, turns = 1 + a % 3;
@@ -257,7 +257,7 @@ TEST(Beam3D, SmallDisplacementFormIsTheDerivativeAtRest)
         for (int j = 0; j < Beam::n; ++j)
           sum += tangent[i * Beam::n + j] * u[j];
         EXPECT_NEAR(force[i], sum, beam_3d_round_off * largest(force));
-        // Of the neglected squares
+        // Error of the neglected squares.
         EXPECT_NEAR(force[i], exact[i] / size, 100 * size * largest(force));
         work += force[i] * u[i] / 2;
       }
@@ -283,9 +283,9 @@ namespace
   }
 
   /**
-   * Forces of a straight element under a motion, turned at random and then back
-   * so that no axis is special; @p at_end of s = 1.6 and their opposite at 0
-   * are expected, nothing elsewhere.
+   * Checks the forces of a straight element under a motion, in a random
+   * orientation. It expects @p at_end at s = 1.6, the opposite at 0 and zero
+   * elsewhere.
    */
   template <class Beam, class Motion>
   void expect_end_forces(const Beam                  &beam,
@@ -335,7 +335,7 @@ TEST(Beam3D, UniformShearGivesTheShearForceAndItsMoment)
                force);
     const SpaceVector shear(
       {0., beam.section.shear_2 * 0.2, beam.section.shear_3 * 0.3});
-    // r' x force, of which the shear flow along the slope makes a part.
+    // r' x force; the shear force along the slope contributes.
     const SpaceVector lever =
       dealii::cross_product_3d(shear, SpaceVector({1, 0.2, 0.3}));
     for (int a = 0; a <= beam.order; ++a)
@@ -359,8 +359,8 @@ TEST(Beam3D, UniformShearGivesTheShearForceAndItsMoment)
 namespace
 {
   /**
-   * A uniform rate of rotation about the axis @p component of the rotation
-   * vector, all nodes on the curve that belongs to it.
+   * Motion with a uniform rate of rotation about axis @p component of the
+   * rotation vector; all nodes on the matching curve.
    */
   std::array<double, 6>
   uniformly_turned(const double rate, const double s, const int component)
@@ -377,7 +377,7 @@ namespace
 
 TEST(Beam3D, UniformTorsionAndBendingGiveEndMomentsOnly)
 {
-  // So small that the square (of the axial strain, and of the interpolation) is
+  // Small enough that its square, in the axial strain and the interpolation, is
   // below round-off.
   const double rate = 1e-7;
   for_each_straight_beam_3d([rate](const auto &beam) {
@@ -393,7 +393,7 @@ TEST(Beam3D, UniformTorsionAndBendingGiveEndMomentsOnly)
           beam,
           [i, rate](const double s) { return uniformly_turned(rate, s, i); },
           at_end,
-          // Rotated by a large angle: an absolute rounding of one.
+          // Large rotations have an absolute rounding error of one.
           beam_3d_round_off);
       }
   });
@@ -417,8 +417,8 @@ TEST(Beam3D, LargeTwistOfALinearElement)
 
 TEST(Beam3D, LinearElementBendsWithoutShearLocking)
 {
-  // Equal and opposite end rotations with one Gauss point: the shear strain in
-  // the middle is zero, so the answer is the moment EI 2 phi / L alone.
+  // Equal and opposite end rotations with one Gauss point: zero shear strain in
+  // the middle, so the moment is EI 2 phi / L.
   const Beam3DOnTrial<1>   beam(1.6, {0, 0, 0});
   const double             angle = 1e-7;
   Beam3DOnTrial<1>::Vector force;

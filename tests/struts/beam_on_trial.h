@@ -42,7 +42,7 @@ namespace auxfem
                   const double curvature,
                   const bool   makes_up_for_shear = false)
         : jacobian(length / 2)
-        , shape(makes_up_for_shear ? BeamShape<p>::most_shear : 0.)
+        , shape(makes_up_for_shear ? BeamShape<p>::max_compensated_shear : 0.)
       {
         for (int a = 0; a <= p; ++a)
           nodes[a] = axis(jacobian * (1 + shape.node[a]), angle, curvature);
@@ -99,7 +99,10 @@ namespace auxfem
         return matrix;
       }
 
-      /** Displacements @p u turned by @p angle about (0, 0), then moved. */
+      /**
+       * Rotates displacements @p u by @p angle about (0, 0), then translates
+       * them.
+       */
       Vector
       moved(const Vector &u, const double angle, const Position &shift) const
       {
@@ -130,7 +133,7 @@ namespace auxfem
       std::array<Beam2D::Frame, p> frames;
     };
 
-    /** Numbers in [-size, size], the same in every run. */
+    /** Reproducible numbers in [-size, size]. */
     template <class Vector>
     Vector irregular(const double size, const unsigned int seed)
     {

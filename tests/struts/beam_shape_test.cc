@@ -138,15 +138,15 @@ TEST(BeamShape, IsTheSameForCurvaturesWithShear)
   });
 }
 
-TEST(BeamShape, BendsWithoutShearByAsMuchLessAsShearIsLeftToGive)
+TEST(BeamShape, IsStifferInBendingByTheResidualShearFlexibility)
 {
-  // Of any moment M, with its derivative as shear force and EI = 1: what the
-  // larger curvatures leave of the integral of M^2 (doc/theory.md, Sections).
+  // With any moment M, its derivative as shear force and EI = 1: larger
+  // curvatures reduce the integral of M^2 (doc/theory.md, Sections).
   for_each_order([](const auto &with_shear) {
     using Shape = std::decay_t<decltype(with_shear)>;
     if (Shape::n_gauss_points == 1)
       return;
-    const Shape   shape(Shape::most_shear);
+    const Shape   shape(Shape::max_compensated_shear);
     constexpr int p          = Shape::n_gauss_points;
     double        moments[p] = {}, energy = 0, on_derivatives = 0;
     for (int g = 0; g < p; ++g)
@@ -169,7 +169,7 @@ TEST(BeamShape, BendsWithoutShearByAsMuchLessAsShearIsLeftToGive)
       }
     EXPECT_NEAR(on_derivatives, energy, 1e-12 * energy);
 
-    double                  square = 0, of_shear = 0;
+    double                  square = 0, shear_square = 0;
     const dealii::QGauss<1> rule(p);
     for (unsigned int q = 0; q < rule.size(); ++q)
       {
@@ -184,12 +184,12 @@ TEST(BeamShape, BendsWithoutShearByAsMuchLessAsShearIsLeftToGive)
             slope += (after[g] - before[g]) / (2 * step) * moments[g];
           }
         square += 2 * rule.weight(q) * moment * moment;
-        of_shear += 2 * rule.weight(q) * slope * slope;
+        shear_square += 2 * rule.weight(q) * slope * slope;
       }
-    // Differences of polynomials leave the square of their step times their
-    // third derivative.
+    // The error of the difference is the square of the step times the third
+    // derivative.
     EXPECT_NEAR(energy,
-                square - Shape::most_shear / 3 * of_shear,
+                square - Shape::max_compensated_shear / 3 * shear_square,
                 1e-8 * square);
   });
 }
@@ -210,7 +210,7 @@ TEST(BeamShape, MassOfLinearAndQuadraticElementsIsTheClosedForm)
 TEST(BeamShape, MassAndIntegralsAreExact)
 {
   for_each_order([](const auto &shape) {
-    // Two points more than an exact rule needs: an independent exact rule.
+    // Two more points than an exact rule needs.
     const dealii::QGauss<1> rule(shape.n_nodes + 2);
     double                  mass[7][7] = {}, integral[7] = {};
     for (unsigned int q = 0; q < rule.size(); ++q)

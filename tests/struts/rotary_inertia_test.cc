@@ -21,12 +21,14 @@ namespace
   const RotaryInertia::Motion some_motion = {SpaceVector({2., -1., 3.}),
                                              SpaceVector({-4., 0.6, 1.5})};
 
-  /** Of numbers of about 10, right to step^2 and 1e-16 / step of them. */
+  /**
+   * Tolerance for numbers of about 10 with errors of step^2 and 1e-16 / step.
+   */
   constexpr double step = 1e-5, difference_error = 1e-8;
 
   /**
-   * The rotation exp(t a) exp(t b), its material velocity and acceleration in
-   * closed form.
+   * The rotation exp(t a) exp(t b) with its material velocity and acceleration
+   * in closed form.
    */
   struct TwoTurns
   {
@@ -60,7 +62,7 @@ TEST(RotaryInertia, TorqueIsTheRateOfTheAngularMomentum)
       << "t = " << t;
 }
 
-TEST(RotaryInertia, TorqueGivesThePowerThatTheKineticEnergyGains)
+TEST(RotaryInertia, PowerOfTheTorqueIsTheRateOfKineticEnergy)
 {
   const TwoTurns turns;
   const auto     energy = [&](const double t) {
@@ -90,7 +92,7 @@ TEST(RotaryInertia, SteadyPrecessionOfASymmetricTopNeedsNoTorque)
   inertia[2][2]                 = inertia_3;
   const SpaceVector velocity(
     {0., precession * std::sin(theta), precession * std::cos(theta) + spin});
-  // The precession turns backwards about axis 3 of the body, by the spin.
+  // The precession rotates backwards about axis 3 of the body at the spin rate.
   const SpaceVector acceleration =
     -spin * cross_product_3d(SpaceVector({0., 0., 1.}), SpaceVector(velocity));
   EXPECT_LT(RotaryInertia::torque(inertia,
@@ -133,7 +135,7 @@ TEST(RotaryInertia, TangentIsTheDerivativeOfTheTorque)
     }
 }
 
-TEST(RotaryInertia, OfASectionIsPolarAboutTheStrut)
+TEST(RotaryInertia, SectionInertiaIsPolarAboutTheStrut)
 {
   Section section;
   section.density          = 1;

@@ -21,15 +21,14 @@ namespace auxfem
     std::string                         name;
     std::shared_ptr<const ConnectorLaw> law;
     /**
-     * Pair set of the cell (`in-cell`, `rod`), or `3 5; 7 9`, or `ground:
-     * SET`.
+     * Pairs of joints: pair set of the cell (`in-cell`, `rod`), `3 5; 7 9`, or
+     * `ground: SET`.
      */
     std::string          between;
     Geometry             geometry = Geometry::line;
     dealii::Tensor<1, 3> direction; ///< unit vector for Geometry::direction
     /**
-     * For `ground: SET`: the ground point is the joint's position at rest plus
-     * this (m).
+     * Vector from the joint at rest to the ground point, for `ground: SET` (m).
      */
     dealii::Tensor<1, 3> ground_offset;
     std::string          path;
@@ -38,8 +37,10 @@ namespace auxfem
   /** `Connectors`. */
   SubsectionSchema connectors_schema();
 
-  /** The values of one such subsection. Throws InputError if they contradict
-   * each other. */
+  /**
+   * Reads the values of one such subsection. Throws InputError if they are
+   * inconsistent.
+   */
   ConnectorDefinition read_connector(ParameterValues &values);
 } // namespace auxfem
 

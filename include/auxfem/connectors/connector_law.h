@@ -9,7 +9,7 @@
 
 namespace auxfem
 {
-  /** What happens to one connector in a step, as its law needs it (SI). */
+  /** Motion of one connector in a step, the input of its law (SI). */
   struct ConnectorMotion
   {
     /** Extension at the end of the step (m). */
@@ -22,7 +22,7 @@ namespace auxfem
     double dt;
   };
 
-  /** Answer of a law for one connector at the end of a step. */
+  /** Force and tangents of one connector at the end of a step. */
   struct ConnectorResponse
   {
     /** Force (N), positive in tension. */
@@ -33,7 +33,7 @@ namespace auxfem
     double damping;
   };
 
-  /** Energies of one connector, evaluated once a step is accepted (J). */
+  /** Energies of one connector in an accepted step (J). */
   struct ConnectorEnergy
   {
     /** Energy in the springs at the end of the step. */
@@ -42,7 +42,7 @@ namespace auxfem
     double dissipated;
   };
 
-  /** Answer of a law for one connector at an instant, without any step. */
+  /** Force, energy and power of one connector at an instant. */
   struct ContinuousResponse
   {
     /** Force (N), positive in tension. */
@@ -55,8 +55,9 @@ namespace auxfem
 
   /**
    * The law of a connector: extension history to force. One object serves all
-   * connectors of a group and holds parameters only. Internal variables lie in
-   * a flat array, n_history() numbers a connector, all zero at rest.
+   * connectors of a group and holds parameters only. Internal variables are
+   * stored in a flat array, n_history() numbers per connector, all zero at
+   * rest.
    */
   class ConnectorLaw
   {
@@ -64,27 +65,27 @@ namespace auxfem
     virtual ~ConnectorLaw() = default;
 
     /**
-     * Internal variables a connector needs; 0 for laws without Maxwell
-     * elements.
+     * Number of internal variables per connector; 0 without Maxwell elements.
      */
     virtual unsigned int n_history() const
     {
       return 0;
     }
 
-    /** Whether the law has a dashpot at all. */
+    /** Whether the law has a dashpot. */
     virtual bool is_viscous() const = 0;
 
     /**
      * Whether the force is linear in extension, rate and internal variables, so
-     * that its tangents are the same everywhere.
+     * that tangents are constant.
      */
     virtual bool is_linear() const = 0;
 
     /**
-     * Force and tangents for @p n connectors at once (one virtual call a group).
-     * @p committed holds n * n_history() internal variables from the start of
-     * the step; @p trial receives those of its end.
+     * Computes force and tangents of @p n connectors at once.
+     * @param committed n * n_history() internal variables at the start of the
+     *   step
+     * @param trial receives those at its end
      */
     virtual void evaluate(unsigned int           n,
                           const ConnectorMotion *motion,
@@ -93,11 +94,10 @@ namespace auxfem
                           ConnectorResponse     *response) const = 0;
 
     /**
-     * The same at a stage of a Runge-Kutta step. The internal variables z
-     * follow
-     * from those of its base, @p base, by Euler's backward rule: z = z_base +
-     * motion.dt z', with z' as in continuous(). This is evaluate() where there
-     * are none.
+     * Same as evaluate() at a stage of a Runge-Kutta step. The internal
+     * variables follow from @p base by Euler's backward rule, z = z_base +
+     * motion.dt z', with z' from continuous(). Without internal variables this
+     * is evaluate().
      */
     virtual void evaluate_stage(const unsigned int     n,
                                 const ConnectorMotion *motion,
@@ -109,10 +109,10 @@ namespace auxfem
     }
 
     /**
-     * Mean forces over the step, as evaluate(): of an extension that is linear
-     * in it. Their work is the energy() that is stored and lost. The stiffness
-     * in the @p response is the derivative of the mean force by the extension
-     * at the end, the rest zero.
+     * Computes mean forces over a step with linear extension; arguments as in
+     * evaluate(). Their work equals the change of energy(). The stiffness in @p
+     * response is the derivative of the mean force by the extension at the end;
+     * the damping is zero.
      */
     virtual void evaluate_mean(unsigned int           n,
                                const ConnectorMotion *motion,
@@ -121,25 +121,25 @@ namespace auxfem
                                ConnectorResponse     *response) const = 0;
 
     /**
-     * Answer once all viscous processes have come to rest at @p extension (m);
-     * the internal variables are then zero.
+     * Response at @p extension (m) after complete relaxation; the internal
+     * variables are then zero.
      */
     ConnectorResponse relaxed(const double extension) const
     {
       return {long_time_stiffness() * extension, long_time_stiffness(), 0};
     }
 
-    /** Energies of one connector over the step described by the same data. */
+    /** Energies of one connector in a step; arguments as in evaluate(). */
     virtual ConnectorEnergy energy(const ConnectorMotion &motion,
                                    const double          *committed,
                                    const double          *trial) const = 0;
 
     /**
-     * The law of one connector as a system of ordinary differential equations,
-     * for integrators that choose their own steps: from @p extension (m), its
-     * @p rate (m/s) and the n_history() internal variables @p internal now to
-     * the force and energies now and the @p internal_rates. Small steps of
-     * evaluate() tend to its solution.
+     * The law of one connector as ordinary differential equations, for
+     * integrators with their own steps. evaluate() with small steps converges
+     * to its solution.
+     * @param internal n_history() internal variables
+     * @param internal_rates receives their rates
      */
     virtual ContinuousResponse continuous(double        extension,
                                           double        rate,
@@ -147,36 +147,36 @@ namespace auxfem
                                           double *internal_rates) const = 0;
 
     /**
-     * The law with every dashpot gone and all Maxwell elements relaxed: the
-     * spring that remains (N/m). Used when the scene leaves viscosity out.
+     * Stiffness after complete relaxation (N/m), used when the scene leaves out
+     * viscosity.
      */
     virtual double long_time_stiffness() const = 0;
 
     /**
-     * Force over extension (N/m) where both go as e^(s t), s in 1/s: the
-     * complex stiffness at s = i omega. About rest, of a law that is not
-     * linear.
+     * Complex stiffness (N/m): force over extension for motions e^(s t), s in
+     * 1/s. Nonlinear laws are linearized about rest.
      */
     virtual std::complex<double>
     dynamic_stiffness(std::complex<double> s) const = 0;
 
-    /** The part sum k s tau / (1 + s tau) of dynamic_stiffness(): k (N/m) by
-     * relaxation time tau (s). */
+    /**
+     * Terms k s tau / (1 + s tau) of dynamic_stiffness(): k (N/m) by relaxation
+     * time tau (s).
+     */
     virtual std::map<double, double> relaxing_stiffnesses() const
     {
       return {};
     }
   };
 
-  /** All laws the program knows (connectors/register.cc). */
+  /** Registry of all laws (source/connectors/connector_law.cc). */
   const Registry<ConnectorLaw> &connector_law_registry();
 
-  /** A plain linear spring, the stand-in when viscosity is left out. */
+  /** Linear spring (N/m), which replaces laws when viscosity is left out. */
   std::unique_ptr<ConnectorLaw> make_spring_law(double stiffness);
 
   /**
-   * @name Table entries of the laws, one per file source/connectors/<name>.cc.
-   * Only register.cc needs them.
+   * @name Registry entries of the laws, one per file source/connectors/NAME.cc.
    */
   ///@{
   RegistryEntry<ConnectorLaw> spring_entry();
@@ -188,8 +188,8 @@ namespace auxfem
   ///@}
 
   /**
-   * Spring @p stiffness (N/m) and dashpot @p damping (N s/m) side by side:
-   * F = K u + C du/dt. Either may be zero.
+   * Spring @p stiffness (N/m) and dashpot @p damping (N s/m) in parallel: F = K
+   * u + C du/dt. Either may be zero.
    */
   std::unique_ptr<ConnectorLaw> make_kelvin_voigt_law(double stiffness,
                                                       double damping);

@@ -12,23 +12,23 @@
 
 /**
  * @file
- * Rigid bodies in the plane, and bars in space, in natural coordinates (Garcia
- * de Jalon & Bayo, Kinematic and Dynamic Simulation of Multibody Systems, 1994,
- * chapter 2): the unknowns are the positions of points of the body, here r0 and
- * r1 of its base. With d = r1 - r0 and J the rotation by a right angle, every
- * other point of the body is
+ * Rigid bodies in the plane and bars in space in natural coordinates (Garcia de
+ * Jalon & Bayo, Kinematic and Dynamic Simulation of Multibody Systems, 1994,
+ * chapter 2). The unknowns are positions of points of the body, here r0 and r1
+ * of its base. With d = r1 - r0 and J the rotation by a right angle, every
+ * other point is
  * @code
  * r = r0 + a d + b J d
  * @endcode
- * with constants a, b, and the body is rigid if |d| keeps its length. There is
- * no rotation among the unknowns, the mass matrix is constant. In space the
- * same holds without b for points on the line of the base.
+ * with constants a, b; the body is rigid if |d| is constant. The mass matrix is
+ * constant and no unknown is a rotation. In space the same holds with b = 0 for
+ * points on the base line.
  */
 namespace auxfem
 {
   using PlaneVector = dealii::Tensor<1, 2>;
 
-  /** @p v turned by a right angle, counterclockwise. */
+  /** Rotates @p v by a right angle, counterclockwise. */
   inline PlaneVector turned(const PlaneVector &v)
   {
     PlaneVector result;
@@ -55,8 +55,8 @@ namespace auxfem
   }
 
   /**
-   * Natural position of @p point in a body with base points @p r0 and @p r1 (m,
-   * not equal); in space of its projection on their line.
+   * Natural position of @p point in a body with distinct base points @p r0 and
+   * @p r1 (m); in space, of its projection on the base line.
    */
   template <int dim>
   NaturalPosition natural_position(const dealii::Point<3> &r0,
@@ -64,21 +64,20 @@ namespace auxfem
                                    const dealii::Point<3> &point);
 
   /**
-   * Derivatives of component @p component of a point with respect to r0_x,
-   * r0_y, ..., r1_x, r1_y, ...: the shares of a force on the point that the
-   * base unknowns get.
+   * Derivatives of component @p component of a point by r0_x, r0_y, ..., r1_x,
+   * r1_y, ...: the shares of a force on the point for the base unknowns.
    */
   template <int dim>
   std::array<double, 2 * dim> shape(const NaturalPosition &position,
                                     unsigned int           component);
 
   /**
-   * The consistent mass matrix of a body on its base unknowns r0_x, r0_y, ...,
-   * r1_x, r1_y, ..., row by row (kg). For an even bar it is m/3 and m/6.
-   * @param rotary_inertia about the centre of mass (kg m2), of a bar in space
-   *   about the axes across it.
-   * @param length of the base (m).
-   * @param centre natural position of the centre of mass.
+   * Consistent mass matrix of a body on its base unknowns r0_x, r0_y, ...,
+   * r1_x, r1_y, ..., row by row (kg). For a uniform bar it is m/3 and m/6.
+   * @param rotary_inertia about the centre of mass (kg m2), for a bar in space
+   *   about transverse axes
+   * @param length length of the base (m)
+   * @param centre natural position of the centre of mass
    */
   template <int dim>
   std::array<double, 4 * dim * dim>
@@ -88,8 +87,8 @@ namespace auxfem
                     const NaturalPosition &centre);
 
   /**
-   * The constraint |r1 - r0| = L as g = (|d|^2 - L^2) / (2 L) = 0 (m), so that
-   * its multiplier is the force (N) along the base.
+   * The constraint |r1 - r0| = L as g = (|d|^2 - L^2) / (2 L) = 0 (m); its
+   * multiplier is the force (N) along the base.
    */
   template <int dim>
   struct DistanceConstraint
@@ -100,7 +99,7 @@ namespace auxfem
     /** g, from the relative displacement @p stretch = u1 - u0 of the base. */
     double value(const dealii::Tensor<1, dim> &stretch) const
     {
-      // Free of the cancellation that |d|^2 - L^2 would have.
+      // This form avoids the cancellation of |d|^2 - L^2.
       return (rest * stretch + 0.5 * (stretch * stretch)) / length;
     }
 
@@ -119,9 +118,9 @@ namespace auxfem
   };
 
   /**
-   * In the plane: the constraint that a section turns with the body, as g =
-   * e(phi) . d = 0 (m) with e(phi) the unit normal of the base at rest turned
-   * by the section's rotation phi: g = L sin(angle of the base - phi).
+   * Constraint that a section rotates with the body, in the plane: g = e(phi) .
+   * d = 0 (m). e(phi) is the unit normal of the base at rest, rotated by the
+   * section rotation phi, so g = L sin(angle of the base - phi).
    */
   struct ClampConstraint
   {
@@ -146,13 +145,16 @@ namespace auxfem
     std::string struts;
     /** Joint set of one part; empty if parts are made of struts. */
     std::string joints;
-    /** True: every strut is a part of its own; false: struts that meet are one.
+    /**
+     * True: every strut is a separate part; false: connected struts form one
+     * part.
      */
     bool   single_struts = false;
     double mass          = 0; ///< of each part (kg)
     /**
-     * About axes through the centre of mass along x, y, z at rest (kg m2), in
-     * the plane the last alone; empty: from the even spread of mass.
+     * Rotary inertia about x, y, z axes at rest through the centre of mass (kg
+     * m2), in the plane only the last; empty: from the uniform mass
+     * distribution.
      */
     std::optional<dealii::Tensor<1, 3>> rotary_inertia;
     /** Whether elastic struts at its joints are clamped to it, not hinged. */
@@ -163,8 +165,10 @@ namespace auxfem
   /** `Rigid parts`. */
   SubsectionSchema rigid_parts_schema();
 
-  /** The values of one such subsection. Throws InputError if they contradict
-   * each other. */
+  /**
+   * Reads the values of one such subsection. Throws InputError if they are
+   * inconsistent.
+   */
   RigidPartDefinition read_rigid_part(ParameterValues &values);
 } // namespace auxfem
 

@@ -11,19 +11,18 @@ namespace auxfem
 {
   /**
    * The planar geometrically exact beam of Reissner (1972) and Simo & Vu-Quoc
-   * (1986). Axis r(s), rotation phi(s) of the section. With t, n the section's
-   * normal and in-plane direction, turned by phi from their position t0, n0 at
-   * rest,
+   * (1986), with axis r(s) and section rotation phi(s). With t, n the section
+   * normal and in-plane direction, rotated by phi from t0, n0 at rest,
    *
    *     axial strain    epsilon = r'.t - r0'.t0        N = EA  epsilon
    *     shear strain    gamma   = r'.n - r0'.n0        Q = kGA gamma
    *     curvature       kappa   = phi'                 M = EI  kappa
    *
-   * and the virtual work is N d(epsilon) + Q d(gamma) + M d(kappa) with
-   * d(epsilon) = dr'.t + (r'.n) dphi, d(gamma) = dr'.n - (r'.t) dphi.
-   * The small-displacement form is the same with t, n and r' at rest.
-   * Unknowns of an element: u_x, u_y, phi node by node. @p Number is double or,
-   * of several elements at a time, Lanes.
+   * The virtual work is N d(epsilon) + Q d(gamma) + M d(kappa) with d(epsilon)
+   * = dr'.t + (r'.n) dphi, d(gamma) = dr'.n - (r'.t) dphi. The
+   * small-displacement form uses t, n and r' at rest. Unknowns of an element:
+   * u_x, u_y, phi node by node. @p Number is double or, for several elements at
+   * a time, Lanes.
    */
   namespace Beam2D
   {
@@ -38,7 +37,7 @@ namespace auxfem
     using Frame = FrameOf<double>;
 
     /**
-     * Section stiffness (N, N, N m2) and the retardation time of
+     * Section stiffness (N, N, N m2) and retardation time of
      * stiffness-proportional damping (s).
      */
     template <class Number>
@@ -49,23 +48,17 @@ namespace auxfem
     };
     using Stiffness = StiffnessOf<double>;
 
-    /**
-     * Strains at a point, with what forces and tangents need of the
-     * kinematics.
-     */
+    /** Strains at a point and the kinematics that forces and tangents need. */
     template <class Number>
     struct KinematicsOf
     {
       Number epsilon, gamma, kappa;
       Number stretch, slip; ///< r'.t, r'.n
-      Number cosine, sine;  ///< of t in the global frame
+      Number cosine, sine;  ///< direction of t in the global frame
     };
     using Kinematics = KinematicsOf<double>;
 
-    /**
-     * Derivatives by s of displacement, rotation and its derivative at a Gauss
-     * point.
-     */
+    /** Displacement gradient, rotation and curvature at a Gauss point. */
     template <class Number>
     struct GradientOf
     {
@@ -94,9 +87,8 @@ namespace auxfem
     }
 
     /**
-     * Strains from the displacement gradient. Written with 1 - cos(phi) = 2
-     * sin^2(phi/2) so that small strains are not differences of numbers near
-     * one.
+     * Strains from the displacement gradient. The form 1 - cos(phi) = 2
+     * sin^2(phi/2) avoids cancellation in small strains.
      */
     template <bool large_rotation, class Number>
     inline KinematicsOf<Number> kinematics(const FrameOf<Number>    &frame,
@@ -217,8 +209,10 @@ namespace auxfem
       return energy;
     }
 
-    /** Adds to a section tangent what axial and shear force have as the section
-     * turns. */
+    /**
+     * Adds the geometric part of a section tangent: axial and shear force
+     * rotate with the section.
+     */
     template <class Number>
     inline void add_geometric_part(const KinematicsOf<Number> &k,
                                    const Number                axial,
@@ -233,8 +227,8 @@ namespace auxfem
     }
 
     /**
-     * Tangent of the section forces by (r'.t, r'.n, phi) at a Gauss point, in
-     * that order along rows and columns, in the frame of the turned section.
+     * Derivative of the section forces by (r'.t, r'.n, phi) at a Gauss point,
+     * in the frame of the rotated section; rows and columns in this order.
      */
     template <bool large_rotation, bool damped, class Number>
     inline void section_tangent(const KinematicsOf<Number> &k,
@@ -246,7 +240,7 @@ namespace auxfem
     {
       const Number beta     = damped ? stiffness.damping_time : 0.;
       const Number material = stiffness_factor + beta * damping_factor;
-      // Variations of N and Q by r'.t, r'.n, phi.
+      // Derivatives of N and Q by r'.t, r'.n, phi.
       Number dN[3] = {stiffness.axial * material,
                       0,
                       stiffness.axial * material * k.slip};
@@ -283,8 +277,10 @@ namespace auxfem
         add_geometric_part(k, stiffness_factor * N, stiffness_factor * Q, G);
     }
 
-    /** Adds a Gauss point with its section tangent and bending stiffness to the
-     * tangent of an element. */
+    /**
+     * Adds a Gauss point with its section tangent and bending stiffness to an
+     * element tangent.
+     */
     template <int order, class Number>
     inline void add_section(const BeamShape<order>     &shape,
                             const int                   g,
@@ -296,7 +292,7 @@ namespace auxfem
     {
       constexpr int n                = 3 * (order + 1);
       const Number  inverse_jacobian = 1 / jacobian;
-      // The same in the global frame: x = (t, -n)-components turned back.
+      // Section tangent in the global frame.
       const Number c = k.cosine, s = k.sine;
       const Number T[2][3] = {{c * G[0][0] - s * G[1][0],
                                c * G[0][1] - s * G[1][1],
@@ -378,9 +374,8 @@ namespace auxfem
     }
 
     /**
-     * Geometric stiffness: what @p forces at the Gauss points (N, Q and, which
-     * does not count, M at indices 0, 1, 5) add to the tangent at the
-     * displacements @p u.
+     * Geometric stiffness of section @p forces at the Gauss points (N and Q at
+     * indices 0 and 1; M has no effect) at the displacements @p u.
      */
     template <int order, class Forces>
     inline void geometric_tangent(const BeamShape<order> &shape,

@@ -5,29 +5,7 @@
 #include <auxfem/struts/beam_2d.h>
 #include <auxfem/struts/beam_dispatch.h>
 
-/**
- * @file
- * Mean forces of Beam2D over a step from a state 0 to a state 1 that conserve
- * energy and momenta (algorithmic strain operators of Simo, Tarnow & Doblare
- * 1995 and Romero & Armero 2002, in the plane). With a bar for means over the
- * step, a delta for increments and d = (phi_1 - phi_0) / 2,
- * @code
- * stress      = C (E_0 + E_1) / 2 + beta C delta E / dt
- * d(epsilon)  = (t_0 + t_1)/2 . dr' + (n_0 + n_1)/2 . rbar' dphi_g
- * d(gamma)    = (n_0 + n_1)/2 . dr' - (t_0 + t_1)/2 . rbar' dphi_g
- * @endcode
- * Rotations are measured by Cayley's 2 tan d. With subscripts a for nodes, g
- * for Gauss points and d_r = (d_first + d_last) / 2 of the ends,
- * @code
- * dphi_r = sum_ends cos(d_a) dphi_a / sum_ends cos(d_a)
- * c_a    = cos(d_a) cos(d_r) / sinc(d_a - d_r)
- * dphi_g = dphi_r + sinc(d_g - d_r) / (cos(d_g) cos(d_r)) *
- *            sum_a N_a c_a (dphi_a - dphi_r)
- * dkappa = sum_a N_a' c_a (dphi_a - dphi_r)
- * @endcode
- * For dr = delta r, dphi_a = 2 tan d_a these are the increments of the strains,
- * exactly; for rigid motions they are zero.
- */
+/** direction of t */
 namespace auxfem
 {
   namespace Beam2D
@@ -48,14 +26,14 @@ namespace auxfem
       Number            x, y;         ///< r'
     };
 
-    /** An element at the start of a step, which iterations have in common. */
+    /** Element at the start of a step; all iterations of the step share it. */
     template <int order, class Number = double>
     struct StepStart
     {
-      /** Values are not set. */
+      /** Leaves the values unset. */
       StepStart() = default;
 
-      /** Of displacements @p u. */
+      /** Start of a step with displacements @p u. */
       StepStart(const BeamShape<order> &shape,
                 const FrameOf<Number>  *frames,
                 const Number            jacobian,
@@ -86,7 +64,7 @@ namespace auxfem
     template <int order, class Number = double>
     struct NodeIncrements
     {
-      /** Of displacements @p u0 and @p u1 at start and end. */
+      /** @param u0, u1 displacements at the start and the end */
       NodeIncrements(const Number *u0, const Number *u1)
       {
         Number cosines[order + 1];
@@ -99,23 +77,23 @@ namespace auxfem
           }
         reference        = (half[0] + half[1]) / 2;
         reference_cosine = cosine_of_small(reference);
-        // Both ends are as far from their mean.
-        const Number of_ends =
+        // Both ends have the same distance from their mean.
+        const Number end_factor =
           reference_cosine / sinc(Number(half[0] - reference));
         for (int end = 0; end < 2; ++end)
-          c[end] = cosines[end] * of_ends;
+          c[end] = cosines[end] * end_factor;
         for (int a = 2; a <= order; ++a)
           c[a] =
             cosines[a] * reference_cosine / sinc(Number(half[a] - reference));
-        of_end[0] = cosines[0] / (cosines[0] + cosines[1]);
-        of_end[1] = 1 - of_end[0];
+        end_shares[0] = cosines[0] / (cosines[0] + cosines[1]);
+        end_shares[1] = 1 - end_shares[0];
       }
 
-      Number x[order + 1], y[order + 1];  ///< of translations
+      Number x[order + 1], y[order + 1];  ///< translation increments
       Number half[order + 1];             ///< d_a
       Number reference, reference_cosine; ///< d_r
       Number c[order + 1];                ///< c_a
-      Number of_end[2];                   ///< dphi_r by dphi_a
+      Number end_shares[2];               ///< dphi_r by dphi_a
     };
 
     /** Increments at a Gauss point. */
@@ -140,7 +118,7 @@ namespace auxfem
         kappa *= 2 * inverse_jacobian;
       }
 
-      Number x = 0, y = 0; ///< of r'
+      Number x = 0, y = 0; ///< increment of r'
       Number kappa = 0;
       Number half  = 0; ///< d_g
     };
@@ -150,7 +128,7 @@ namespace auxfem
     struct StepKinematicsOf
     {
       StrainsOf<Number> start, increment;
-      /** Means of t, n = (-sine, cosine) over the step; not of unit length. */
+      /** Means of t, n = (-sine, cosine) over the step; not unit vectors. */
       Number cosine, sine;
       Number half_cosine;   ///< cos(d_g), the length of these means
       Number x, y;          ///< mean of r'
@@ -189,8 +167,8 @@ namespace auxfem
       k.stretch = k.cosine * k.x + k.sine * k.y;
       k.slip    = k.cosine * k.y - k.sine * k.x;
 
-      // By increments, not as differences of strains; with them those at the
-      // end cost no sine and cosine.
+      // Increments avoid the cancellation of strain differences and need no
+      // sine and cosine at the end.
       const Number turn = 2 * half_sine / k.half_cosine;
       k.increment       = {k.cosine * d.x + k.sine * d.y + k.slip * turn,
                            k.cosine * d.y - k.sine * d.x - k.stretch * turn,
@@ -198,8 +176,10 @@ namespace auxfem
       return k;
     }
 
-    /** How far the rotation of a Gauss point is from d_r, over what nodes with
-     * their c_a give. */
+    /**
+     * Ratio of the rotation of a Gauss point relative to d_r to its
+     * interpolation with the c_a.
+     */
     template <int order, class Number>
     inline Number rotation_scale(const NodeIncrements<order, Number> &nodes,
                                  const PointIncrementsOf<Number>     &point,
@@ -210,8 +190,8 @@ namespace auxfem
     }
 
     /**
-     * How the rotation at a Gauss point and its slope follow those of the nodes
-     * over a step.
+     * Derivatives of the rotation at a Gauss point and of its slope by nodal
+     * rotations over a step.
      */
     template <int order, class Number>
     struct RotationShapes
@@ -231,8 +211,8 @@ namespace auxfem
           }
         for (int end = 0; end < 2; ++end)
           {
-            value[end] += increments.of_end[end] * (1 - sum);
-            derivative[end] -= increments.of_end[end] * slope;
+            value[end] += increments.end_shares[end] * (1 - sum);
+            derivative[end] -= increments.end_shares[end] * slope;
           }
       }
 
@@ -247,7 +227,7 @@ namespace auxfem
       Number axial, shear, bending;
     };
 
-    /** Elastic ones of the mean strains. */
+    /** Elastic forces of the mean strains. */
     template <class Number>
     inline MeanForcesOf<Number>
     mean_forces(const StepKinematicsOf<Number> &k,
@@ -260,8 +240,8 @@ namespace auxfem
     }
 
     /**
-     * Adds those of damping, from the increment of the strains over the time
-     * @p dt (s); returns what is lost in the step (J/m).
+     * Adds damping forces from the strain increment over @p dt (s); returns the
+     * energy dissipated in the step (J/m).
      */
     template <class Number>
     inline Number add_damping(const StepKinematicsOf<Number> &k,
@@ -281,8 +261,8 @@ namespace auxfem
     }
 
     /**
-     * Adds those of @p damping at Gauss point @p g; returns what it takes in the
-     * step (J/m).
+     * Adds the forces of @p damping at Gauss point @p g; returns its numerical
+     * dissipation in the step (J/m).
      */
     template <class Number>
     inline Number add_damping(const StepKinematicsOf<Number>   &k,
@@ -301,16 +281,18 @@ namespace auxfem
       return N * d.epsilon + Q * d.gamma + M * d.kappa;
     }
 
-    /** Strain energy at the end of a step, energy lost in it and taken by
-     * IncrementDamping (J). */
+    /**
+     * Strain energy at the end of a step, energy dissipated in it and numerical
+     * dissipation by IncrementDamping (J).
+     */
     template <class Number>
     struct StepEnergyOf
     {
-      Number strain = 0, lost = 0, taken = 0;
+      Number strain = 0, dissipation = 0, numerical_dissipation = 0;
     };
 
     /**
-     * Mean force of an element over a step; as internal_force().
+     * Mean force of an element over a step; arguments as in internal_force().
      * @param u1 displacements at the end
      * @param dt length of the step (s), used only if @p damped
      */
@@ -331,8 +313,9 @@ namespace auxfem
       StepEnergyOf<Number>                energy;
       const Number                        inverse_jacobian = 1 / jacobian;
       const NodeIncrements<order, Number> increments(start.displacements, u1);
-      // By dphi_a - dphi_r over c_a, and by rotations of all nodes alike.
-      Number by_rotations[order + 1] = {}, by_all = 0;
+      // Moments conjugate to (dphi_a - dphi_r) / c_a and to a common rotation
+      // of all nodes.
+      Number by_rotations[order + 1] = {}, on_common_rotation = 0;
       for (int i = 0; i < 3 * (order + 1); ++i)
         force[i] = 0;
       for (int g = 0; g < order; ++g)
@@ -352,9 +335,9 @@ namespace auxfem
              stiffness.shear * end.gamma * end.gamma +
              stiffness.bending * end.kappa * end.kappa);
           if (damped)
-            energy.lost += weight * add_damping(k, stiffness, dt, mean);
+            energy.dissipation += weight * add_damping(k, stiffness, dt, mean);
           if constexpr (HighFrequencyDamping::is_used)
-            energy.taken +=
+            energy.numerical_dissipation +=
               weight * add_damping(k, stiffness, damping, g, mean);
           const Number fx = w * (k.cosine * mean.axial - k.sine * mean.shear),
                        fy = w * (k.sine * mean.axial + k.cosine * mean.shear),
@@ -369,24 +352,24 @@ namespace auxfem
               by_rotations[a] += shape.rotation_derivative[g][a] * by_bending +
                 shape.value[g][a] * by_value;
             }
-          by_all += m;
+          on_common_rotation += m;
         }
       for (int a = 0; a <= order; ++a)
         {
           force[3 * a + 2] = increments.c[a] * by_rotations[a];
-          by_all -= force[3 * a + 2];
+          on_common_rotation -= force[3 * a + 2];
         }
       for (int end = 0; end < 2; ++end)
-        force[3 * end + 2] += increments.of_end[end] * by_all;
+        force[3 * end + 2] += increments.end_shares[end] * on_common_rotation;
       return energy;
     }
 
     /**
-     * Derivative of mean_force() by @p u1 but for that of the shapes of the
-     * rotation: it vanishes with the rotation increment. Not symmetric: rows
-     * are those of the mean configuration, columns those of the end.
-     * @param stiffness_factor, damping_factor how means and rates of strains
-     *   follow those at the end
+     * Derivative of mean_force() by @p u1, without the derivative of the
+     * rotation shapes, which vanishes with the rotation increment. It is not
+     * symmetric: rows belong to the mean configuration, columns to the end.
+     * @param stiffness_factor, damping_factor derivatives of mean strains and
+     *   strain rates by strains at the end
      */
     template <int  order,
               bool damped,
@@ -410,7 +393,7 @@ namespace auxfem
       Number        material         = stiffness_factor +
         (damped ? stiffness.damping_time * damping_factor : 0.);
       if constexpr (HighFrequencyDamping::is_used)
-        material += damping.in_tangent;
+        material += damping.tangent_factor;
       const NodeIncrements<order, Number> increments(start.displacements, u1);
       for (int i = 0; i < n * n; ++i)
         matrix[i] = 0;
@@ -427,7 +410,7 @@ namespace auxfem
             add_damping(k, stiffness, dt, mean);
           if constexpr (HighFrequencyDamping::is_used)
             add_damping(k, stiffness, damping, g, mean);
-          // Mean N and Q by x', y' and phi at the end.
+          // Derivatives of mean N and Q by x', y' and phi at the end.
           const Number EA               = material * stiffness.axial,
                        GA               = material * stiffness.shear,
                        c                = 2 * k.cosine - start.points[g].cosine,
@@ -446,7 +429,7 @@ namespace auxfem
               G[1][j] = k.sine * dN[j] + k.cosine * dQ[j];
               G[2][j] = k.slip * dN[j] - k.stretch * dQ[j];
             }
-          // The means of t and n turn with half of the rotation at the end.
+          // The means of t and n rotate by half of the rotation at the end.
           const Number along = c * k.x + s * k.y, across = c * k.y - s * k.x;
           const Number N = stiffness_factor * mean.axial,
                        Q = stiffness_factor * mean.shear;

@@ -9,22 +9,21 @@ namespace auxfem
   {
     /**
      * Derivatives of the energy per length by r', psi and psi' at constant P_r,
-     * and the couple n x r' that a rotation of P_r at constant psi has to
-     * overcome.
+     * and the couple n x r' of a rotation of P_r at constant psi.
      */
     template <class Number>
     struct GradientOf
     {
       VectorOf<Number> force; ///< n
       VectorOf<Number> by_psi, by_gradient, couple;
-      /** Section force and moment in the axes turned by P_r. */
+      /** Section force and moment in axes rotated by P_r. */
       VectorOf<Number> middle_force, middle_moment;
       VectorOf<Number> middle_slope; ///< exp(-psi) r'
       TensorOf<Number> tangent;      ///< T(psi)
     };
     using Gradient = GradientOf<double>;
 
-    /** @param force, moment of the section, in its axes. */
+    /** @param force, moment section force and moment, in section axes */
     template <class Number>
     inline GradientOf<Number> energy_gradient(const KinematicsOf<Number> &point,
                                               const VectorOf<Number>     &force,
@@ -65,18 +64,18 @@ namespace auxfem
       {
         using std::sqrt, std::tan;
         const Number square = chi * chi;
-        // tan(x) / x with x = t / 2.
-        constexpr std::array<double, 6> of_tau = {{1. / 2,
-                                                   1. / 24,
-                                                   1. / 240,
-                                                   17. / 40320,
-                                                   31. / 725760,
-                                                   691. / 159667200}};
-        std::array<double, 5>           of_dtau;
+        // Power series of tan(x) / x with x = t / 2.
+        constexpr std::array<double, 6> tau_series = {{1. / 2,
+                                                       1. / 24,
+                                                       1. / 240,
+                                                       17. / 40320,
+                                                       31. / 725760,
+                                                       691. / 159667200}};
+        std::array<double, 5>           dtau_series;
         for (int k = 0; k < 5; ++k)
-          of_dtau[k] = 2 * (k + 1) * of_tau[k + 1];
-        tau              = power_series(of_tau, square);
-        dtau             = power_series(of_dtau, square);
+          dtau_series[k] = 2 * (k + 1) * tau_series[k + 1];
+        tau              = power_series(tau_series, square);
+        dtau             = power_series(dtau_series, square);
         const auto large = square >= 0.01;
         if (any_of(large))
           {
@@ -88,14 +87,14 @@ namespace auxfem
     };
 
     /**
-     * By how much spins of the nodes turn the middle rotation and psi of the
-     * nodes; derivatives of forces that act on these.
+     * Derivatives of the middle rotation and of the nodal psi by nodal spins,
+     * and derivatives of the moments that act on them.
      */
     template <int order, class Number = double>
     struct NodeOperators
     {
       VectorOf<Number> chi;
-      /** V_0, V_1. */
+      /** V_0, V_1 of Beam3D. */
       TensorOf<Number> middle_by_spin[2];
       /** T(-psi_a)^-1. */
       TensorOf<Number> psi_by_spin[order + 1];
@@ -119,10 +118,10 @@ namespace auxfem
                                       const VectorOf<Number> &couple) const
       {
         const MiddleCoefficientsOf<Number> c(chi);
-        const TensorOf<Number>             of_second = 0.5 *
+        const TensorOf<Number>             second_end = 0.5 *
           (c.dtau * dyad(dealii::cross_product_3d(chi, couple), chi) -
            c.tau * cross_product_tensor(couple));
-        return end == 1 ? of_second : -1. * of_second;
+        return end == 1 ? second_end : -1. * second_end;
       }
     };
 
@@ -151,7 +150,10 @@ namespace auxfem
         couple += weight * d.couple;
       }
 
-      /** Moments on the nodes; @p at_ends gets what acts on the middle rotation. */
+      /**
+       * Computes the moments on the nodes; @p at_ends receives the moment on
+       * the middle rotation.
+       */
       void find_moments(const NodeOperators<order, Number> &nodes,
                         VectorOf<Number>                   *moments,
                         VectorOf<Number>                   &at_ends) const
@@ -204,9 +206,9 @@ namespace auxfem
     }
 
     /**
-     * Strains of the small-displacement form, with unknowns @p u (displacement
-     * and rotation vector node by node) and everything else at rest:
-     * Gamma = R0^T (u' + r0' x theta), K = R0^T theta'.
+     * Strains of the small-displacement form with unknowns @p u (displacement
+     * and rotation vector node by node): Gamma = R0^T (u' + r0' x theta), K =
+     * R0^T theta'.
      */
     template <int order, class Number>
     inline StrainsOf<Number>
@@ -232,7 +234,10 @@ namespace auxfem
               curvature * frame.axes};
     }
 
-    /** Internal force of the small-displacement form; as internal_force(). */
+    /**
+     * Internal force of the small-displacement form; arguments as in
+     * internal_force().
+     */
     template <int order, class Number>
     inline Number small_displacement_force(const BeamShape<order>    &shape,
                                            const FrameOf<Number>     *frames,

@@ -10,17 +10,17 @@ namespace auxfem
     /**
      * @file
      * Stiffness-proportional damping of the beam in space: section forces and
-     * moments are those of the strains plus beta times their rates, for the
-     * same stiffness. With the notation of Beam3D and a dot for the rate,
+     * moments are those of the strains plus beta times the strain rates. With
+     * the notation of Beam3D and a dot for the rate,
      *
      *     R Gamma. = v' + r' x omega,   R K. = omega',
      *
      * where v and the angular velocity omega are interpolated from the nodes.
-     * (That of the interpolated rotation differs from it by the error of the
-     * interpolation.) In a rigid motion both rates vanish, the damping forces
-     * are the derivatives of half their power by the velocities, and they are
-     * in equilibrium. The small-displacement form has the damping force
-     * small_displacement_force() of beta times the velocities.
+     * The rate of the interpolated rotation differs by the interpolation error.
+     * In a rigid motion both rates vanish. The damping forces are the
+     * derivatives of half their power by the velocities and are in equilibrium.
+     * The small-displacement form uses small_displacement_force() of beta times
+     * the velocities.
      */
 
     /** Velocity of a node, both parts in the global frame. */
@@ -81,7 +81,7 @@ namespace auxfem
                 (point.axes * section_moment(stiffness, r.kappa * point.axes))};
     }
 
-    /** By what rates make the resultants, in the global frame. */
+    /** Derivatives of the resultants by the rates, in the global frame. */
     template <class Number>
     struct ViscousStiffnessOf
     {
@@ -104,8 +104,8 @@ namespace auxfem
     /**
      * Adds the damping force of an element to @p force.
      * @param damping_time beta (s)
-     * @param velocities of order + 1 nodes
-     * @return power lost (W)
+     * @param velocities velocities of order + 1 nodes
+     * @return dissipated power (W)
      */
     template <int order, class Number>
     inline Number
@@ -143,7 +143,7 @@ namespace auxfem
       return power;
     }
 
-    /** By what the spins of the nodes turn the section at a Gauss point. */
+    /** Derivative of the section rotation at a Gauss point by nodal spins. */
     template <int order, class Number = double>
     struct SectionSpin
     {
@@ -180,9 +180,9 @@ namespace auxfem
 
     /**
      * Adds the tangent of the damping force to @p matrix: @p stiffness_factor
-     * dF/d(u, theta) + dF/d(v, omega) d(v, omega), where displacements change v
-     * by @p damping_factor and spins change omega by
-     * @p angular_velocity_by_spin (order + 1 nodes).
+     * dF/d(u, theta) + dF/d(v, omega) d(v, omega). Displacements change v by @p
+     * damping_factor, and spins change omega by @p angular_velocity_by_spin
+     * (order + 1 nodes).
      */
     template <int order, class Number>
     inline void

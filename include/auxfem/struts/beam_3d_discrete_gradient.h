@@ -7,28 +7,27 @@
 
 /**
  * @file
- * Mean forces of Beam3D over a step from a state 0 to a state 1 that conserve
- * energy and momenta (algorithmic strain operators of Simo, Tarnow & Doblare
- * 1995 and Romero & Armero 2002). With a bar for means over the step, a delta
- * for increments and Theta, Cayley's measure of the rotation R_1 R_0^T of a
- * section,
+ * Mean forces of Beam3D over a step from state 0 to state 1 that conserve
+ * energy and momenta. They use the algorithmic strain operators of Simo, Tarnow
+ * & Doblare (1995) and Romero & Armero (2002). With a bar for means over the
+ * step, a delta for increments and Theta, Cayley's measure of the section
+ * rotation R_1 R_0^T,
  * @code
  * stress       = C (E_0 + E_1) / 2 + beta C delta E / dt
  * delta Gamma  = Rbar^T (delta r' - Theta x rbar')
  * delta K      = cof(Rbar)^T Theta'
  * @endcode
- * are the increments of the strains, exactly, as R_1 - R_0 = [Theta]x Rbar. The
- * same with the spins theta = sum A_a theta_a and slopes theta' = sum B_a
- * theta_a in place of Theta and Theta' are the operators of the virtual work.
- * A_a and B_a are those of the interpolation of rotations half way between the
- * states, corrected such that the Cayley rotations Theta_a of the nodes give
- * Theta and Theta' as well:
+ * The increments of the strains are exact, since R_1 - R_0 = [Theta]x Rbar. The
+ * virtual work uses the same operators with the spins theta = sum A_a theta_a
+ * and slopes theta' = sum B_a theta_a. A_a and B_a interpolate rotations half
+ * way between the states. A correction lets the nodal Cayley rotations Theta_a
+ * reproduce Theta and Theta':
  * @code
  * A_a <- A_a + (Theta - sum A_b Theta_b) y_a^T / sum |y_b|^2,
  * y_a  = Theta_a - mean(Theta_b)
  * @endcode
- * and B_a alike. As sum y_a = 0, rigid rotations stay such: sum A_a = I,
- * sum B_a = 0. The correction goes with the square of the step.
+ * and B_a alike. Since sum y_a = 0, rigid rotations remain rigid: sum A_a = I,
+ * sum B_a = 0. The correction is of second order in the step.
  */
 namespace auxfem
 {
@@ -41,7 +40,7 @@ namespace auxfem
       VectorOf<Number> force, moment;
     };
 
-    /** Those of @p strains, which are means. */
+    /** Section forces of mean @p strains. */
     template <class Number>
     inline MeanForcesOf<Number>
     mean_forces(const StrainsOf<Number>   &strains,
@@ -51,7 +50,7 @@ namespace auxfem
               section_moment(stiffness, strains.kappa)};
     }
 
-    /** Mean strains and, with @p damping_rate beta / dt, what damping adds. */
+    /** Mean strains plus the damping term with @p damping_rate beta / dt. */
     template <class Number>
     inline StrainsOf<Number> mean_strains(const StepPointOf<Number> &point,
                                           const Number damping_rate)
@@ -62,8 +61,10 @@ namespace auxfem
                 damping_rate * point.increment.kappa};
     }
 
-    /** Adds to mean @p strains what @p damping adds at Gauss point @p g, and
-     * returns that. */
+    /**
+     * Adds the strains of @p damping at Gauss point @p g to mean @p strains and
+     * returns the addition.
+     */
     template <class Number>
     inline StrainsOf<Number>
     add_damping(const IncrementDampingOf<Number> &damping,
@@ -82,16 +83,20 @@ namespace auxfem
       return added;
     }
 
-    /** Strain energy at the end of a step, energy lost in it and taken by
-     * IncrementDamping (J). */
+    /**
+     * Strain energy at the end of a step, energy dissipated in it and numerical
+     * dissipation by IncrementDamping (J).
+     */
     template <class Number>
     struct StepEnergyOf
     {
-      Number strain = 0, lost = 0, taken = 0;
+      Number strain = 0, dissipation = 0, numerical_dissipation = 0;
     };
 
-    /** What ElementGradient takes of mean section forces n and moments m.
-     * @param force, moment n, m in fixed axes */
+    /**
+     * Contribution of mean section forces n and moments m to ElementGradient.
+     * @param force, moment n, m in fixed axes
+     */
     template <class Number>
     inline GradientOf<Number> mean_gradient(const StepPointOf<Number> &point,
                                             const VectorOf<Number>    &force,
@@ -112,7 +117,7 @@ namespace auxfem
     }
 
     /**
-     * Mean force of an element over a step; as internal_force().
+     * Mean force of an element over a step; arguments as in internal_force().
      * @param nodes order + 1 nodes at the end
      * @param damping_rate beta / dt, 0 without damping
      */
@@ -133,7 +138,7 @@ namespace auxfem
       const StepElement<order, Number> element(start, nodes);
       StepEnergyOf<Number>             energy;
       ElementGradient<order, Number>   sum;
-      Number                           on_missing = 0;
+      Number                           correction_work = 0;
       for (int g = 0; g < order; ++g)
         {
           const StepPointOf<Number> point(shape,
@@ -150,7 +155,7 @@ namespace auxfem
               const StrainsOf<Number> added =
                 add_damping(damping, g, point.increment, strains);
               const MeanForcesOf<Number> forces = mean_forces(added, stiffness);
-              energy.taken += weight *
+              energy.numerical_dissipation += weight *
                 (forces.force * point.increment.gamma +
                  forces.moment * point.increment.kappa);
             }
@@ -169,10 +174,10 @@ namespace auxfem
             moment);
           energy.strain +=
             weight * energy_density(stiffness, point.end.strains);
-          energy.lost += 2 * damping_rate * weight *
+          energy.dissipation += 2 * damping_rate * weight *
             energy_density(stiffness, point.increment);
           sum.add(shape, g, jacobian, d);
-          on_missing += weight *
+          correction_work += weight *
             (d.couple * point.missing_turn + moment * point.missing_slope);
         }
       VectorOf<Number> moments[order + 1], at_ends;
@@ -182,7 +187,7 @@ namespace auxfem
           {
             force[n_components * a + i] = sum.force[a][i];
             force[n_components * a + 3 + i] =
-              moments[a][i] + on_missing * element.shares[a][i];
+              moments[a][i] + correction_work * element.shares[a][i];
           }
       return energy;
     }
@@ -245,11 +250,11 @@ namespace auxfem
     }
 
     /**
-     * Derivative of mean_force() by displacements and spins at the end but for
-     * that of A_a and B_a, row by row. Not symmetric: rows are those of the
-     * mean configuration, columns those of the end.
-     * @param stiffness_factor how mean strains follow those at the end
-     * @param material_factor how stresses over C do, without @p damping
+     * Derivative of mean_force() by displacements and spins at the end, row by
+     * row, without the derivatives of A_a and B_a. It is not symmetric: rows
+     * belong to the mean configuration, columns to the end.
+     * @param stiffness_factor derivative of mean strains by strains at the end
+     * @param material_factor derivative of stresses over C, without @p damping
      */
     template <int order,
               class Number,
@@ -268,7 +273,7 @@ namespace auxfem
                  [[maybe_unused]] const HighFrequencyDamping &damping = {})
     {
       if constexpr (HighFrequencyDamping::is_used)
-        material_factor += damping.in_tangent;
+        material_factor += damping.tangent_factor;
       constexpr int                      n = n_components * (order + 1);
       const StepElement<order, Number>   element(start, nodes);
       const NodeOperators<order, Number> at_end(element.end);

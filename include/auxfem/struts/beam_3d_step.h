@@ -7,8 +7,8 @@
 
 /**
  * @file
- * Kinematics of Beam3D over a step from a state 0 to a state 1, as mean forces
- * need them (beam_3d_between.h).
+ * Kinematics of Beam3D over a step from state 0 to state 1 for mean forces
+ * (beam_3d_discrete_gradient.h).
  */
 namespace auxfem
 {
@@ -22,7 +22,7 @@ namespace auxfem
       VectorOf<Number>     slope;    ///< r'
       StrainsOf<Number>    strains;
 
-      /** Values are not set. */
+      /** Leaves the values unset. */
       SectionInStepOf() = default;
 
       template <int order>
@@ -52,17 +52,17 @@ namespace auxfem
       }
     };
 
-    /** An element at the start of a step, which iterations have in common. */
+    /** Element at the start of a step; all iterations of the step share it. */
     template <int order, class Number = double>
     struct StepStart
     {
       QuaternionOf<Number>    rotations[order + 1]; ///< of the nodes
       SectionInStepOf<Number> sections[order];      ///< at the Gauss points
 
-      /** Values are not set. */
+      /** Leaves the values unset. */
       StepStart() = default;
 
-      /** @param nodes order + 1 */
+      /** @param nodes order + 1 nodes */
       StepStart(const BeamShape<order> &shape,
                 const FrameOf<Number>  *frames,
                 const Number            jacobian,
@@ -98,17 +98,19 @@ namespace auxfem
       {}
     };
 
-    /** An element half way through a step and at its end, and by how much its
-     * nodes turn. */
+    /**
+     * Element half way through a step and at its end, with the rotation
+     * increments of its nodes.
+     */
     template <int order, class Number = double>
     struct StepElement
     {
       RelativeRotations<order, Number> end, middle;
       NodeOperators<order, Number>     at_middle;
       VectorOf<Number>                 turns[order + 1]; ///< Theta_a
-      /** y_a / sum |y_b|^2; zero if all nodes turn alike. */
+      /** y_a / sum |y_b|^2; zero if all nodes rotate alike. */
       VectorOf<Number> shares[order + 1];
-      /** By how much the Theta_a turn P_r and psi of the nodes half way. */
+      /** Increments of P_r and of nodal psi half way, by the Theta_a. */
       VectorOf<Number> middle_turn, relative_turns[order + 1];
 
       /** @param nodes order + 1 nodes at the end */
@@ -142,7 +144,7 @@ namespace auxfem
       }
 
     private:
-      /** Only rotations. */
+      /** Nodes half way through the step; sets rotations only. */
       static std::array<NodeOf<Number>, order + 1>
       halfway(const StepStart<order, Number> &start,
               const NodeOf<Number>           *nodes_1)
@@ -160,13 +162,13 @@ namespace auxfem
       }
     };
 
-    /** @p vector, zero where it is at most @p least long. */
+    /** Returns @p vector, or zero if its length is at most @p threshold. */
     template <class Number>
-    inline VectorOf<Number> beyond(const Number           &least,
-                                   const VectorOf<Number> &vector)
+    inline VectorOf<Number> zero_below(const Number           &threshold,
+                                       const VectorOf<Number> &vector)
     {
       VectorOf<Number> result = vector;
-      const auto       none   = vector.norm_square() <= least * least;
+      const auto       none   = vector.norm_square() <= threshold * threshold;
       for (int i = 0; i < 3; ++i)
         where(none, result[i]) = 0;
       return result;
@@ -182,8 +184,10 @@ namespace auxfem
       VectorOf<Number>        slope;       ///< mean of r'
       Number                  determinant; ///< of Rbar
       StrainsOf<Number>       increment;   ///< of the strains
-      /** Theta - sum A_a Theta_a and Theta' - sum B_a Theta_a before the
-       * correction; zero where they are round-off of the rotations. */
+      /**
+       * Theta - sum A_a Theta_a and Theta' - sum B_a Theta_a before the
+       * correction; zero at the round-off of rotations.
+       */
       VectorOf<Number> missing_turn, missing_slope;
 
       /** @param nodes at the end */
@@ -204,7 +208,7 @@ namespace auxfem
         , increment{end.strains.gamma - start.strains.gamma,
                     end.strains.kappa - start.strains.kappa}
       {
-        const Number     least = few_round_offs;
+        const Number     threshold = few_round_offs;
         VectorOf<Number> sum, sum_of_slopes;
         for (int a = 0; a <= order; ++a)
           {
@@ -213,11 +217,11 @@ namespace auxfem
               inverse_jacobian * element.relative_turns[a];
           }
         // exp(psi) T = T^T.
-        missing_turn  = beyond(least,
-                              VectorOf<Number>(turn - element.middle_turn -
-                                               sum * middle.tangent));
-        missing_slope = beyond(
-          Number(least * inverse_jacobian),
+        missing_turn  = zero_below(threshold,
+                                  VectorOf<Number>(turn - element.middle_turn -
+                                                   sum * middle.tangent));
+        missing_slope = zero_below(
+          Number(threshold * inverse_jacobian),
           VectorOf<Number>(
             1 / determinant *
               mean_over_rotation(turn,
@@ -234,14 +238,14 @@ namespace auxfem
       }
     };
 
-    /** How section rotations and their slopes follow spins of the nodes. */
+    /** Derivatives of section rotations and their slopes by nodal spins. */
     template <int order, class Number = double>
     struct SpinShapes
     {
       TensorOf<Number> value[order + 1]; ///< A_a
       TensorOf<Number> slope[order + 1]; ///< B_a (1/m)
 
-      /** Those of the interpolation at Gauss point @p g. */
+      /** Shapes of the interpolation at Gauss point @p g. */
       SpinShapes(const BeamShape<order>             &shape,
                  const int                           g,
                  const Number                        inverse_jacobian,
@@ -276,7 +280,7 @@ namespace auxfem
           }
       }
 
-      /** Those of @p point in a step. */
+      /** Corrected shapes of @p point in a step. */
       SpinShapes(const BeamShape<order>           &shape,
                  const int                         g,
                  const Number                      inverse_jacobian,

@@ -10,47 +10,44 @@ namespace auxfem
 {
   /**
    * The geometrically exact beam in space of Simo (1985) and Simo & Vu-Quoc
-   * (1986). Axis r(s); the section turns by P(s) from its axes R0 at rest to
-   * R = P R0, of which 1 is normal to the section, 2 and 3 are in it. In
-   * components along these axes,
+   * (1986). The section rotates by P(s) from its axes R0 at rest to R = P R0.
+   * Axis 1 is normal to the section, axes 2 and 3 lie in it. With the beam axis
+   * r(s), in section components,
    *
    *     Gamma = R^T r' - R0^T r0'       N = EA Gamma_1, Q_2 = kGA_2 Gamma_2,
    *                                     Q_3 = kGA_3 Gamma_3
    *     K     = R^T axial(P' P^T)       T = GJ K_1, M_2 = EI_2 K_2,
    *                                     M_3 = EI_3 K_3
    *
-   * K is the change of curvature and torsion, so any curved and twisted strut
-   * is free of stress at rest. M_3 bends the plane of axes 1 and 2, in which
-   * Q_2 acts: with axis 3 along z this is Beam2D.
+   * K is the change of curvature and torsion, so curved and twisted struts are
+   * free of stress at rest. M_3 bends the plane of axes 1 and 2, in which Q_2
+   * acts: with axis 3 along z this is Beam2D.
    *
-   * P is interpolated as Crisfield & Jelenic (1999, Proceedings of the Royal
-   * Society A 455, 1125-1147) do: relative to the middle rotation P_r of the
-   * element's ends,
+   * P is interpolated as in Crisfield & Jelenic (1999, Proceedings of the Royal
+   * Society A 455, 1125-1147), relative to the middle rotation P_r of the
+   * element's ends:
    *
-   *     P(s) = exp(psi(s)) P_r,   psi = sum N_a psi_a,   exp(psi_a) = P_a
-   * P_r^-1,
+   *     P(s) = exp(psi(s)) P_r,  psi = sum N_a psi_a,  exp(psi_a) = P_a P_r^-1.
    *
-   * for any order objective and a function of the state alone, in a plane the
-   * interpolation of the angle. P and not R is interpolated: R0 at the Gauss
-   * points can then be that of the exact axis, and small strains are not
-   * differences of numbers near one. The ends of an element must turn by less
-   * than two half turns relative to each other, neighbouring nodes by less than
-   * one.
+   * The interpolation is objective and path-independent for any order; in a
+   * plane it interpolates the angle. Interpolating P instead of R allows exact
+   * axes R0 at the Gauss points and avoids cancellation in small strains. The
+   * ends of an element must rotate by less than two half turns relative to each
+   * other, neighbouring nodes by less than one.
    *
    * With T of rotation_operators.h the curvature is R K = exp(psi) T(psi) psi'.
-   * Spins theta_a (P_a <- exp(theta_a) P_a) turn P_r by
+   * Spins theta_a (P_a <- exp(theta_a) P_a) rotate P_r by
    *
    *     rho = V_0 theta_0 + V_1 theta_1,   V_0, V_1 = (I +- tau [chi]x) / 2,
    *     tau = tan(|chi| / 2) / |chi|,      chi = psi_1 = -psi_0,
    *
-   * and change psi_a, seen from a frame that turns with P_r, by
-   * T(-psi_a)^-1 (theta_a - rho).
+   * and change psi_a, in a frame that rotates with P_r, by T(-psi_a)^-1
+   * (theta_a - rho).
    *
-   * Unknowns of an element: displacement and spin node by node,
-   * u_x, u_y, u_z, theta_x, theta_y, theta_z. The tangent is the derivative of
-   * the residual by spins; it is symmetric where moments at nodes balance.
-   *
-   * @p Number is double or, of several elements at a time, Lanes.
+   * Unknowns of an element: u_x, u_y, u_z, theta_x, theta_y, theta_z node by
+   * node, theta being the spin. The tangent is the derivative of the residual
+   * by spins; it is symmetric where nodal moments balance. @p Number is double
+   * or, for several elements at a time, Lanes.
    */
   namespace Beam3D
   {
@@ -91,7 +88,7 @@ namespace auxfem
     };
     using Strains = StrainsOf<double>;
 
-    /** Unknowns of a node. */
+    /** Number of unknowns per node. */
     constexpr int n_components = 6;
 
     /** psi and its derivative by s at a point. */
@@ -105,12 +102,14 @@ namespace auxfem
     template <int order, class Number = double>
     struct RelativeRotations
     {
-      QuaternionOf<Number> middle;         ///< P_r
-      VectorOf<Number>     psi[order + 1]; ///< of the nodes (rad)
+      QuaternionOf<Number> middle; ///< P_r
+      VectorOf<Number>
+        psi[order + 1]; ///< relative rotation vectors of the nodes (rad)
 
       explicit RelativeRotations(const NodeOf<Number> *nodes)
       {
-        // Signs such that neighbours along the axis lie in one hemisphere.
+        // Choose signs such that neighbours along the axis lie in one
+        // hemisphere.
         QuaternionOf<Number> rotations[order + 1];
         rotations[0] = nodes[0].rotation;
         int before   = 0;
@@ -129,7 +128,7 @@ namespace auxfem
           psi[a] = rotation_vector(rotations[a] * inverse);
       }
 
-      /** At Gauss point @p g. */
+      /** Relative rotation at Gauss point @p g. */
       RelativeRotationOf<Number> at_point(const BeamShape<order> &shape,
                                           const int               g,
                                           const Number inverse_jacobian) const
@@ -163,7 +162,7 @@ namespace auxfem
       VectorOf<Number>  psi, gradient; ///< psi, psi'
       TensorOf<Number>  axes;          ///< R
       TensorOf<Number>  middle_axes;   ///< P_r R0
-      /** Of psi. */
+      /** Coefficients of the rotation operators of psi. */
       RotationCoefficientsOf<Number> coefficients;
     };
     using Kinematics = KinematicsOf<double>;
@@ -214,7 +213,7 @@ namespace auxfem
       return point;
     }
 
-    /** Kinematics of an element: what its forces and tangents start from. */
+    /** Kinematics of an element, the input of its forces and tangents. */
     template <int order, class Number = double>
     struct ElementKinematics
     {

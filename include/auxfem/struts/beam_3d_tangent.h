@@ -65,9 +65,9 @@ namespace auxfem
     }
 
     /**
-     * Derivatives of forces, of moments that act on psi and of the couple on
-     * the middle rotation (rows) by displacements, by psi and by a rotation of
-     * the middle rotation (columns).
+     * Second derivatives of the energy of an element. Rows: forces, moments on
+     * psi, couple on the middle rotation. Columns: displacements, psi, rotation
+     * of the middle rotation.
      */
     template <int order, class Number = double>
     struct ElementHessian
@@ -110,7 +110,7 @@ namespace auxfem
                 const double Nb = shape.value[g][b];
                 force_force[a][b] += weight * Da * Db * h.slope_slope;
                 force_psi[a][b] += weight * Da * Nb * h.slope_psi;
-                // The upper half; the other is its transpose.
+                // Fill the upper half; complete() transposes it.
                 if (b >= a)
                   psi_psi[a][b] += weight *
                     (Na * Nb * h.psi_psi + Na * Rb * h.psi_gradient +
@@ -128,7 +128,10 @@ namespace auxfem
       }
     };
 
-    /** Rows of a force or moment: its derivatives by the nodes' motion. */
+    /**
+     * Rows of the tangent for a force or moment: derivatives by the nodal
+     * motion.
+     */
     template <int order, class Number = double>
     struct Rows
     {
@@ -137,7 +140,9 @@ namespace auxfem
       TensorOf<Number> by_spin[order + 1];
       TensorOf<Number> by_middle;
 
-      /** Adds the increment of the middle rotation to that by the ends' spins.
+      /**
+       * Replaces the derivative by the middle rotation by derivatives by the
+       * spins of the ends.
        */
       void eliminate_middle(const NodeOperators<order, Number> &nodes)
       {
@@ -163,7 +168,10 @@ namespace auxfem
             }
     }
 
-    /** From derivatives by psi to derivatives by spins. */
+    /**
+     * Rows of a nodal force: converts derivatives by psi to derivatives by
+     * spins.
+     */
     template <int order, class Number>
     inline Rows<order, Number>
     rows_of_force(const ElementHessian<order, Number> &h,
@@ -183,7 +191,10 @@ namespace auxfem
       return rows;
     }
 
-    /** Of T(psi_a)^-1 times the moment @p by_psi that acts on psi_a. */
+    /**
+     * Rows of the nodal moment T(psi_a)^-1 times the moment @p by_psi that acts
+     * on psi_a.
+     */
     template <int order, class Number>
     inline Rows<order, Number>
     rows_of_moment(const ElementHessian<order, Number>    &h,
@@ -211,7 +222,10 @@ namespace auxfem
       return rows;
     }
 
-    /** Of what acts on the middle rotation: the couple less the moments. */
+    /**
+     * Rows of the moment on the middle rotation: the couple minus the nodal
+     * moments.
+     */
     template <int order, class Number>
     inline Rows<order, Number>
     rows_of_middle(const ElementHessian<order, Number> &h,
@@ -238,33 +252,35 @@ namespace auxfem
       return rows;
     }
 
-    /** Adds V_end^T times what acts on the middle rotation to the moment of an
-     * end. */
+    /**
+     * Adds V_end^T times the moment on the middle rotation to the moment of an
+     * end.
+     */
     template <int order, class Number>
     inline void add_to_end(const int                           end,
                            const NodeOperators<order, Number> &nodes,
-                           const Rows<order, Number>          &of_middle,
+                           const Rows<order, Number>          &middle_rows,
                            const VectorOf<Number>             &on_middle,
                            Rows<order, Number>                &moment)
     {
       const TensorOf<Number> share = transpose(nodes.middle_by_spin[end]);
       for (int b = 0; b <= order; ++b)
         {
-          moment.by_displacement[b] += share * of_middle.by_displacement[b];
-          moment.by_spin[b] += share * of_middle.by_spin[b];
+          moment.by_displacement[b] += share * middle_rows.by_displacement[b];
+          moment.by_spin[b] += share * middle_rows.by_spin[b];
         }
       // chi is psi of the second end.
       const TensorOf<Number> by_chi =
         nodes.end_derivative(end, on_middle) * nodes.psi_by_spin[1];
       moment.by_spin[1] += by_chi;
-      moment.by_middle += share * of_middle.by_middle - by_chi;
+      moment.by_middle += share * middle_rows.by_middle - by_chi;
     }
 
     /**
-     * Derivative @p factor dF/d(u, theta) of the internal force, row by row into
-     * @p matrix (6 (order + 1) squared).
-     * @param stiffness by which section forces change
-     * @param gradients at the Gauss points, with the section forces themselves
+     * Derivative @p factor dF/d(u, theta) of the internal force, row by row
+     * into @p matrix (6 (order + 1) squared).
+     * @param stiffness derivative of section forces by strains
+     * @param gradients section forces at the Gauss points
      */
     template <int order, class Number>
     inline void
@@ -295,26 +311,26 @@ namespace auxfem
       VectorOf<Number>                   moments[order + 1], at_ends;
       gradient.find_moments(operators, moments, at_ends);
 
-      Rows<order, Number> of_moments[order + 1];
+      Rows<order, Number> moment_rows[order + 1];
       for (int a = 0; a <= order; ++a)
-        of_moments[a] = rows_of_moment(hessian,
-                                       operators,
-                                       element.relative,
-                                       a,
-                                       gradient.by_psi[a]);
-      const Rows<order, Number> of_middle =
-        rows_of_middle(hessian, operators, of_moments);
+        moment_rows[a] = rows_of_moment(hessian,
+                                        operators,
+                                        element.relative,
+                                        a,
+                                        gradient.by_psi[a]);
+      const Rows<order, Number> middle_rows =
+        rows_of_middle(hessian, operators, moment_rows);
       for (int a = 0; a <= order; ++a)
         {
-          Rows<order, Number> of_force =
+          Rows<order, Number> force_rows =
             rows_of_force(hessian, operators, a, gradient.force[a]);
-          of_force.eliminate_middle(operators);
-          write_rows(of_force, factor, matrix + n_components * a * n);
+          force_rows.eliminate_middle(operators);
+          write_rows(force_rows, factor, matrix + n_components * a * n);
           if (a < 2)
-            add_to_end(a, operators, of_middle, at_ends, of_moments[a]);
-          of_moments[a].by_middle -= cross_product_tensor(moments[a]);
-          of_moments[a].eliminate_middle(operators);
-          write_rows(of_moments[a],
+            add_to_end(a, operators, middle_rows, at_ends, moment_rows[a]);
+          moment_rows[a].by_middle -= cross_product_tensor(moments[a]);
+          moment_rows[a].eliminate_middle(operators);
+          write_rows(moment_rows[a],
                      factor,
                      matrix + (n_components * a + 3) * n);
         }
@@ -345,8 +361,8 @@ namespace auxfem
     }
 
     /**
-     * Geometric stiffness: what @p forces at the Gauss points (N, Q_2, Q_3, T,
-     * M_2, M_3) add to the tangent.
+     * Geometric stiffness of section @p forces at the Gauss points (N, Q_2,
+     * Q_3, T, M_2, M_3).
      */
     template <int order, class Number, class Forces>
     inline void
@@ -371,8 +387,7 @@ namespace auxfem
                           matrix);
     }
 
-    /** Tangent of the small-displacement form: that of the exact one at rest.
-     */
+    /** Tangent of the small-displacement form: the exact tangent at rest. */
     template <int order, class Number>
     inline void small_displacement_tangent(const BeamShape<order>    &shape,
                                            const FrameOf<Number>     *frames,

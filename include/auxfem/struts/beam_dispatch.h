@@ -8,16 +8,18 @@
 
 namespace auxfem
 {
-  /** Largest polynomial order of struts in the plane, and in space. */
+  /** Largest polynomial order of struts in the plane and in space. */
   constexpr int largest_plane_order = 6, largest_space_order = 4;
 
-  /** The same by the dimension. */
+  /** Largest polynomial order by dimension. */
   constexpr unsigned int highest_strut_order(const unsigned int dimension)
   {
     return dimension == 2 ? largest_plane_order : largest_space_order;
   }
 
-  /** With Order = auto: linear elements never pay. */
+  /**
+   * Smallest order with Order = auto; linear elements are never the cheapest.
+   */
   constexpr unsigned int lowest_chosen_order = 2;
 
   /**
@@ -36,8 +38,8 @@ namespace auxfem
   }
 
   /**
-   * What the kernels of beams know of an element at rest; of several elements
-   * with Lanes for numbers.
+   * Element at rest, as beam kernels need it; of several elements with Lanes
+   * for numbers.
    */
   template <int order, class Frame, class Stiffness, class Number>
   struct BeamAtRest
@@ -50,72 +52,79 @@ namespace auxfem
 
 /**
  * @file
- * Damping of the highest frequencies that never creates energy, for mean forces
- * over steps. In steps of equal length it adds to the stress
+ * Damping of the highest frequencies for mean forces over steps; it never
+ * creates energy. With the strain increments delta E of this step and the
+ * previous one, steps of equal length add the stress
  * @code
  * chi / 2 C (delta E_n - delta E_{n-1})
  * @endcode
- * of the increments delta E of the strains in this step and the one before,
- * which goes with the square of the step. With |E|^2 = E . C E its work is
+ * With |E|^2 = E . C E its work is
  * @code
  * chi / 4 (|delta E_n|^2 - |delta E_{n-1}|^2 + |delta E_n - delta E_{n-1}|^2)
  * @endcode
- * so that the energy and chi / 4 |delta E_n|^2 together never grow. With q, the
- * length of the step before over that of this one, and m = min(q, 1),
+ * so the energy plus chi / 4 |delta E_n|^2 never grows. With q, the previous
+ * step length over this one, and m = min(q, 1),
  * @code
  * chi / 4 C ((1 + m^2) delta E_n - 2 min(q, 1 / q) delta E_{n-1})
  * @endcode
- * does the same: the rates delta E / dt take the place of the increments, with
- * the smaller one of the two steps; what a longer step adds to chi / 4 |delta
- * E|^2 is paid for at once. In the first step q = 0.
+ * has the same property. In the first step q = 0.
  */
 namespace auxfem
 {
-  /** Mean forces without this damping. */
+  /** Stand-in for mean forces without this damping. */
   struct NoIncrementDamping
   {
     static constexpr bool is_used = false;
   };
 
-  /** The damping in an element, or with Lanes for numbers in several, of which
-   * the increments are remembered. */
+  /**
+   * Damping of the strain increments of one element or, with Lanes, of several.
+   */
   template <class Number>
   struct IncrementDampingOf
   {
     static constexpr bool is_used = true;
 
-    /** The added stress is C times present delta E_n - before delta E_{n-1}. */
-    double present, before;
-    /** `present` between steps of equal length. A tangent with it is kept where
-     * they begin, and is near enough to the others. */
-    double in_tangent;
-    /** delta E_{n-1}, and where delta E_n is put; point by point. */
-    const Number *last;
-    Number       *now;
+    /**
+     * The added stress is C times current_factor delta E_n - previous_factor
+     * delta E_{n-1}.
+     */
+    double current_factor, previous_factor;
+    /**
+     * current_factor for steps of equal length. A reused tangent keeps it,
+     * since it is close to the others.
+     */
+    double tangent_factor;
+    /** delta E_{n-1}, and storage for delta E_n; point by point. */
+    const Number *previous_increments;
+    Number       *current_increments;
 
     /**
-     * @param chi the damping
-     * @param dt, dt_before lengths of this step and the one before (s); of the
-     *   latter 0 if there is none
+     * @param chi damping parameter
+     * @param dt, dt_before lengths of this step and the previous one (s);
+     *   dt_before is 0 if there is none
      */
     IncrementDampingOf(const double chi,
                        const double dt,
                        const double dt_before)
-      : in_tangent(chi / 2)
-      , last(nullptr)
-      , now(nullptr)
+      : tangent_factor(chi / 2)
+      , previous_increments(nullptr)
+      , current_increments(nullptr)
     {
       const double q = dt_before / dt, m = std::min(q, 1.);
-      present = chi / 4 * (1 + m * m);
-      before  = q > 0 ? chi / 2 * std::min(q, 1 / q) : 0.;
+      current_factor  = chi / 4 * (1 + m * m);
+      previous_factor = q > 0 ? chi / 2 * std::min(q, 1 / q) : 0.;
     }
 
-    /** What is added to mean strain @p i of an element, @p increment being its
-     * delta E_n, which is remembered. */
+    /**
+     * Returns the addition to mean strain @p i of an element and stores @p
+     * increment, its delta E_n.
+     */
     Number operator()(const int i, const Number &increment) const
     {
-      now[i] = increment;
-      return present * increment - before * last[i];
+      current_increments[i] = increment;
+      return current_factor * increment -
+        previous_factor * previous_increments[i];
     }
   };
   using IncrementDamping = IncrementDampingOf<double>;

@@ -11,9 +11,9 @@ namespace auxfem
    * Internal forces use p Gauss points (no locking), inertia is integrated
    * exactly.
    *
-   * Without shear flexibility curvatures are larger than the derivatives of
-   * rotations, which makes an element stiffer in bending by what its shear is
-   * left to give (doc/theory.md, Sections).
+   * Without shear flexibility, curvatures exceed the derivatives of rotations.
+   * This increases the bending stiffness by the residual shear flexibility of
+   * the element (doc/theory.md, Sections).
    */
   template <int order>
   struct BeamShape
@@ -22,19 +22,23 @@ namespace auxfem
     static constexpr int n_gauss_points = order;
 
     /**
-     * 12 EI / (kGA L^2) up to which an element of length L bends as if it
-     * did not shear; linear elements are too stiff by as much.
-     * @tuned judgement
+     * Largest 12 EI / (kGA L^2) at which an element of length L bends as if it
+     * did not shear; linear elements are too stiff by this fraction.
+     * @tuned judgement (doc/theory.md, Sections)
      */
-    static constexpr double most_shear = order == 1 ? 1. : 5e-3;
+    static constexpr double max_compensated_shear = order == 1 ? 1. : 5e-3;
 
     double value[order][order + 1];      ///< N_a at the Gauss points
     double derivative[order][order + 1]; ///< dN_a/dxi at the Gauss points
-    /** By which curvatures at the Gauss points follow rotations of nodes:
-     * derivative if the struts shear. */
+    /**
+     * Curvatures at the Gauss points by nodal rotations: equal to derivative if
+     * the struts shear.
+     */
     double rotation_derivative[order][order + 1];
-    /** The section's moments at the Gauss points by those that do work on these
-     * curvatures: one if the struts shear. */
+    /**
+     * Section moments at the Gauss points by the moments work-conjugate to
+     * these curvatures: the identity if the struts shear.
+     */
     double moment[order][order];
     double weight[order];              ///< Gauss weights
     double point[order];               ///< Gauss points in [-1, 1]
@@ -43,15 +47,18 @@ namespace auxfem
     double node[order + 1];            ///< nodes in [-1, 1]
 
     /**
-     * @param shear_made_up_for 12 EI / (kGA L^2) that bending is to be stiffer
-     *   by, up to most_shear; 0: the struts shear
+     * @param compensated_shear 12 EI / (kGA L^2) to compensate by higher
+     *   bending stiffness, up to max_compensated_shear; 0: the struts shear
      */
-    explicit BeamShape(double shear_made_up_for = 0);
+    explicit BeamShape(double compensated_shear = 0);
 
     /** N_a at any @p xi in [-1, 1]. */
     void values_at(double xi, double *values) const;
 
-    /** Lagrange polynomials through the Gauss points at @p xi, to interpolate section forces. */
+    /**
+     * Lagrange polynomials through the Gauss points at @p xi, to interpolate
+     * section forces.
+     */
     void gauss_interpolation_at(double xi, double *values) const;
   };
 } // namespace auxfem

@@ -12,10 +12,12 @@ namespace auxfem
   struct DiscretizationParameters
   {
     unsigned int order = 3; ///< polynomial order 1..6, in space 1..4
-    /** Global refinements: 2^n elements a strut. */
+    /** Global refinements: 2^n elements per strut. */
     unsigned int refinements = 0;
-    /** Error that elements are chosen for (1); nothing: they are those given
-     * here. */
+    /**
+     * Allowed discretization error (1) for the choice of elements; nothing: use
+     * the elements given here.
+     */
     std::optional<double> tolerance = {};
 
     StrutDivision common_division() const
@@ -28,9 +30,9 @@ namespace auxfem
   SubsectionSchema discretization_schema();
 
   /**
-   * The values of that subsection.
-   * @param is_chosen_by_default whether `Order = default` is `auto` in the
-   *   scene's analysis
+   * Reads the values of that subsection.
+   * @param is_chosen_by_default whether `Order = default` means `auto` in the
+   *   analysis of the scene
    */
   DiscretizationParameters read_discretization(const ParameterValues &values,
                                                bool is_chosen_by_default);

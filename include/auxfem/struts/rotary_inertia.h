@@ -8,12 +8,12 @@ namespace auxfem
 {
   /**
    * Rotary inertia of a node in space: Euler's equations. Tensors and angular
-   * velocities are material, that is in the global frame turned back by the
-   * rotation P of the node since rest: W = P^T omega, P' = P [W]x.
+   * velocities are material: the global ones rotated back by the rotation P
+   * since rest, W = P^T omega, P' = P [W]x.
    */
   namespace RotaryInertia
   {
-    /** Of a node. */
+    /** Rotation rates of a node. */
     using Motion = AngularMotion;
 
     /** Kinetic energy W . J W / 2 (J). */
@@ -39,10 +39,10 @@ namespace auxfem
     }
 
     /**
-     * Mean torque over a step between two states: the change of P J W over
-     * @p dt, and with mass-proportional damping @p alpha (1/s) alpha times its
-     * mean. On Cayley's measure c of the rotation, dt times the mean of W, it
-     * does the work of the kinetic energy, as P_0 c = P_1 c.
+     * Mean torque over a step by the discrete gradient: the change of P J W
+     * over @p dt, plus @p alpha (1/s) times its mean with mass-proportional
+     * damping. Its work on Cayley's measure c of the rotation, dt times the
+     * mean of W, is the change of kinetic energy, since P_0 c = P_1 c.
      * @param start, end P_0, P_1
      * @param momentum J (W_0 + W_1) / 2
      * @param rate J (W_1 - W_0) / dt
@@ -54,7 +54,7 @@ namespace auxfem
                                    const double       dt,
                                    const double       alpha)
     {
-      // P_1 - P_0 is [c]x times their mean; differences of P J W would lose
+      // P_1 - P_0 is [c]x times their mean; a difference of P J W would cancel
       // digits.
       const SpaceVector turn = cayley_rotation(end * conjugate(start));
       const SpaceVector L = mean_over_rotation(turn, rotated(start, momentum)),
@@ -70,7 +70,7 @@ namespace auxfem
       SpaceTensor by_velocity, by_acceleration; ///< material
     };
 
-    /** Of torque(). The gyroscopic terms are P ([W]x J - [J W]x). */
+    /** Tangent of torque(). The gyroscopic terms are P ([W]x J - [J W]x). */
     inline Tangent tangent(const SpaceTensor &inertia,
                            const Quaternion  &rotation,
                            const Motion      &motion)

@@ -13,9 +13,9 @@
 namespace auxfem
 {
   /**
-   * Cross-section and material of a strut, reduced to what beams need (SI).
-   * Axis 1 is the strut's; axes 2 and 3 are the principal axes of the section.
-   * In the plane axis 2 lies in it and axis 3 is its normal.
+   * Cross-section and material of a strut, reduced to beam stiffnesses (SI).
+   * Axis 1 is along the strut; axes 2 and 3 are principal axes of the section.
+   * In the plane, axis 2 lies in it and axis 3 is its normal.
    */
   struct Section
   {
@@ -27,7 +27,7 @@ namespace auxfem
     double shear_area_2 = 0, shear_area_3 = 0;
     /** I about axes 2 and 3 (m4). */
     double second_moment_2 = 0, second_moment_3 = 0;
-    /** J of Saint-Venant's torsion (m4). */
+    /** Saint-Venant's torsion constant J (m4). */
     double torsion_constant = 0;
     /**
      * Rotary inertia per length about axes 1, 2, 3 (kg m); empty: density times
@@ -35,21 +35,21 @@ namespace auxfem
      */
     std::optional<std::array<double, 3>> given_rotary_inertia;
     /**
-     * Vector that axis 3 is as near to as can be; empty: default_reference().
+     * Vector whose projection normal to the strut gives axis 3; empty:
+     * default_reference().
      */
     std::optional<dealii::Tensor<1, 3>> reference;
     /**
-     * Distance of the outer fibres from axes 2 and 3 (m); 0: not known, of a
-     * section that is given by its stiffnesses.
+     * Distance of the outer fibres from axes 2 and 3 (m); 0: unknown, the
+     * section is given by its stiffnesses.
      */
     std::array<double, 2> fibre_distances = {{0., 0.}};
     /**
-     * Half of the thickness across axes 2 and 3 that contact acts on (m); 0 of
-     * a section that is given by its stiffnesses: it has no shape.
+     * Half thickness across axes 2 and 3 for contact (m); 0: unknown, the
+     * section is given by its stiffnesses.
      */
     std::array<double, 2> half_thicknesses = {{0., 0.}};
-    /** Strain of an outer fibre at which the material yields; empty: not given.
-     */
+    /** Outer-fibre strain at which the material yields; empty: not given. */
     std::optional<double> yield_strain;
     /** Radius of the tube drawn in ParaView (m). */
     double radius = 0;
@@ -88,8 +88,10 @@ namespace auxfem
     {
       return youngs_modulus * second_moment_3;
     }
-    /** Radii of gyration about axes 2 and 3 (m). The outer fibres of any
-     * section are at least as far. */
+    /**
+     * Radii of gyration about axes 2 and 3 (m), lower bounds of the fibre
+     * distances of any section.
+     */
     std::array<double, 2> radii_of_gyration() const
     {
       return {
@@ -100,7 +102,7 @@ namespace auxfem
     {
       return density * area;
     }
-    /** About axes 1, 2, 3 (kg m). */
+    /** Rotary inertia per length about axes 1, 2, 3 (kg m). */
     std::array<double, 3> rotary_inertia_per_length() const
     {
       if (given_rotary_inertia)
@@ -118,15 +120,20 @@ namespace auxfem
     std::string struts; ///< strut set
     Section     section;
     std::string path;
-    /** False: left out, which only a scene without inertia and weight may. */
+    /**
+     * False if the scene gives no density, allowed only without inertia and
+     * weight.
+     */
     bool has_density = true;
   };
 
   /** `Sections`. */
   SubsectionSchema sections_schema();
 
-  /** The values of one such subsection. Throws InputError if they contradict
-   * each other. */
+  /**
+   * Reads the values of one such subsection. Throws InputError if they are
+   * inconsistent.
+   */
   SectionDefinition read_section(ParameterValues &values);
 } // namespace auxfem
 

@@ -10,12 +10,15 @@ namespace auxfem
   namespace
   {
     /**
-     * Length of a connector, over that at rest, below which it is doubtful.
+     * Length over length at rest below which a connector is doubtful.
      * @tuned judgement: no spring or damper has so much stroke
      */
-    constexpr double doubtful_length = 0.05;
+    constexpr double doubtful_length_ratio = 0.05;
 
-    /** Of connectors along their line, near the point where it has none. */
+    /**
+     * Checks connectors along their line for vanishing length, where the
+     * direction is undefined.
+     */
     class ConnectorWatch : public Watch
     {
     public:
@@ -28,16 +31,18 @@ namespace auxfem
                 const EvaluationResults &results,
                 TangentSolver & /*solver*/) override
       {
-        const auto &groups = equations.reporting().connectors;
-        const auto &known  = shortenings.largest_here();
+        const auto &groups         = equations.reporting().connectors;
+        const auto &largest_so_far = shortenings.largest_here();
         for (unsigned int g = 0; g < groups.size(); ++g)
           {
-            const VanishingConnector found = groups[g].forces->shortest(
+            const ShortestConnector shortest = groups[g].forces->shortest(
               step,
               *results.effect_caches[groups[g].effect],
-              known ? 1 - known->size : doubtful_length);
-            if (found.joint != invalid_index)
-              shortenings.add({1 - found.part, step.to.time, found.joint, g});
+              largest_so_far ? 1 - largest_so_far->size
+                             : doubtful_length_ratio);
+            if (shortest.joint != invalid_index)
+              shortenings.add(
+                {1 - shortest.length_ratio, step.to.time, shortest.joint, g});
           }
       }
 
@@ -52,22 +57,22 @@ namespace auxfem
         std::ostringstream text;
         text.precision(3);
         text << "The " << location << " has less than "
-             << percentage_text(doubtful_length, 3)
+             << percentage_text(doubtful_length_ratio, 3)
              << " of its length at rest from about "
              << moment_text(equations.layout().path, first->time, 3) << " on";
         if (largest->size == 1)
-          text << ", and one is pushed through itself at "
+          text << ", and one connector inverts at "
                << moment_text(equations.layout().path, largest->time, 3);
-        text << ": no real spring or damper has such a stroke, and the line "
-                "along which its force acts turns at any touch. Reduce the "
-                "load, or set Geometry = direction, where the extension goes "
-                "on through zero.";
+        text << ": no real spring or damper has such a stroke, and the "
+                "direction of its force is ill-defined. Reduce the load, or "
+                "set Geometry = direction, where the length may pass "
+                "through zero.";
         return {{Verdict::doubtful, text.str(), first->time, location}};
       }
 
     private:
       const Equations &equations;
-      /** Parts of the length at rest that are gone. */
+      /** Relative shortening of connectors. */
       Occurrences &shortenings;
     };
   } // namespace

@@ -13,14 +13,17 @@ namespace auxfem
   {
     using Tensor = dealii::Tensor<2, 3>;
 
-    /** Derivative of a unit vector along n, times its length: 1 - e n. */
+    /**
+     * Derivative of a unit vector along n by its vector, times the length: 1 -
+     * e n.
+     */
     Tensor across(const dealii::Tensor<1, 3> &e, const dealii::Tensor<1, 3> &n)
     {
       return Tensor(dealii::unit_symmetric_tensor<3>()) -
         dealii::outer_product(e, n);
     }
 
-    /** By the law of the group, along its ConnectorLines. */
+    /** Connector forces by the law of the group along its ConnectorLines. */
     class ConnectorGroupForces : public ConnectorForces
     {
     public:
@@ -122,7 +125,7 @@ namespace auxfem
             Tensor by_motion = dealii::outer_product(along * n, n);
             if (lines.follow_ends)
               {
-                // Force and rate change direction as the line turns.
+                // The force and the rate change direction as the line rotates.
                 const double rotating =
                   factors.stiffness / cache.current_length[i];
                 by_motion += rotating * cache.response[i].force * across(n, n);
@@ -225,11 +228,11 @@ namespace auxfem
             if (!connectors[i].owned)
               continue;
             account.add_in_step(dissipated_entry, energy.dissipated);
-            // Between two states the mean force does what is stored and lost.
+            // The mean force of Kind::discrete_gradient does exactly this work.
             if (account.takes_time() &&
                 step.kind != Evaluation::Kind::discrete_gradient)
               account.add_in_step(numerical_entry,
-                                  taken(i, step, cache, energy));
+                                  numerical_work(i, step, cache, energy));
           }
       }
 
@@ -308,26 +311,26 @@ namespace auxfem
         return group_name;
       }
 
-      VanishingConnector shortest(const Evaluation  &step,
-                                  const EffectCache &results,
-                                  const double       least) const override
+      ShortestConnector shortest(const Evaluation  &step,
+                                 const EffectCache &results,
+                                 const double       least) const override
       {
-        VanishingConnector found{least, invalid_index};
+        ShortestConnector shortest{least, invalid_index};
         if (!lines.follow_ends)
-          return found;
+          return shortest;
         const ConnectorResults &cache = connector_cache(results);
         for (const unsigned int i : owned)
           {
-            // Below zero of a line that has been turned round.
-            const ConnectorEnds &ends = connectors[i];
-            const double         both = ends.line(step.from.displacement) *
+            // A line that reverses has passed through zero length.
+            const ConnectorEnds &ends    = connectors[i];
+            const double         product = ends.line(step.from.displacement) *
               ends.line(step.to.displacement);
-            const double part =
-              both < 0 ? 0. : cache.current_length[i] / ends.rest_length;
-            if (part < found.part)
-              found = {part, ends.first_joint};
+            const double length_ratio =
+              product < 0 ? 0. : cache.current_length[i] / ends.rest_length;
+            if (length_ratio < shortest.length_ratio)
+              shortest = {length_ratio, ends.first_joint};
           }
-        return found;
+        return shortest;
       }
 
       unsigned int n_reported() const override
@@ -358,8 +361,10 @@ namespace auxfem
       }
 
     private:
-      /** The law of connector @p i as a differential equation, at @p state, of
-       * which the @p results are. */
+      /**
+       * Evaluates the law of connector @p i in continuous form at @p state,
+       * with @p results of its evaluation.
+       */
       ContinuousResponse continuous(const unsigned int i,
                                     const State       &state,
                                     const EffectCache &results,
@@ -373,7 +378,9 @@ namespace auxfem
                                internal_rates);
       }
 
-      /** Forces of the motion in @p results, and internal variables. */
+      /**
+       * Computes forces and internal variables for the motion in @p results.
+       */
       void find_response(const Evaluation &evaluation,
                          ConnectorResults &results) const
       {
@@ -397,13 +404,13 @@ namespace auxfem
       }
 
       /**
-       * What the mean of the forces of connector @p i at both ends of the step
-       * does beyond what it stores and loses by @p energy (J).
+       * Numerical work (J): trapezoidal work of the forces of connector @p i at
+       * both ends of the step, minus stored and dissipated energy of @p energy.
        */
-      double taken(const unsigned int      i,
-                   const Evaluation       &step,
-                   const ConnectorResults &results,
-                   const ConnectorEnergy  &energy) const
+      double numerical_work(const unsigned int      i,
+                            const Evaluation       &step,
+                            const ConnectorResults &results,
+                            const ConnectorEnergy  &energy) const
       {
         const double          extension = results.motion[i].previous_extension;
         const ConnectorMotion start     = {extension,
@@ -422,7 +429,7 @@ namespace auxfem
           (energy.stored - stored_before) - energy.dissipated;
       }
 
-      /** Derivative of mean forces by the state at the end. */
+      /** Adds the derivative of mean forces by the state at the end. */
       void add_mean_tangent(const Evaluation       &evaluation,
                             const ConnectorResults &results,
                             TangentMatrix          &matrix) const
@@ -462,7 +469,10 @@ namespace auxfem
           }
       }
 
-      /** Adds the derivative of the force on the second end of connector @p i by the relative motion. */
+      /**
+       * Adds the derivative of the force on the second end of connector @p i by
+       * the relative motion.
+       */
       void add_block(const unsigned int i,
                      const Tensor      &by_motion,
                      TangentMatrix     &matrix) const
@@ -478,11 +488,12 @@ namespace auxfem
       const std::string                         group_name;
       const std::shared_ptr<const ConnectorLaw> law;
       const ConnectorLines                      lines;
-      const std::vector<ConnectorEnds>         &connectors; ///< of the lines
-      const Lattice                            &lattice;
-      std::vector<unsigned int>                 owned;
-      /** Index of the first internal variable and of the first dissipated
-       * energy in State::history. */
+      const std::vector<ConnectorEnds> &connectors; ///< ends of the lines
+      const Lattice                    &lattice;
+      std::vector<unsigned int>         owned;
+      /**
+       * First internal variable and first dissipated energy in State::history.
+       */
       std::size_t  first_history = 0, first_dissipated = 0;
       unsigned int stored_entry = 0, dissipated_entry = 0, numerical_entry = 0;
       std::size_t  first_block = 0;

@@ -11,7 +11,7 @@ namespace auxfem
 {
   namespace
   {
-    /** Unknowns and geometry of a pair at rest. */
+    /** Unknowns and geometry at rest of a pair. */
     ConnectorEnds ends_of(const ConnectorDefinition &definition,
                           const JointPair           &pair,
                           const Lattice             &lattice,
@@ -37,7 +37,7 @@ namespace auxfem
         throw InputError(
           definition.path + ": the connector at joint " +
           std::to_string(pair.first) +
-          " has length zero, so no line leads along it. Give `Geometry = "
+          " has length zero, so its direction is undefined. Set `Geometry = "
           "direction` with a `Direction`, or a `Ground offset`.");
       ends.direction = definition.geometry == Geometry::direction
         ? definition.direction
@@ -65,15 +65,15 @@ namespace auxfem
   {
     for (unsigned int number = 0; number < pairs.size(); ++number)
       {
-        ConnectorEnds of_pair =
+        ConnectorEnds connector =
           ends_of(definition, pairs[number], lattice, numbering);
-        of_pair.number = number;
-        if (std::any_of(of_pair.unknowns.begin(),
-                        of_pair.unknowns.end(),
+        connector.number = number;
+        if (std::any_of(connector.unknowns.begin(),
+                        connector.unknowns.end(),
                         [&](const int u) {
                           return numbering.layout().is_owned(u);
                         }))
-          ends.push_back(of_pair);
+          ends.push_back(connector);
       }
   }
 
@@ -83,15 +83,15 @@ namespace auxfem
     const dealii::Tensor<1, 3> du = ends.difference(displacement.data());
     if (!follow_ends)
       return ends.direction * du;
-    // L^2 - L0^2 = du.(2 span + du): no difference of nearly equal lengths.
+    // L^2 - L0^2 = du.(2 span + du) avoids the cancellation of L - L0.
     return du * (2. * ends.span + du) /
       ((ends.span + du).norm() + ends.rest_length);
   }
 
-  bool ConnectorLines::meet(const ConnectorEnds &ends,
-                            const double         length) const
+  bool ConnectorLines::ends_coincide(const ConnectorEnds &ends,
+                                     const double         length) const
   {
-    // Of a shorter line the direction is round-off.
+    // The direction of a shorter line is round-off.
     return follow_ends && length <= round_off * ends.rest_length;
   }
 
@@ -101,16 +101,17 @@ namespace auxfem
                                    const ConnectorResults &results) const
   {
     for (unsigned int i = 0; i < ends.size(); ++i)
-      if (meet(ends[i], results.current_length[i]))
+      if (ends_coincide(ends[i], results.current_length[i]))
         {
           const unsigned int second = ends[i].second_joint;
-          std::ostringstream words;
-          words << "the ends of the connector \"" << group
-                << "\" between joint " << ends[i].first_joint << " and "
-                << (second == invalid_index ? "the ground"
-                                            : "joint " + std::to_string(second))
-                << " meet at t = " << time << " s, so no line leads along it";
-          return words.str();
+          std::ostringstream text;
+          text << "the ends of the connector \"" << group << "\" between joint "
+               << ends[i].first_joint << " and "
+               << (second == invalid_index ? "the ground"
+                                           : "joint " + std::to_string(second))
+               << " meet at t = " << time
+               << " s, so the direction of its force is undefined";
+          return text.str();
         }
     return "";
   }
@@ -121,32 +122,33 @@ namespace auxfem
     const State &from = evaluation.from, &to = evaluation.to;
     for (unsigned int i = 0; i < ends.size(); ++i)
       {
-        const ConnectorEnds       &of_one    = ends[i];
-        const dealii::Tensor<1, 3> line      = of_one.line(to.displacement);
+        const ConnectorEnds       &connector = ends[i];
+        const dealii::Tensor<1, 3> line      = connector.line(to.displacement);
         dealii::Tensor<1, 3>      &direction = results.direction[i];
         double                    &length    = results.current_length[i];
         ConnectorMotion           &motion    = results.motion[i];
-        motion.previous_extension = extension(of_one, from.displacement);
-        motion.extension          = extension(of_one, to.displacement);
+        motion.previous_extension = extension(connector, from.displacement);
+        motion.extension          = extension(connector, to.displacement);
         motion.dt                 = evaluation.dt;
         length                    = line.norm();
-        direction                 = of_one.direction;
+        direction                 = connector.direction;
         if (follow_ends)
           direction = line / length;
-        // L1^2 - L0^2 over L0 + L1: the extension in the step is the product of
-        // this with the relative motion.
+        // This direction times the relative motion is exactly the extension in
+        // the step, (L1^2 - L0^2) / (L0 + L1).
         if (follow_ends &&
             evaluation.kind == Evaluation::Kind::discrete_gradient)
           {
-            const dealii::Tensor<1, 3> before = of_one.line(from.displacement);
+            const dealii::Tensor<1, 3> before =
+              connector.line(from.displacement);
             direction = (before + line) / (before.norm() + length);
           }
-        if (meet(of_one, length))
+        if (ends_coincide(connector, length))
           for (unsigned int c = 0; c < 3; ++c)
             direction[c] = std::numeric_limits<double>::quiet_NaN();
         if (to.velocity)
           results.velocity_difference[i] =
-            of_one.difference(to.velocity->data());
+            connector.difference(to.velocity->data());
         motion.rate = rate(i, evaluation, results);
       }
   }
@@ -161,8 +163,8 @@ namespace auxfem
       return increment / evaluation.dt;
     if (evaluation.kind != Evaluation::Kind::static_step)
       return results.direction[i] * results.velocity_difference[i];
-    // Without inertia velocities are differences over steps in which the line
-    // turns; those of the extension do not see the rotation.
+    // Without inertia, velocities are differences over steps in which the line
+    // rotates; differences of the extension exclude the rotation.
     const BackwardDifference difference_in(evaluation.from, evaluation.dt);
     double                   rate = difference_in.now * increment;
     if (const auto &before = evaluation.from.before)

@@ -9,7 +9,7 @@ namespace auxfem
 {
   namespace
   {
-    /** Stiffness (N/m) of the softest strut at its tip, 3 EI / L^3. */
+    /** Tip stiffness (N/m) of the softest strut, 3 EI / L^3. */
     double softest_strut(const RunPlan &plan, const Lattice &lattice)
     {
       double softest = std::numeric_limits<double>::infinity();
@@ -28,8 +28,7 @@ namespace auxfem
       return std::isfinite(softest) ? softest : 0;
     }
 
-    /** Force (N) per extension (m) at the end of an even extension that takes
-     * @p duration (s). */
+    /** Force over extension (N/m) at the end of a ramp of @p duration (s). */
     double ramp_stiffness(const ConnectorLaw &law, const double duration)
     {
       const ConnectorMotion     motion{1, 1 / duration, 0, duration};
@@ -43,19 +42,21 @@ namespace auxfem
     std::optional<EffectMeasure>
     measure_connector_viscosity(const RunPlan &plan, const Lattice &lattice)
     {
-      const double      of_struts = softest_strut(plan, lattice);
-      const LoadHistory course    = load_history(plan);
-      if (!(course.rate > 0))
+      const double      strut_stiffness = softest_strut(plan, lattice);
+      const LoadHistory history         = load_history(plan);
+      if (!(history.rate > 0))
         return EffectMeasure{0, "the connectors' stiffness"};
       double largest = 0;
       for (const ConnectorDefinition &connector : plan.scene.connectors)
         if (connector.law->is_viscous())
           {
-            const double now = ramp_stiffness(*connector.law, 1 / course.rate);
-            const double later = connector.law->long_time_stiffness();
-            largest = std::max(largest, (now - later) / (now + of_struts));
+            const double ramp =
+              ramp_stiffness(*connector.law, 1 / history.rate);
+            const double long_time = connector.law->long_time_stiffness();
+            largest =
+              std::max(largest, (ramp - long_time) / (ramp + strut_stiffness));
           }
-      return EffectMeasure{course.lost(plan, largest),
+      return EffectMeasure{history.lost(plan, largest),
                            "the connectors' stiffness"};
     }
   } // namespace

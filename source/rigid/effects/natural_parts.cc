@@ -6,7 +6,9 @@ namespace auxfem
 {
   namespace
   {
-    /** Entry (i, j) of a symmetric row-major block of size n. */
+    /**
+     * Sets entries (i, j) and (j, i) of a symmetric row-major block of size n.
+     */
     template <std::size_t n>
     void set_pair(std::array<double, n * n> &block,
                   const unsigned int         i,
@@ -16,7 +18,10 @@ namespace auxfem
       block[n * i + j] = block[n * j + i] = value;
     }
 
-    /** Forces along @p column in column j of such a block, of a constraint with the gradient @p row in row j. */
+    /**
+     * Sets forces @p column in column j and the constraint gradient @p row in
+     * row j of such a block.
+     */
     template <std::size_t n>
     void set_constraint(std::array<double, n * n> &block,
                         const unsigned int         i,
@@ -81,16 +86,16 @@ namespace auxfem
     if (evaluation.kind != Evaluation::Kind::discrete_gradient ||
         !large_rotation)
       return gradient(clamp, u1);
-    // With the mean of the normals, e_1 . d_1 - e_0 . d_0 is that times the
-    // increment of d, plus the turned mean times the mean of d and the
-    // increment of rotation.
+    // With the mean normal, e_1 . d_1 - e_0 . d_0 is exactly the mean normal
+    // times the increment of d plus the second term times the rotation
+    // increment.
     const double     *u0   = evaluation.from.displacement.data();
     const PlaneVector mean = (clamp.constraint.normal(u0[clamp.unknowns[4]]) +
                               clamp.constraint.normal(u1[clamp.unknowns[4]])) /
       2,
                       d = clamp.constraint.rest +
-      (across_base<2>(clamp.unknowns, u0) +
-       across_base<2>(clamp.unknowns, u1)) /
+      (base_difference<2>(clamp.unknowns, u0) +
+       base_difference<2>(clamp.unknowns, u1)) /
         2;
     return {mean, turned(mean) * d};
   }
@@ -114,15 +119,16 @@ namespace auxfem
         if (evaluation.wants_constraint_accelerations())
           {
             row += G *
-              across_base<dim>(unknowns, evaluation.to.acceleration->data());
+              base_difference<dim>(unknowns,
+                                   evaluation.to.acceleration->data());
             if (large_rotation)
               row += base.constraint.curvature() *
-                across_base<dim>(unknowns, evaluation.to.velocity->data())
+                base_difference<dim>(unknowns, evaluation.to.velocity->data())
                   .norm_square();
           }
         else
           {
-            const Vec stretch = across_base<dim>(unknowns, u);
+            const Vec stretch = base_difference<dim>(unknowns, u);
             row +=
               large_rotation ? base.constraint.value(stretch) : G * stretch;
           }
@@ -178,22 +184,25 @@ namespace auxfem
           {
             const double *a = evaluation.to.acceleration->data();
             const double *v = evaluation.to.velocity->data();
-            row += along * across_base<2>(unknowns, a) + turn * a[unknowns[4]];
+            row +=
+              along * base_difference<2>(unknowns, a) + turn * a[unknowns[4]];
             if (large_rotation)
               {
                 const double      rate = v[unknowns[4]];
                 const PlaneVector d =
-                  clamp.constraint.rest + across_base<2>(unknowns, u);
+                  clamp.constraint.rest + base_difference<2>(unknowns, u);
                 row += 2 * rate *
                     (clamp.constraint.normal_derivative(u[unknowns[4]]) *
-                     across_base<2>(unknowns, v)) -
+                     base_difference<2>(unknowns, v)) -
                   rate * rate * (along * d);
               }
           }
         else if (large_rotation)
-          row += along * (clamp.constraint.rest + across_base<2>(unknowns, u));
+          row +=
+            along * (clamp.constraint.rest + base_difference<2>(unknowns, u));
         else
-          row += along * across_base<2>(unknowns, u) + turn * u[unknowns[4]];
+          row +=
+            along * base_difference<2>(unknowns, u) + turn * u[unknowns[4]];
       }
   }
 
@@ -265,7 +274,7 @@ namespace auxfem
           {
             const double      force = factors.stiffness * u[clamp.unknowns[5]];
             const PlaneVector d =
-              clamp.constraint.rest + across_base<2>(clamp.unknowns, u);
+              clamp.constraint.rest + base_difference<2>(clamp.unknowns, u);
             const PlaneVector derivative =
               clamp.constraint.normal_derivative(u[clamp.unknowns[4]]);
             set_pair<6>(values, 4, 4, -force * (along * d));
@@ -288,13 +297,14 @@ namespace auxfem
     for (const Clamp &clamp : clamps)
       {
         const auto [along, turn] = gradient(clamp, u);
-        rates[clamp.unknowns[5]] = along * across_base<2>(clamp.unknowns, v) +
+        rates[clamp.unknowns[5]] =
+          along * base_difference<2>(clamp.unknowns, v) +
           turn * v[clamp.unknowns[4]];
       }
   }
 
   template <int dim>
-  void NaturalParts<dim>::take_clamp_forces(
+  void NaturalParts<dim>::subtract_clamp_forces(
     const unsigned int           body,
     const double                *u,
     std::array<double, 2 * dim> &forces) const
@@ -322,8 +332,8 @@ namespace auxfem
     report.part = body.part;
     report.forces.resize(lattice.rigid_parts[body.part].joints.size());
 
-    // What the joints exert is the body's inertia less its weight, and what
-    // its constraints take up.
+    // The joint forces balance the inertia less the weight of the body and the
+    // constraint forces.
     std::array<double, 2 *dim> on_base = {};
     for (unsigned int r = 0; r < 2 * dim; ++r)
       for (unsigned int s = 0; s < 2 * dim; ++s)
@@ -346,7 +356,7 @@ namespace auxfem
             on_base[r] -= lambda * joint.shapes[c][r];
         }
     if constexpr (dim == 2)
-      take_clamp_forces(b, u, on_base);
+      subtract_clamp_forces(b, u, on_base);
     for (unsigned int r = 0; r < 2 * dim; ++r)
       report.forces[r / dim][r % dim] = on_base[r];
     return report;

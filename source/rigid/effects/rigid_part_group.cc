@@ -6,7 +6,7 @@ namespace auxfem
 {
   namespace
   {
-    /** The constraints that keep rigid parts rigid, of all kinds there are. */
+    /** Constraints of rigid parts of all kinds. */
     class RigidPartConstraints : public RigidPartGroup
     {
     public:
@@ -113,7 +113,7 @@ namespace auxfem
     private:
       const bool                                   large_rotation;
       std::vector<std::unique_ptr<RigidPartGroup>> groups;
-      /** Of each part reported on: its group, its number there. */
+      /** Group and index in the group of each reported part. */
       std::vector<std::pair<const RigidPartGroup *, unsigned int>> reported;
     };
   } // namespace

@@ -3,16 +3,14 @@
 
 #include <algorithm>
 
-// Rigid parts in space with a rotation of their own.
-
 namespace auxfem
 {
   namespace
   {
     /**
-     * Joints at X from the centre of mass at rest are held to it by
-     * g = u - u_c - (P - I) X = 0, in space; lambda is the joint's force on the
-     * part.
+     * Constraints of rigid parts in space with rotation unknowns: g = u - u_c -
+     * (P - I) X = 0 for each joint at X from the centre of mass at rest. The
+     * multiplier lambda is the force of the joint on the part.
      */
     class RotatingParts : public RigidPartGroup
     {
@@ -183,16 +181,18 @@ namespace auxfem
                          const State            &state) const override
       {
         const unsigned int b = reported[i];
-        // Any of its joints knows the body's unknowns.
-        Joint here = joints[joint_begin[b]];
-        here.arm   = point - lattice.rigid_parts[part(i)].centre_of_mass;
+        // Every joint of the body holds its unknowns.
+        Joint body_point = joints[joint_begin[b]];
+        body_point.arm   = point - lattice.rigid_parts[part(i)].centre_of_mass;
         PointMotion result;
         result.displacement =
-          values(state.displacement, here, 3) + turn(here, state);
+          values(state.displacement, body_point, 3) + turn(body_point, state);
         if (state.velocity)
-          result.velocity = values(*state.velocity, here, 3) +
-            dealii::cross_product_3d(spatial(*state.velocity, here, state),
-                                     arm(here, state));
+          result.velocity = values(*state.velocity, body_point, 3) +
+            dealii::cross_product_3d(spatial(*state.velocity,
+                                             body_point,
+                                             state),
+                                     arm(body_point, state));
         return result;
       }
 
@@ -209,20 +209,22 @@ namespace auxfem
     private:
       struct Joint
       {
-        /** Joint's three, centre, rotation, multipliers. */
+        /** Unknowns of the joint, centre, rotation, multipliers; three each. */
         std::array<int, 12> unknowns;
         SpaceVector         arm;  ///< X (m)
         unsigned int        body; ///< index into bodies
       };
 
-      /** Values of @p vector at three of a joint's unknowns from @p first on. */
+      /**
+       * Values of @p vector at three unknowns of a joint, starting at @p first.
+       */
       static SpaceVector
       values(const Vector &vector, const Joint &joint, const unsigned int first)
       {
         return vector_at(vector.data(), &joint.unknowns[first]);
       }
 
-      /** Of the joint less of the centre. */
+      /** Values at the joint minus values at the centre. */
       static SpaceVector relative(const Vector &vector, const Joint &joint)
       {
         return values(vector, joint, 0) - values(vector, joint, 3);
@@ -243,9 +245,9 @@ namespace auxfem
       }
 
       /**
-       * At which the joint's force acts on the part. Between two states the
-       * mean of P X: its vector product with Cayley's measure of the rotation
-       * is the change of P X, so that the force does no work.
+       * Lever arm of the joint force. With Kind::discrete_gradient it is the
+       * mean of P X: its product with Cayley's measure of the rotation is the
+       * change of P X, so the force does no work.
        */
       SpaceVector lever(const Joint &joint, const Evaluation &evaluation) const
       {
@@ -299,7 +301,7 @@ namespace auxfem
       const DofNumbering             &numbering;
       const bool                      large_rotation;
       std::vector<Joint>              joints;
-      /** Those of body b: from [b] to [b + 1]. */
+      /** Range of body b: [b] to [b + 1]. */
       std::vector<unsigned int> joint_begin;
       std::vector<unsigned int> reported; ///< bodies
       std::size_t               first_block = 0;

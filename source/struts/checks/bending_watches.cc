@@ -14,16 +14,15 @@ namespace auxfem
   namespace
   {
     /**
-     * Bending that varies along elements of order 1, which have one curvature
-     * each. In equilibrium the moment rises by the shear force Q times the
-     * length h, so that an element lacks the complementary energy
+     * Checks bending that varies along elements of order 1, which have one
+     * curvature each. In equilibrium the moment changes by the shear force Q
+     * times the length h, so an element misses the complementary energy
      *
      *     Q^2 h^3 / (24 EI)
      *
-     * (R. H. MacNeal, Comput. Struct. 8 (1978) 175-183: the residual bending
-     * flexibility). Over the energy that is there and this it is the part of
-     * the compliance that is missed: 1 / n^2 of the bending of a strut of n
-     * elements with clamped ends that are moved across. Summed up over the run.
+     * (R. H. MacNeal, Comput. Struct. 8 (1978) 175-183: residual bending
+     * flexibility). Its ratio to the total energy, summed over the run, is the
+     * missing fraction of the compliance.
      */
     class BendingWatch : public Watch
     {
@@ -32,8 +31,8 @@ namespace auxfem
         : Watch(SamplingRate::single_steps)
         , group(group)
         , model(run.equations.model())
-        , missing(run.statistics.number("bending: energy missed (J)"))
-        , there(run.statistics.number("bending: energy (J)"))
+        , missing_energy(run.statistics.number("bending: energy missed (J)"))
+        , strain_energy_sum(run.statistics.number("bending: energy (J)"))
         , time(run.statistics.number("bending: time (s)"))
       {}
 
@@ -51,33 +50,35 @@ namespace auxfem
                         *results.effect_caches[group.effect],
                         energies);
         energies = model.numbering.layout().sum(energies);
-        missing += energies[0];
-        there += energies[1];
+        missing_energy += energies[0];
+        strain_energy_sum += energies[1];
         time = step.to.time;
       }
 
       std::vector<Finding> findings() const override
       {
-        const double missed = missing > 0 ? missing / (missing + there) : 0.;
-        if (missed <= doubtful_error)
+        const double missing_fraction = missing_energy > 0
+          ? missing_energy / (missing_energy + strain_energy_sum)
+          : 0.;
+        if (missing_fraction <= doubtful_error)
           return {};
         std::ostringstream text;
         text.precision(2);
         text << "Elements of order 1 are too stiff where struts bend: those "
                 "here miss about "
-             << percentage_text(missed)
+             << percentage_text(missing_fraction)
              << " of the compliance. Set Discretization/Order = 2 or more, "
-                "or raise Discretization/Global refinements: each halving of "
-                "the elements leaves a quarter of it.";
-        return {{missed > unusable_error ? Verdict::not_to_be_used
-                                         : Verdict::doubtful,
+                "or raise Discretization/Global refinements: each refinement "
+                "reduces this error to a quarter.";
+        return {{missing_fraction > unusable_error ? Verdict::not_to_be_used
+                                                   : Verdict::doubtful,
                  text.str(),
                  time,
                  ""}};
       }
 
     private:
-      /** Adds to the energies that are missed and that are there (J). */
+      /** Adds the missing energy and the strain energy of an element (J). */
       void add_element(const unsigned int   e,
                        const State         &state,
                        const EffectCache   &results,
@@ -99,8 +100,8 @@ namespace auxfem
 
       const StrutGroup    group;
       const LatticeModel &model;
-      /** Summed up over sampled steps (J). */
-      double &missing, &there;
+      /** Sums over sampled steps (J). */
+      double &missing_energy, &strain_energy_sum;
       double &time; ///< s
     };
   } // namespace
@@ -116,11 +117,10 @@ namespace auxfem
   namespace
   {
     /**
-     * Axial force, over EI / L^2, from which one element for a whole strut
-     * misplaces the load at which the strut buckles between its joints by more
-     * than a tenth: with order 2 that of hinged ends (by a fifth), with 3 that
-     * of one end hinged (by a tenth; with both clamped by half). None from
-     * order 4 on (with both clamped by 6 %).
+     * Smallest axial force, over EI / L^2, at which one element per strut
+     * misplaces the buckling load between joints by more than a tenth. Order 2:
+     * hinged ends; order 3: one end clamped, one hinged. Nothing from order 4
+     * on.
      */
     std::optional<double> doubtful_load(const unsigned int order)
     {
@@ -133,7 +133,10 @@ namespace auxfem
       return std::nullopt;
     }
 
-    /** Struts of one element whose own buckling the mesh does not show. */
+    /**
+     * Checks struts of one element, whose local buckling the mesh cannot
+     * represent.
+     */
     class LocalBucklingWatch : public Watch
     {
     public:
@@ -175,18 +178,16 @@ namespace auxfem
         text.precision(3);
         text
           << "Struts may buckle between their joints, which the mesh does not "
-             "tell: one element of order "
-          << order << " is "
-          << (order <= 2 ? "stiff against it"
-                         : "too stiff against it where ends are held")
-          << ". From about "
-          << moment_text(equations.layout().path, first->time, 3) << " on "
-          << location << " is pressed by more than "
+             "represent: one element of order "
+          << order << " is too stiff in local buckling"
+          << (order <= 2 ? "" : " with clamped ends") << ". From about "
+          << moment_text(equations.layout().path, first->time, 3) << " on, "
+          << location << " carries more compression than "
           << (order <= 2 ? "its buckling load with hinged ends"
                          : "its buckling load with one end clamped, one "
                            "hinged")
-          << ", strut " << largest->number << " by " << largest->size
-          << " times that at "
+          << "; strut " << largest->number << " reaches " << largest->size
+          << " times that load at "
           << moment_text(equations.layout().path, largest->time, 3)
           << ". Set Discretization/Order = 4 or Global refinements = 1.";
         return {{Verdict::doubtful, text.str(), first->time, location}};
@@ -196,8 +197,8 @@ namespace auxfem
       struct WatchedStrut
       {
         StrutGroup   group;
-        unsigned int element; ///< of the numbering
-        unsigned int number;  ///< of the strut
+        unsigned int element; ///< element of the numbering
+        unsigned int number;  ///< strut number
         double       load;    ///< N
       };
 
@@ -227,7 +228,7 @@ namespace auxfem
       const Equations          &equations;
       const LatticeModel       &model;
       std::vector<WatchedStrut> struts;
-      Occurrences              &compressions; ///< over WatchedStrut::load
+      Occurrences &compressions; ///< compression over WatchedStrut::load
     };
   } // namespace
 

@@ -11,75 +11,76 @@ namespace auxfem
   namespace
   {
     /**
-     * Strain of outer fibres from which on forces are doubtful; at 1 a fibre
-     * in compression has no length.
+     * Outer-fibre strain above which forces are doubtful; at 1 a fibre in
+     * compression has no length.
      * @tuned theory: definitions of strain then change the force by as much
      */
     constexpr double doubtful_strain = 0.5;
-    constexpr double ruinous_strain  = 1;
+    constexpr double unusable_strain = 1;
 
-    /** Strains beyond what is allowed. */
-    struct Excess
+    /** Strains above the allowed strain, for the text of a finding. */
+    struct StrainExcess
     {
       Occurrence first, largest;
-      double     strain;  ///< the largest
-      bool       on_path; ///< of equilibria, in place of time
+      double     strain;  ///< largest strain
+      bool       on_path; ///< equilibrium path: no time
     };
 
-    Finding doubtful_strain_finding(const Excess &excess)
+    Finding doubtful_strain_finding(const StrainExcess &exceedance)
     {
       const std::string location =
-        "strut " + std::to_string(excess.largest.number);
+        "strut " + std::to_string(exceedance.largest.number);
       std::ostringstream text;
       text.precision(3);
-      text << "The strain reaches " << percentage_text(excess.strain, 3)
-           << " in an outer "
-           << "fibre of " << location
-           << ". Stress in proportion to strain and sections that keep their "
-              "shape, which beams here are made of, do not hold beyond some "
-           << percentage_text(doubtful_strain, 3)
-           << " for any material: check loads, sections and units.";
-      return {excess.strain > ruinous_strain ? Verdict::not_to_be_used
-                                             : Verdict::doubtful,
+      text
+        << "The strain reaches " << percentage_text(exceedance.strain, 3)
+        << " in an outer "
+        << "fibre of " << location
+        << ". Linear elasticity and undeformed sections, which beams assume, "
+           "are not valid beyond some "
+        << percentage_text(doubtful_strain, 3)
+        << " for any material: check loads, sections and units.";
+      return {exceedance.strain > unusable_strain ? Verdict::not_to_be_used
+                                                  : Verdict::doubtful,
               text.str(),
-              excess.largest.time,
+              exceedance.largest.time,
               location};
     }
 
-    Finding yield_finding(const Excess &excess)
+    Finding yield_finding(const StrainExcess &exceedance)
     {
       const std::string location =
-        "strut " + std::to_string(excess.first.number);
+        "strut " + std::to_string(exceedance.first.number);
       std::ostringstream text;
       text.precision(3);
       text << "The material yields from about "
-           << moment_text(excess.on_path, excess.first.time, 3)
+           << moment_text(exceedance.on_path, exceedance.first.time, 3)
            << " on, first in " << location << "; strut "
-           << excess.largest.number << " reaches a strain of "
-           << percentage_text(excess.strain, 3) << " in an outer fibre at "
-           << moment_text(excess.on_path, excess.largest.time, 3)
+           << exceedance.largest.number << " reaches a strain of "
+           << percentage_text(exceedance.strain, 3) << " in an outer fibre at "
+           << moment_text(exceedance.on_path, exceedance.largest.time, 3)
            << ", its Yield strain is "
-           << percentage_text(excess.strain / excess.largest.size, 3)
-           << ". Struts here stay elastic; real ones are softer from there "
-              "on and keep a part of the deformation. Reduce the load, or use "
-              "the results until then.";
-      return {Verdict::doubtful, text.str(), excess.first.time, location};
+           << percentage_text(exceedance.strain / exceedance.largest.size, 3)
+           << ". The model stays elastic; real struts soften and deform "
+              "permanently. Reduce the load, or use the results up to this "
+              "time.";
+      return {Verdict::doubtful, text.str(), exceedance.first.time, location};
     }
 
-    /** Of strains beyond what the section of a strut may have. */
+    /** Checks outer-fibre strains against the limit of their section. */
     class StrainWatch : public Watch
     {
     public:
       /** @param limits by section */
       StrainWatch(const Equations               &equations,
                   const std::vector<StrainLimit> limits,
-                  Occurrences                   &beyond,
-                  Finding (*finding)(const Excess &))
+                  Occurrences                   &exceedances,
+                  Finding (*finding)(const StrainExcess &))
         : Watch(SamplingRate::bursts)
         , limits(limits)
         , equations(equations)
         , finding(finding)
-        , beyond(beyond)
+        , exceedances(exceedances)
       {}
 
       void step(const Evaluation        &step,
@@ -88,36 +89,37 @@ namespace auxfem
       {
         for (const StrutGroup &group : equations.reporting().struts)
           {
-            const auto       &known = beyond.largest_here();
-            const StrutStrain found =
+            const auto       &largest_so_far = exceedances.largest_here();
+            const StrutStrain strain =
               group.forces->largest_strain(step.to,
                                            *results.effect_caches[group.effect],
                                            limits,
-                                           known ? known->size : 1.);
-            if (found.strut != invalid_index)
-              beyond.add({found.ratio, step.to.time, found.strut});
+                                           largest_so_far ? largest_so_far->size
+                                                          : 1.);
+            if (strain.strut != invalid_index)
+              exceedances.add({strain.ratio, step.to.time, strain.strut});
           }
       }
 
       std::vector<Finding> findings() const override
       {
-        const auto first = beyond.first(), largest = beyond.largest();
+        const auto first = exceedances.first(), largest = exceedances.largest();
         if (!first)
           return {};
-        const double allowed_there =
+        const double allowed_strain =
           limits[equations.model().lattice.struts[largest->number].section]
             .strain;
         return {finding({*first,
                          *largest,
-                         largest->size * allowed_there,
+                         largest->size * allowed_strain,
                          equations.layout().path})};
       }
 
     private:
       const std::vector<StrainLimit> limits;
       const Equations               &equations;
-      Finding (*const finding)(const Excess &);
-      Occurrences &beyond; ///< strains over what is allowed
+      Finding (*const finding)(const StrainExcess &);
+      Occurrences &exceedances; ///< strains over the allowed strain
     };
 
     std::vector<StrainLimit>
@@ -129,8 +131,10 @@ namespace auxfem
       return limits;
     }
 
-    /** Sections whose outer fibres are not known, with the nearest that
-     * these can be. */
+    /**
+     * Yield strains; sections with unknown fibre distances use their lower
+     * bound, the radius of gyration.
+     */
     std::vector<StrainLimit> yield_strains(const std::vector<Section> &sections)
     {
       std::vector<StrainLimit> limits;

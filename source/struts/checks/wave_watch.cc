@@ -13,22 +13,24 @@ namespace auxfem
   namespace
   {
     /**
-     * Part of the kinetic energy in the highest degree of bending from which
-     * on results are doubtful.
+     * Fraction of the kinetic energy in the highest degree of bending above
+     * which results are doubtful.
      * @tuned measured: the tip of a shaken cantilever errs by 9 %
      * (tests/struts/checks/wave_watch_test.cc)
      */
-    constexpr double doubtful_part = 1e-3;
+    constexpr double doubtful_fraction = 1e-3;
 
     /**
-     * Part of the kinetic energy in the highest degree of bending from which
-     * on results are not to be used.
+     * Fraction of the kinetic energy in the highest degree of bending above
+     * which results are unusable.
      * @tuned measured: the tip errs by more than 20 %
      */
-    constexpr double ruinous_part = 0.01;
+    constexpr double unusable_fraction = 0.01;
 
-    /** By node, its part in the highest Legendre coefficient of a polynomial
-     * that is given by its values at the nodes. */
+    /**
+     * Nodal weights of the highest Legendre coefficient of a polynomial that is
+     * given by its values at the nodes.
+     */
     std::vector<double> highest_coefficients(const unsigned int order)
     {
       const std::vector<double> nodes = LineRule(order).nodes;
@@ -49,23 +51,25 @@ namespace auxfem
     {
       const int   *rotations; ///< unknowns of the first node
       unsigned int strut;
-      /** Kinetic energy (J) of a rate of rotation of 1 rad/s in the highest
-       * degree: half its mass times (h / (4p + 2))^2 / (2p + 3). */
+      /**
+       * Kinetic energy (J) of a rotation rate of 1 rad/s in the highest degree:
+       * half its mass times (h / (4p + 2))^2 / (2p + 3).
+       */
       double energy;
     };
 
-    /** Elements of one order. */
+    /** Elements with mass of one order. */
     struct MovingElements
     {
       std::vector<double>        coefficients; ///< highest_coefficients()
       std::vector<MovingElement> list;
     };
 
-    /** Those that this rank counts. */
+    /** Elements with mass that this rank owns. */
     MovingElements moving_elements(const LatticeModel        &model,
                                    const DofNumbering::Group &group)
     {
-      MovingElements     moving{highest_coefficients(group.order), {}};
+      MovingElements     elements{highest_coefficients(group.order), {}};
       const unsigned int p = group.order;
       for (unsigned int e = group.begin; e < group.end; ++e)
         {
@@ -77,21 +81,22 @@ namespace auxfem
             continue;
           const double length = model.lattice.length(strut) *
             (element.interval.end - element.interval.begin);
-          const double way = length / (4 * p + 2);
-          moving.list.push_back(
+          const double amplitude = length / (4 * p + 2);
+          elements.list.push_back(
             {model.numbering.element_unknowns(e) + model.lattice.dimension,
              element.interval.strut,
-             mass_per_length * length / 2 * way * way / (2 * p + 3)});
+             mass_per_length * length / 2 * amplitude * amplitude /
+               (2 * p + 3)});
         }
-      return moving;
+      return elements;
     }
 
     /**
-     * Kinetic energy in bending waves too short for the elements. The rotations
-     * of an element of order p tell its bending up to degree p + 1. In a plane
-     * wave the part of the energy in that degree rises with (k h)^(2p + 2); the
-     * rigid turning of an element has none. The sum over sampled steps is
-     * compared with the kinetic energy of all.
+     * Checks for bending waves that are too short for the elements. The
+     * rotations of an element of order p define its bending up to degree p + 1.
+     * In a plane wave the energy fraction in that degree grows as (k h)^(2p +
+     * 2); rigid rotation has none. The sum over sampled steps is compared with
+     * the total kinetic energy.
      */
     class WaveWatch : public Watch
     {
@@ -104,7 +109,7 @@ namespace auxfem
         , unresolved(run.statistics.number("waves: energy not resolved (J s)"))
         , kinetic(run.statistics.number("waves: kinetic energy (J s)"))
         , largest_energy(run.statistics.number("waves: largest energy (J)"))
-        , in_struts(run.statistics.occurrences("waves"))
+        , strut_energies(run.statistics.occurrences("waves"))
       {
         for (const auto &group : run.equations.model().numbering.groups())
           elements.push_back(moving_elements(run.equations.model(), group));
@@ -115,13 +120,13 @@ namespace auxfem
                 TangentSolver & /*solver*/) override
       {
         Occurrence largest{0., step.to.time, invalid_index};
-        double     in_step = 0;
-        for (const MovingElements &of_order : elements)
-          for (const MovingElement &element : of_order.list)
+        double     step_energy = 0;
+        for (const MovingElements &group : elements)
+          for (const MovingElement &element : group.list)
             {
               const double energy =
-                energy_of(element, of_order.coefficients, *step.to.velocity);
-              in_step += energy;
+                energy_of(element, group.coefficients, *step.to.velocity);
+              step_energy += energy;
               if (energy > largest.size)
                 {
                   largest.size   = energy;
@@ -129,8 +134,8 @@ namespace auxfem
                 }
             }
         if (largest.size > 0)
-          in_struts.add(largest);
-        unresolved += equations.unknowns().layout.sum(in_step) * step.dt;
+          strut_energies.add(largest);
+        unresolved += equations.unknowns().layout.sum(step_energy) * step.dt;
         const Energies &energies = step.to.energies;
         largest_energy =
           std::max(largest_energy, energies.kinetic() + energies.stored());
@@ -141,31 +146,31 @@ namespace auxfem
 
       std::vector<Finding> findings() const override
       {
-        const auto   largest = in_struts.largest();
-        const double part    = unresolved / kinetic;
-        if (!(part > doubtful_part))
+        const auto   largest  = strut_energies.largest();
+        const double fraction = unresolved / kinetic;
+        if (!(fraction > doubtful_fraction))
           return {};
         const std::string location = "strut " + std::to_string(largest->number);
         std::ostringstream text;
         text
           << "Struts vibrate in waves that are too short for their elements, "
-             "most in "
-          << location << ": " << percentage_text(std::min(1., part))
+             "mainly in "
+          << location << ": " << percentage_text(std::min(1., fraction))
           << " of the kinetic energy is in the highest degree of their "
              "bending, more than "
-          << percentage_text(doubtful_part)
-          << ". Frequencies of these vibrations are wrong. Raise "
+          << percentage_text(doubtful_fraction)
+          << ". The frequencies of these vibrations are inaccurate. Raise "
              "Discretization/Order or Discretization/Global refinements, "
              "and compare.";
-        return {
-          {part > ruinous_part ? Verdict::not_to_be_used : Verdict::doubtful,
-           text.str(),
-           largest->time,
-           location}};
+        return {{fraction > unusable_fraction ? Verdict::not_to_be_used
+                                              : Verdict::doubtful,
+                 text.str(),
+                 largest->time,
+                 location}};
       }
 
     private:
-      /** In the highest degree (J). */
+      /** Kinetic energy of an element in the highest degree (J). */
       double energy_of(const MovingElement       &element,
                        const std::vector<double> &coefficients,
                        const Vector              &velocity) const
@@ -187,7 +192,7 @@ namespace auxfem
       std::vector<MovingElements> elements;
       double                     &unresolved, &kinetic; ///< J s
       double                     &largest_energy;       ///< J
-      Occurrences                &in_struts;            ///< J
+      Occurrences                &strut_energies;       ///< J
     };
   } // namespace
 

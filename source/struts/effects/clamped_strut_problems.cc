@@ -11,17 +11,19 @@ namespace auxfem
 {
   namespace
   {
-    /** Every strut with two joints of its own; only @p elastic ones are elements.
+    /**
+     * Copy of @p lattice in which every strut has two joints of its own; only
+     * @p elastic ones become elements.
      */
-    Lattice apart(const Lattice                   &lattice,
-                  const std::vector<unsigned int> &elastic)
+    Lattice separate_struts(const Lattice                   &lattice,
+                            const std::vector<unsigned int> &elastic)
     {
       Lattice result;
       result.dimension  = lattice.dimension;
       result.struts     = lattice.struts;
       result.strut_sets = lattice.strut_sets;
       result.n_cells    = lattice.n_cells;
-      // Any number but invalid_index takes a strut out of the mesh.
+      // Any number except invalid_index removes a strut from the mesh.
       for (Strut &strut : result.struts)
         strut.rigid_part = 0;
       for (const unsigned int strut : elastic)
@@ -57,8 +59,8 @@ namespace auxfem
     std::vector<StrutDivision> divisions,
     std::vector<unsigned int>  struts)
     : large_rotation(model.plan.simulated.large_rotation)
-    , counted(std::move(struts))
-    , lattice(apart(model.lattice, counted))
+    , strut_numbers(std::move(struts))
+    , lattice(separate_struts(model.lattice, strut_numbers))
     , numbering(lattice,
                 StrutPartition(lattice, std::move(divisions), MPI_COMM_SELF),
                 no_ties(lattice),
@@ -131,10 +133,10 @@ namespace auxfem
   {
     if (loads.empty())
       return;
-    std::set<double> distinct;
-    for (const unsigned int strut : counted)
-      distinct.insert(instants[strut]);
-    for (const double instant : distinct)
+    std::set<double> times;
+    for (const unsigned int strut : strut_numbers)
+      times.insert(instants[strut]);
+    for (const double instant : times)
       {
         state->time = instant;
         std::vector<double> now(residual.size(), 0.);
@@ -146,10 +148,10 @@ namespace auxfem
           if (instants[numbering.elements()[e].interval.strut] == instant)
             for (unsigned int i = 0; i < numbering.n_element_unknowns(e); ++i)
               {
-                // Of nodes that two elements share once.
-                double &of_unknown = now[numbering.element_unknowns(e)[i]];
-                residual[numbering.element_unknowns(e)[i]] += of_unknown;
-                of_unknown = 0;
+                // Count nodes that two elements share once.
+                double &nodal_load = now[numbering.element_unknowns(e)[i]];
+                residual[numbering.element_unknowns(e)[i]] += nodal_load;
+                nodal_load = 0;
               }
       }
   }
@@ -165,7 +167,7 @@ namespace auxfem
     add_loads();
   }
 
-  std::optional<double> ClampedStrutProblems::correct()
+  std::optional<double> ClampedStrutProblems::newton_iteration()
   {
     const Evaluation evaluation = Evaluation::consistent_rates(*state, *state);
     tangent->reset();
@@ -175,17 +177,17 @@ namespace auxfem
       effect->add_tangent(evaluation, nullptr, {}, *tangent);
     if (condensation->condense(Symmetry::none) != FactorizationOutcome::done)
       return std::nullopt;
-    std::vector<double> increment = residual, of_ends;
+    std::vector<double> increment = residual, end_values;
     for (double &value : increment)
       value = -value;
-    condensation->reduce(increment, of_ends);
-    std::fill(of_ends.begin(), of_ends.end(), 0.);
-    condensation->expand(of_ends, increment);
+    condensation->reduce(increment, end_values);
+    std::fill(end_values.begin(), end_values.end(), 0.);
+    condensation->expand(end_values, increment);
     double sum = 0;
-    for (const unsigned int strut : counted)
+    for (const unsigned int strut : strut_numbers)
       sum += last_work[strut] = std::abs(work_on(strut, increment));
     if (large_rotation)
-      advance(increment);
+      apply_with_line_search(increment);
     else
       {
         apply(increment);
@@ -196,15 +198,15 @@ namespace auxfem
 
   bool ClampedStrutProblems::settle()
   {
-    // Between its Gauss points a motion of low order has strains that are none
-    // of its own: the first step removes these, others what they caused.
-    constexpr unsigned int most_corrections = 60;
-    if (counted.empty())
+    // A motion of low order has spurious strains between its Gauss points,
+    // which the first iterations must remove.
+    constexpr unsigned int max_iterations = 60;
+    if (strut_numbers.empty())
       return true;
     find_residual();
-    for (unsigned int i = 0; i < most_corrections; ++i)
+    for (unsigned int i = 0; i < max_iterations; ++i)
       {
-        const std::optional<double> work = correct();
+        const std::optional<double> work = newton_iteration();
         if (!work || !std::isfinite(*work))
           return false;
         if (*work <= round_off * strain_energy())
@@ -213,24 +215,25 @@ namespace auxfem
     return std::isfinite(strain_energy());
   }
 
-  void ClampedStrutProblems::advance(std::vector<double> &increment)
+  void
+  ClampedStrutProblems::apply_with_line_search(std::vector<double> &increment)
   {
-    constexpr unsigned int most_halvings = 5;
-    shorten(increment);
+    constexpr unsigned int max_halvings = 5;
+    limit_increment(increment);
     std::vector<double> before;
-    for (const unsigned int strut : counted)
+    for (const unsigned int strut : strut_numbers)
       before.push_back(std::abs(work_on(strut, increment)));
     apply(increment);
     find_residual();
-    for (unsigned int n = 1; n <= most_halvings; ++n)
+    for (unsigned int n = 1; n <= max_halvings; ++n)
       {
         std::vector<double> back(increment.size(), 0.);
         bool                is_needed = false;
-        for (unsigned int i = 0; i < counted.size(); ++i)
-          if (std::abs(work_on(counted[i], increment)) > before[i])
+        for (unsigned int i = 0; i < strut_numbers.size(); ++i)
+          if (std::abs(work_on(strut_numbers[i], increment)) > before[i])
             {
               is_needed = true;
-              for_each_unknown(counted[i],
+              for_each_unknown(strut_numbers[i],
                                [&](const int unknown, unsigned int) {
                                  back[unknown] =
                                    -std::pow(0.5, n) * increment[unknown];
@@ -253,8 +256,7 @@ namespace auxfem
   void ClampedStrutProblems::for_each_unknown(const unsigned int strut,
                                               const Act         &act) const
   {
-    // What the second ends of elements and their insides have is all that is
-    // not held, each once.
+    // The second ends and interiors of elements hold every free unknown once.
     const unsigned int n_components = numbering.n_components();
     const unsigned int first        = first_element[strut];
     for (unsigned int e = first; e < first + n_elements(strut); ++e)
@@ -275,12 +277,13 @@ namespace auxfem
     return sum;
   }
 
-  void ClampedStrutProblems::shorten(std::vector<double> &increment) const
+  void
+  ClampedStrutProblems::limit_increment(std::vector<double> &increment) const
   {
-    // From a motion of low order a strut that is bent by a right angle would
-    // be thrown far off at once; so the path to its equilibrium is short.
-    constexpr double most = 0.5; // rad, and of the strut's length
-    for (const unsigned int strut : counted)
+    // A full step from a low-order motion of a strongly bent strut would
+    // overshoot.
+    constexpr double max_increment = 0.5; // rad, and of the strut's length
+    for (const unsigned int strut : strut_numbers)
       {
         const double length  = lattice.length(lattice.struts[strut]);
         double       largest = 0;
@@ -289,9 +292,9 @@ namespace auxfem
                              std::abs(increment[unknown]) /
                                (c < first_rotation ? length : 1.));
         });
-        if (largest > most)
+        if (largest > max_increment)
           for_each_unknown(strut, [&](const int unknown, unsigned int) {
-            increment[unknown] *= most / largest;
+            increment[unknown] *= max_increment / largest;
           });
       }
   }
@@ -308,7 +311,7 @@ namespace auxfem
   }
 
   ClampedStrutProblems::EndForces
-  ClampedStrutProblems::second_end(const unsigned int strut) const
+  ClampedStrutProblems::second_end_forces(const unsigned int strut) const
   {
     const unsigned int last = first_element[strut] + n_elements(strut) - 1;
     const int *const   unknowns =
@@ -329,9 +332,10 @@ namespace auxfem
                                    const ClampedStrutProblems &other) const
   {
     // Simpson's rule is exact for the square of a linear moment.
-    constexpr double  weights[] = {1. / 6, 4. / 6, 1. / 6};
-    const EndForces   here = second_end(strut), there = other.second_end(strut);
-    const SpaceVector force  = here.force - there.force;
+    constexpr double weights[]   = {1. / 6, 4. / 6, 1. / 6};
+    const EndForces  own_forces  = second_end_forces(strut),
+                    other_forces = other.second_end_forces(strut);
+    const SpaceVector  force     = own_forces.force - other_forces.force;
     const unsigned int first = first_element[strut], n = n_elements(strut);
     const StrutForces &struts = forces_of(first);
     const auto         place  = [this](const StrutPoint &point) {
@@ -346,7 +350,7 @@ namespace auxfem
         const std::vector<StrutPoint> points = struts.sample(*state, e, 3);
         for (unsigned int i = 0; i < 3; ++i)
           {
-            const SpaceVector moment = here.moment - there.moment +
+            const SpaceVector moment = own_forces.moment - other_forces.moment +
               dealii::cross_product_3d(end - place(points[i]), force);
             const SpaceVector f = force * points[i].axes,
                               m = moment * points[i].axes;
@@ -360,8 +364,8 @@ namespace auxfem
   double ClampedStrutProblems::strain_energy() const
   {
     double sum = 0;
-    for (const auto &of_group : results)
-      sum += static_cast<const BeamResults &>(*of_group).energy.strain;
+    for (const auto &group_results : results)
+      sum += static_cast<const BeamResults &>(*group_results).energy.strain;
     return sum;
   }
 } // namespace auxfem

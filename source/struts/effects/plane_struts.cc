@@ -11,7 +11,7 @@ namespace auxfem
 {
   namespace
   {
-    /** Beam2D for BeamForces. */
+    /** Beam2D as the Beam of BeamForces. */
     template <int p, bool large_rotation, bool damped>
     struct PlaneBeam
     {
@@ -49,7 +49,7 @@ namespace auxfem
                       damped ? state.velocity->data() : nullptr);
       }
 
-      /** @param v velocities in place of those of @p state */
+      /** @param v velocities to use instead of those of @p state */
       template <class Unknowns>
       static MotionOf<NumberAt<Unknowns>>
       motion(const DofNumbering & /*numbering*/,
@@ -115,8 +115,10 @@ namespace auxfem
       /** Displacements of elements at the end of a step. */
       using StepEnd = std::array<Lanes, n>;
 
-      /** Elements at the start of a step; displacements relative to the first
-       * node, rotations but for full turns. */
+      /**
+       * Elements at the start of a step; displacements are relative to the
+       * first node, rotations are reduced by full turns.
+       */
       struct StepStart
       {
         StepStart(const BeamShape<order> &shape,
@@ -131,7 +133,7 @@ namespace auxfem
           element         = {shape, at_rest.frames, at_rest.jacobian, u.data()};
         }
 
-        /** Displacements of the same kind at another state. */
+        /** Reduced displacements at another state. */
         StepEnd displacements(const EachLane<const int *> &unknowns,
                               const State                 &state) const
         {
@@ -143,7 +145,7 @@ namespace auxfem
               const Lanes rotation =
                 value_at(state.displacement.data(), unknowns, i + 2);
               u[i + 2] = fma(-turns, Lanes(turn), rotation) -
-                turns * rest_of_turn +
+                turns * turn_rounding_error +
                 value_at(state.compensation->data(), unknowns, i + 2);
             }
           return u;
@@ -152,9 +154,9 @@ namespace auxfem
         Beam2D::StepStart<order, Lanes> element;
 
       private:
-        /** 2 pi, and what the number lacks. */
-        static constexpr double turn         = 2 * dealii::numbers::PI,
-                                rest_of_turn = 2.4492935982947064e-16;
+        /** 2 pi and its rounding error. */
+        static constexpr double turn                = 2 * dealii::numbers::PI,
+                                turn_rounding_error = 2.4492935982947064e-16;
 
         Lanes turns;
       };
@@ -218,13 +220,14 @@ namespace auxfem
                 section.stiffness_proportional_damping};
       }
 
-      /** @param per_bending shear stiffness by bending stiffness (1/m2). */
-      static void hold_shear(Stiffness &stiffness, const double per_bending)
+      /** @param per_bending shear stiffness over bending stiffness (1/m2) */
+      static void set_shear_stiffness(Stiffness   &stiffness,
+                                      const double per_bending)
       {
         stiffness.shear = per_bending * stiffness.bending;
       }
 
-      static double least_bending(const Stiffness &stiffness)
+      static double smallest_bending_stiffness(const Stiffness &stiffness)
       {
         return stiffness.bending;
       }
@@ -248,27 +251,27 @@ namespace auxfem
       static void geometric_tangent(const BeamShape<order> &shape,
                                     const AtRest           &at_rest,
                                     const Motion           &motion,
-                                    const SectionForces (&of_points)[order],
+                                    const SectionForces (&point_forces)[order],
                                     double *block)
       {
         Beam2D::geometric_tangent(shape,
                                   at_rest.frames,
                                   at_rest.jacobian,
                                   motion.u,
-                                  of_points,
+                                  point_forces,
                                   block);
       }
 
       static void elastic_forces(const BeamShape<order> &shape,
                                  const AtRest           &at_rest,
                                  const Motion           &motion,
-                                 SectionForces (&of_points)[order])
+                                 SectionForces (&point_forces)[order])
       {
         const Stiffness &stiffness = at_rest.stiffness;
         for (int g = 0; g < order; ++g)
           {
             const Beam2D::Kinematics k = kinematics(shape, g, at_rest, motion);
-            of_points[g]               = {{stiffness.axial * k.epsilon,
+            point_forces[g]            = {{stiffness.axial * k.epsilon,
                                            stiffness.shear * k.gamma,
                                            0,
                                            0,
@@ -282,7 +285,7 @@ namespace auxfem
       viscous_forces(const BeamShape<order> &shape,
                      const AtRestOf<Number> &at_rest,
                      const MotionOf<Number> (&motions)[n_motions],
-                     SectionForcesOf<Number> (&of_points)[n_motions][order])
+                     SectionForcesOf<Number> (&point_forces)[n_motions][order])
       {
         const Beam2D::StiffnessOf<Number> &stiffness = at_rest.stiffness;
         const Number                       beta      = stiffness.damping_time;
@@ -299,12 +302,12 @@ namespace auxfem
                                       motions[m].v);
                 Number epsilon_rate, gamma_rate;
                 Beam2D::strain_rates(k, rate, epsilon_rate, gamma_rate);
-                of_points[m][g] = {{beta * stiffness.axial * epsilon_rate,
-                                    beta * stiffness.shear * gamma_rate,
-                                    0,
-                                    0,
-                                    0,
-                                    beta * stiffness.bending * rate.kappa}};
+                point_forces[m][g] = {{beta * stiffness.axial * epsilon_rate,
+                                       beta * stiffness.shear * gamma_rate,
+                                       0,
+                                       0,
+                                       0,
+                                       beta * stiffness.bending * rate.kappa}};
               }
           }
       }
@@ -339,7 +342,7 @@ namespace auxfem
         return axes;
       }
 
-      /** Section forces times the strains of others (J/m). */
+      /** Product of section @p forces and the strains of @p others (J/m). */
       template <class Number>
       static Number strain_product(const Beam2D::StiffnessOf<Number> &stiffness,
                                    const SectionForcesOf<Number>     &forces,

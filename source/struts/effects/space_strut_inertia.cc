@@ -9,21 +9,21 @@ namespace auxfem
 {
   namespace
   {
-    /** Nodal values of rotations: angular velocities, momenta, ... */
+    /** Nodal vectors, such as angular velocities or momenta. */
     template <int order>
     using NodeVectors = std::array<SpaceVector, order + 1>;
 
     /**
      * Inertia of struts in space. With material angular velocities W_a at the
-     * nodes and M_ab = int N_a N_b J ds, the kinetic energy of rotation is
-     * sum W_a . L_a / 2 with the momenta L_a = sum M_ab W_b; its variation by
-     * spins gives Euler's equations at each node,
+     * nodes and M_ab = int N_a N_b J ds, the kinetic energy of rotation is sum
+     * W_a . L_a / 2 with momenta L_a = sum M_ab W_b. Its variation by spins
+     * gives Euler's equations at each node,
      *
      *     torque_a = P_a (L_a' + W_a x L_a),
      *
-     * so angular momentum, sum P_a L_a, is kept and a planar motion has the
-     * mass matrix of planar struts. Mass-proportional damping adds alpha P_a
-     * L_a. Small rotations: P_a = I and no product of W and L.
+     * which conserves the angular momentum sum P_a L_a and reproduces the
+     * planar mass matrix. Mass-proportional damping adds alpha P_a L_a. Small
+     * rotations: P_a = I, no product of W and L.
      */
     template <int order, bool large_rotation, bool damped>
     class SpaceStrutInertia : public StrutInertia
@@ -80,10 +80,10 @@ namespace auxfem
                   add_mean_torques(e, evaluation, alpha, residual);
                   continue;
                 }
-            const Rotating rotating(*this,
-                                    e,
-                                    evaluation.to,
-                                    velocities.values());
+            const RotatingNodes rotating(*this,
+                                         e,
+                                         evaluation.to,
+                                         velocities.values());
             for (int i = 0; i <= order; ++i)
               scatter(rotating.torque(i, alpha),
                       unknowns + n_components * i + 3,
@@ -120,13 +120,13 @@ namespace auxfem
       static constexpr int n            = n_components * (order + 1);
       static constexpr int n_pairs      = (order + 1) * (order + 1);
 
-      /** What the nodes of an element do in turning. */
-      struct Rotating
+      /** Rotational motion of the nodes of an element. */
+      struct RotatingNodes
       {
-        Rotating(const SpaceStrutInertia &inertia,
-                 const unsigned int       e,
-                 const State             &state,
-                 const double            *velocities)
+        RotatingNodes(const SpaceStrutInertia &inertia,
+                      const unsigned int       e,
+                      const State             &state,
+                      const double            *velocities)
         {
           const int *unknowns =
             inertia.numbering.element_unknowns(inertia.group.begin + e);
@@ -140,7 +140,9 @@ namespace auxfem
                 unknowns[n_components * i + 3])];
         }
 
-        /** On node @p i in the global frame (N m), with damping @p alpha. */
+        /**
+         * Torque on node @p i in the global frame (N m), with damping @p alpha.
+         */
         SpaceVector torque(const int i, const double alpha) const
         {
           SpaceVector material = rate[i];
@@ -174,14 +176,14 @@ namespace auxfem
           residual[unknowns[c]] += values[c];
       }
 
-      /** M_ab of one element more, in the global frame at rest. */
+      /** Appends M_ab of one element, in the global frame at rest. */
       void add_rotary_inertia(const Lattice       &lattice,
                               const StrutInterval &interval,
                               const Section       &section,
                               const double         jacobian)
       {
-        // One more point than the mass of a straight strut needs, as the axes
-        // turn along an arc.
+        // One point more than a straight strut needs, since the axes rotate
+        // along an arc.
         static const dealii::QGauss<1> rule(order + 2);
         const Strut                   &strut = lattice.struts[interval.strut];
         const std::size_t              first = pair_inertias.size();
@@ -223,7 +225,10 @@ namespace auxfem
         return L;
       }
 
-      /** Those that change the moments of momentum P_a L_a in the step. */
+      /**
+       * Adds the mean torques, which are the change of the angular momenta P_a
+       * L_a in the step.
+       */
       void add_mean_torques(const unsigned int e,
                             const Evaluation  &step,
                             const double       alpha,
@@ -277,12 +282,12 @@ namespace auxfem
                 add(i, j, mass * pair_inertia(e, i, j));
             return;
           }
-        const int     *unknowns = numbering.element_unknowns(group.begin + e);
-        const Rotating rotating(*this,
-                                e,
-                                evaluation.to,
-                                evaluation.to.velocity->data());
-        SpaceTensor    by_spin[order + 1];
+        const int *unknowns = numbering.element_unknowns(group.begin + e);
+        const RotatingNodes rotating(*this,
+                                     e,
+                                     evaluation.to,
+                                     evaluation.to.velocity->data());
+        SpaceTensor         by_spin[order + 1];
         for (int i = 0; i <= order; ++i)
           by_spin[i] =
             node_rotations.increment_by_spin(evaluation,
@@ -290,7 +295,8 @@ namespace auxfem
                                                unknowns[n_components * i + 3]));
         if (evaluation.kind == Evaluation::Kind::discrete_gradient)
           {
-            // Those of the end, see RotaryInertia::mean_torque().
+            // Derivatives by the motion at the end, see
+            // RotaryInertia::mean_torque().
             const double turning = factors.stiffness *
               (2 / evaluation.dt + (damped ? elements[e].damping : 0.));
             for (int i = 0; i <= order; ++i)
@@ -341,19 +347,19 @@ namespace auxfem
               const int *unknowns = numbering.element_unknowns(group.begin + e);
               const auto v        = gather(x.data(), unknowns, 0);
               const auto w        = gather(y.data(), unknowns, 0);
-              double     of_element = 0;
+              double     element_product = 0;
               for (int i = 0; i <= order; ++i)
                 for (int j = 0; j <= order; ++j)
-                  of_element +=
+                  element_product +=
                     elements[e].mass * shape.mass[i][j] * (v[i] * w[j]);
               if (rotary)
                 {
                   const auto W = gather(x.data(), unknowns, 3);
                   const auto L = momenta(e, gather(y.data(), unknowns, 3));
                   for (int i = 0; i <= order; ++i)
-                    of_element += W[i] * L[i];
+                    element_product += W[i] * L[i];
                 }
-              sum += weight(elements[e]) * of_element;
+              sum += weight(elements[e]) * element_product;
             }
         return sum;
       }
@@ -361,7 +367,7 @@ namespace auxfem
       const NodeRotations    node_rotations;
       const bool             rotary;
       const BeamShape<order> shape;
-      /** M_ab (kg m2), n_pairs an element; none without rotary inertia. */
+      /** M_ab (kg m2), n_pairs per element; empty without rotary inertia. */
       std::vector<SpaceTensor> pair_inertias;
     };
   } // namespace

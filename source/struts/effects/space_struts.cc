@@ -7,7 +7,7 @@ namespace auxfem
 {
   namespace
   {
-    /** Of an element. */
+    /** Section stiffness of an element. */
     template <class Number>
     struct SpaceStiffness
     {
@@ -15,7 +15,7 @@ namespace auxfem
       Number                      damping_time; ///< s
     };
 
-    /** Beam3D for BeamForces. */
+    /** Beam3D as the Beam of BeamForces. */
     template <int p, bool large_rotation, bool damped>
     struct SpaceBeam
     {
@@ -39,11 +39,11 @@ namespace auxfem
                                           RotatingMotion<p, damped, Number>,
                                           SmallMotion<p, damped, Number>>;
       using Motion   = MotionOf<double>;
-      /** What the tangent of a motion needs. */
+      /** Motion with the derivatives that the tangent needs. */
       struct TangentMotion
       {
         MotionOf<Lanes> motion;
-        /** By which spins of the nodes change their angular velocities. */
+        /** Derivatives of nodal angular velocities by spins. */
         TensorOf<Lanes>
           angular_velocity_by_spin[large_rotation && damped ? order + 1 : 1];
       };
@@ -59,7 +59,7 @@ namespace auxfem
                       damped ? state.velocity->data() : nullptr);
       }
 
-      /** @param v velocities in place of those of @p state */
+      /** @param v velocities to use instead of those of @p state */
       template <class Unknowns>
       static MotionOf<NumberAt<Unknowns>> motion(const DofNumbering &numbering,
                                                  const Unknowns     &unknowns,
@@ -105,7 +105,7 @@ namespace auxfem
               {
                 const Number &beta = at_rest.stiffness.damping_time;
                 Number        viscous[n];
-                // Twice the energy of rates is the power of their forces.
+                // Twice the energy of the rates is the power of their forces.
                 energy.dissipation = 2 * beta *
                   small_displacement_force(shape, at_rest, motion.v, viscous);
                 for (int i = 0; i < n; ++i)
@@ -136,7 +136,7 @@ namespace auxfem
 
       static void tangent(const BeamShape<order> &shape,
                           const AtRestOf<Lanes>  &at_rest,
-                          const TangentMotion    &of_nodes,
+                          const TangentMotion    &node_motion,
                           const TangentFactors   &factors,
                           Lanes                  *block)
       {
@@ -144,7 +144,7 @@ namespace auxfem
         const Lanes &damping_time = at_rest.stiffness.damping_time;
         if constexpr (large_rotation)
           {
-            const auto element = kinematics(shape, at_rest, of_nodes.motion);
+            const auto element = kinematics(shape, at_rest, node_motion.motion);
             Beam3D::tangent(shape,
                             element,
                             at_rest.jacobian,
@@ -157,10 +157,10 @@ namespace auxfem
                                           at_rest.jacobian,
                                           elastic,
                                           damping_time,
-                                          of_nodes.motion.velocities,
+                                          node_motion.motion.velocities,
                                           factors.stiffness,
                                           factors.damping,
-                                          of_nodes.angular_velocity_by_spin,
+                                          node_motion.angular_velocity_by_spin,
                                           block);
           }
         else
@@ -260,14 +260,15 @@ namespace auxfem
                 section.stiffness_proportional_damping};
       }
 
-      /** @param per_bending shear stiffness by bending stiffness (1/m2). */
-      static void hold_shear(Stiffness &stiffness, const double per_bending)
+      /** @param per_bending shear stiffness over bending stiffness (1/m2) */
+      static void set_shear_stiffness(Stiffness   &stiffness,
+                                      const double per_bending)
       {
         stiffness.elastic.shear_2 = per_bending * stiffness.elastic.bending_3;
         stiffness.elastic.shear_3 = per_bending * stiffness.elastic.bending_2;
       }
 
-      static double least_bending(const Stiffness &stiffness)
+      static double smallest_bending_stiffness(const Stiffness &stiffness)
       {
         return std::min(stiffness.elastic.bending_2,
                         stiffness.elastic.bending_3);
@@ -290,32 +291,32 @@ namespace auxfem
       static void geometric_tangent(const BeamShape<order>        &shape,
                                     const AtRest                  &at_rest,
                                     [[maybe_unused]] const Motion &motion,
-                                    const SectionForces (&of_points)[order],
+                                    const SectionForces (&point_forces)[order],
                                     double *block)
       {
         if constexpr (large_rotation)
           Beam3D::geometric_tangent(shape,
                                     kinematics(shape, at_rest, motion),
                                     at_rest.jacobian,
-                                    of_points,
+                                    point_forces,
                                     block);
       }
 
       static void elastic_forces(const BeamShape<order> &shape,
                                  const AtRest           &at_rest,
                                  const Motion           &motion,
-                                 SectionForces (&of_points)[order])
+                                 SectionForces (&point_forces)[order])
       {
         if constexpr (large_rotation)
           {
             const auto element = kinematics(shape, at_rest, motion);
             for (int g = 0; g < order; ++g)
-              of_points[g] =
+              point_forces[g] =
                 forces(at_rest.stiffness, element.points[g].strains);
           }
         else
           for (int g = 0; g < order; ++g)
-            of_points[g] =
+            point_forces[g] =
               forces(at_rest.stiffness,
                      small_displacement_strains(shape, g, at_rest, motion.u));
       }
@@ -325,7 +326,7 @@ namespace auxfem
       viscous_forces(const BeamShape<order> &shape,
                      const AtRestOf<Number> &at_rest,
                      const MotionOf<Number> (&motions)[n_motions],
-                     SectionForcesOf<Number> (&of_points)[n_motions][order])
+                     SectionForcesOf<Number> (&point_forces)[n_motions][order])
       {
         const Number &beta    = at_rest.stiffness.damping_time;
         const auto    viscous = [&](const VectorOf<Number> &gamma_rate,
@@ -347,7 +348,7 @@ namespace auxfem
                                   Number(1 / at_rest.jacobian),
                                   point,
                                   motions[m].velocities);
-                  of_points[m][g] =
+                  point_forces[m][g] =
                     viscous(rates.gamma * point.axes, rates.kappa * point.axes);
                 }
           }
@@ -357,7 +358,7 @@ namespace auxfem
               {
                 const Beam3D::StrainsOf<Number> rates =
                   small_displacement_strains(shape, g, at_rest, motions[m].v);
-                of_points[m][g] = viscous(rates.gamma, rates.kappa);
+                point_forces[m][g] = viscous(rates.gamma, rates.kappa);
               }
       }
 
@@ -388,7 +389,7 @@ namespace auxfem
                               : at_rest;
       }
 
-      /** Section forces times the strains of others (J/m). */
+      /** Product of section @p forces and the strains of @p others (J/m). */
       template <class Number>
       static Number strain_product(const SpaceStiffness<Number>  &stiffness,
                                    const SectionForcesOf<Number> &forces,
@@ -404,7 +405,7 @@ namespace auxfem
       }
 
     private:
-      /** Zero without damping (s). */
+      /** Damping time (s), zero without damping. */
       static Lanes damping_time(const AtRestOf<Lanes> &at_rest)
       {
         return damped ? at_rest.stiffness.damping_time : Lanes(0);

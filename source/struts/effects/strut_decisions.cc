@@ -20,8 +20,8 @@ namespace auxfem
   namespace
   {
     /**
-     * Part of the frequency @p frequency (1/s) of bending waves that rotary
-     * inertia takes, (k r)^2 / 2 with k^4 = frequency^2 rho A / EI.
+     * Relative reduction of the @p frequency (1/s) of bending waves by rotary
+     * inertia, (k r)^2 / 2 with k^4 = frequency^2 rho A / EI.
      * @param rotary_inertia per length (kg m)
      */
     double change_of_frequency(const Section &section,
@@ -88,14 +88,17 @@ namespace auxfem
 
   namespace
   {
-    /** What shear and bending add to the compliance of struts. */
+    /** Compliance of struts by shear and bending. */
     struct Compliances
     {
       double shear   = 0; ///< L / kGA (m/N)
       double bending = 0; ///< L^3 / 12 EI (m/N)
     };
 
-    /** Of @p length, across the strut where shear adds most to it. */
+    /**
+     * Compliances of a strut of @p length across the axis with the larger share
+     * of shear.
+     */
     Compliances compliances(const Section     &section,
                             const double       length,
                             const unsigned int dimension)
@@ -115,12 +118,13 @@ namespace auxfem
         : in_plane;
     }
 
-    /** The largest part of shear in the compliance of the struts of a section.
+    /**
+     * Largest ratio of shear to bending compliance of the struts of a section.
      */
     std::optional<EffectMeasure> measure_shear(const RunPlan &plan,
                                                const Lattice &lattice)
     {
-      std::vector<Compliances> of_sections(plan.scene.sections.size());
+      std::vector<Compliances> section_compliances(plan.scene.sections.size());
       for (const Strut &strut : lattice.struts)
         if (!strut.is_rigid())
           {
@@ -128,11 +132,11 @@ namespace auxfem
               compliances(plan.scene.sections[strut.section].section,
                           lattice.length(strut),
                           lattice.dimension);
-            of_sections[strut.section].shear += added.shear;
-            of_sections[strut.section].bending += added.bending;
+            section_compliances[strut.section].shear += added.shear;
+            section_compliances[strut.section].bending += added.bending;
           }
       double largest = 0;
-      for (const Compliances &sum : of_sections)
+      for (const Compliances &sum : section_compliances)
         if (sum.bending > 0)
           largest = std::max(largest, sum.shear / sum.bending);
       return EffectMeasure{std::min(1., largest), "the bending compliance"};
@@ -161,24 +165,27 @@ namespace auxfem
     std::optional<EffectMeasure> measure_strut_damping(const RunPlan &plan,
                                                        const Lattice & /**/)
     {
-      const LoadHistory course       = load_history(plan);
-      const bool        moves        = plan.time.scheme->is_dynamic();
-      double            of_stiffness = 0, of_mass = 0;
+      const LoadHistory history           = load_history(plan);
+      const bool        is_dynamic        = plan.time.scheme->is_dynamic();
+      double            stiffness_damping = 0, mass_damping = 0;
       for (const SectionDefinition &definition : plan.scene.sections)
         {
-          of_stiffness =
-            std::max(of_stiffness,
+          stiffness_damping =
+            std::max(stiffness_damping,
                      definition.section.stiffness_proportional_damping);
-          of_mass =
-            std::max(of_mass,
-                     moves ? definition.section.mass_proportional_damping : 0.);
+          mass_damping =
+            std::max(mass_damping,
+                     is_dynamic ? definition.section.mass_proportional_damping
+                                : 0.);
         }
-      // What does not change with time swings about in its own time.
-      if (!(course.rate > 0) && of_mass > 0)
+      // Under constant loads the natural frequency decides, which is unknown
+      // here.
+      if (!(history.rate > 0) && mass_damping > 0)
         return std::nullopt;
-      const double of_forces =
-        of_stiffness * course.rate + (of_mass > 0 ? of_mass / course.rate : 0.);
-      return EffectMeasure{course.lost(plan, of_forces), "the struts' forces"};
+      const double damping_ratio = stiffness_damping * history.rate +
+        (mass_damping > 0 ? mass_damping / history.rate : 0.);
+      return EffectMeasure{history.lost(plan, damping_ratio),
+                           "the struts' forces"};
     }
   } // namespace
 
@@ -190,22 +197,22 @@ namespace auxfem
             [](const RunPlan &plan) -> EffectCause {
               if (plan.analysis == Analysis::static_path)
                 return {false, no_rates_on_paths};
-              const bool given =
+              const bool has_damping =
                 std::any_of(plan.scene.sections.begin(),
                             plan.scene.sections.end(),
                             [](const SectionDefinition &definition) {
                               return is_damped(definition.section);
                             });
-              return {given,
-                      given ? "a section has damping"
-                            : "no section has damping"};
+              return {has_damping,
+                      has_damping ? "a section has damping"
+                                  : "no section has damping"};
             },
             measure_strut_damping,
             [](const SimulatedEffects &before) -> std::string {
               if (before.large_rotation)
                 return "it matters where struts snap";
-              // The measure sees the loads, not the swing they leave behind
-              // or drive at its own frequency.
+              // The measure includes the loads but not free or resonant
+              // vibrations.
               return before.inertia ? "it matters where struts swing" : "";
             }};
   }

@@ -7,7 +7,7 @@ namespace auxfem
   {
     /**
      * Consistent mass M of struts in the plane, translational rho A and rotary
-     * rho I, and with damping the force alpha M v. Constant.
+     * rho I, and the force alpha M v with damping. Constant.
      */
     template <int order, bool damped>
     class PlaneStrutInertia : public StrutInertia
@@ -68,7 +68,10 @@ namespace auxfem
     private:
       static constexpr int n = 3 * (order + 1);
 
-      /** Of accelerations @p a and, with damping, velocities @p v. */
+      /**
+       * Adds the forces of accelerations @p a and, with damping, velocities @p
+       * v.
+       */
       void add_forces(const double *a, const double *v, double *residual) const
       {
         double local[n];
@@ -187,7 +190,7 @@ namespace auxfem
   {
     if (!is_damped || !account.takes_time())
       return;
-    // The mean damping force is that of the mean velocity.
+    // The mean damping force acts with the mean velocity.
     const StepMotion &motion = account.motion();
     account.add_in_step(damping_entry,
                         motion.dt *

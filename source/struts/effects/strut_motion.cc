@@ -8,10 +8,10 @@ namespace auxfem
 {
   namespace
   {
-    /** Gauss-Lobatto points in [-1, 1] from the left to the right, by order. */
+    /** Gauss-Lobatto points in [-1, 1], ascending, by order. */
     const std::vector<double> &nodes_of(const unsigned int order)
     {
-      static const std::vector<std::vector<double>> of_orders = [] {
+      static const std::vector<std::vector<double>> nodes_by_order = [] {
         std::vector<std::vector<double>> nodes;
         for (int p = 1; p <= std::max(largest_plane_order, largest_space_order);
              ++p)
@@ -21,10 +21,10 @@ namespace auxfem
           }
         return nodes;
       }();
-      return of_orders[order - 1];
+      return nodes_by_order[order - 1];
     }
 
-    /** Lagrange's polynomials to @p nodes at @p x. */
+    /** Lagrange polynomials through @p nodes at @p x. */
     std::vector<double> shape_values(const std::vector<double> &nodes,
                                      const double               x)
     {
@@ -36,8 +36,10 @@ namespace auxfem
       return values;
     }
 
-    /** Calls @p act(node along the strut, local unknowns) for the nodes of a
-     * strut; those between elements come twice. */
+    /**
+     * Calls @p act(node along the strut, local unknowns) for the nodes of a
+     * strut; nodes between elements come twice.
+     */
     template <class Act>
     void for_each_node(const DofNumbering &numbering,
                        const unsigned int  first_element,
@@ -52,7 +54,10 @@ namespace auxfem
                 a * numbering.n_components());
     }
 
-    /** Pairs of values by node and of the state, where both have them. */
+    /**
+     * Calls @p act with each pair of nodal values and state vector that both
+     * have.
+     */
     template <class Motion, class StateType, class Act>
     void for_each_field(Motion &motion, StateType &state, const Act &act)
     {
@@ -63,8 +68,10 @@ namespace auxfem
         act(motion.acceleration, *state.acceleration);
     }
 
-    /** Rotation at a point with shape values @p N, of an element's nodes from
-     * @p first to the right. */
+    /**
+     * Rotation at a point with shape values @p N of an element whose nodes
+     * begin at @p first.
+     */
     Quaternion rotation_at(const Quaternion          *first,
                            const std::vector<double> &N)
     {
@@ -89,8 +96,8 @@ namespace auxfem
     motion.n_elements =
       numbering.divisions()[element.interval.strut].n_elements;
     motion.time = time_of_loads(state);
-    for_each_field(motion, state, [&](auto &of_nodes, const auto & /*all*/) {
-      of_nodes.resize(std::size_t(n) * motion.n_nodes());
+    for_each_field(motion, state, [&](auto &node_values, const auto & /*all*/) {
+      node_values.resize(std::size_t(n) * motion.n_nodes());
     });
     if (!state.rotations.empty())
       motion.rotations.resize(motion.n_nodes());
@@ -99,9 +106,9 @@ namespace auxfem
       first_element,
       motion.n_elements,
       [&](const unsigned int node, const int *unknowns) {
-        for_each_field(motion, state, [&](auto &of_nodes, const auto &all) {
+        for_each_field(motion, state, [&](auto &node_values, const auto &all) {
           for (unsigned int c = 0; c < n; ++c)
-            of_nodes[node * n + c] = all[unknowns[c]];
+            node_values[node * n + c] = all[unknowns[c]];
         });
         if (!state.rotations.empty())
           motion.rotations[node] =
@@ -132,16 +139,16 @@ namespace auxfem
     const std::vector<double> &new_nodes = nodes_of(order);
     for (unsigned int node = 0; node < result.n_nodes(); ++node)
       {
-        const unsigned int of_new = std::min(node / order, n_elements - 1);
-        // In units of the former elements' lengths.
+        const unsigned int new_element = std::min(node / order, n_elements - 1);
+        // Position in units of the old element length.
         const double place =
-          (of_new + (1 + new_nodes[node - of_new * order]) / 2) *
+          (new_element + (1 + new_nodes[node - new_element * order]) / 2) *
           motion.n_elements / n_elements;
-        const unsigned int of_former =
+        const unsigned int old_element =
           std::min<unsigned int>(place, motion.n_elements - 1);
         const std::vector<double> N =
-          shape_values(nodes_of(motion.order), 2 * (place - of_former) - 1);
-        const unsigned int first = of_former * motion.order;
+          shape_values(nodes_of(motion.order), 2 * (place - old_element) - 1);
+        const unsigned int first = old_element * motion.order;
         for (const Field field : fields)
           if (!(motion.*field).empty())
             for (unsigned int a = 0; a < N.size(); ++a)
@@ -166,9 +173,9 @@ namespace auxfem
       first_element,
       motion.n_elements,
       [&](const unsigned int node, const int *unknowns) {
-        for_each_field(motion, state, [&](const auto &of_nodes, auto &all) {
+        for_each_field(motion, state, [&](const auto &node_values, auto &all) {
           for (unsigned int c = 0; c < n; ++c)
-            all[unknowns[c]] = of_nodes[node * n + c];
+            all[unknowns[c]] = node_values[node * n + c];
         });
         if (!state.rotations.empty())
           state

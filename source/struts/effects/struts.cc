@@ -20,7 +20,7 @@ namespace auxfem
 
   namespace
   {
-    /** Whether a damping of struts is simulated and a section has it. */
+    /** Returns whether strut damping is simulated and a section has it. */
     bool has_damping(const LatticeModel &model, double Section::*damping)
     {
       return model.plan.simulated.strut_damping &&
@@ -58,7 +58,7 @@ namespace auxfem
     std::vector<std::unique_ptr<Effect>> inertia;
     if (!model.plan.simulated.inertia)
       return inertia;
-    const InertiaModel of_struts{
+    const InertiaModel inertia_model{
       model.plan.simulated.large_rotation,
       model.plan.simulated.rotary_inertia,
       has_damping(model, &Section::mass_proportional_damping)};
@@ -67,7 +67,7 @@ namespace auxfem
                                            numbering,
                                            group,
                                            model.sections,
-                                           of_struts));
+                                           inertia_model));
     return inertia;
   }
 } // namespace auxfem

@@ -34,8 +34,8 @@ namespace
     "Between = ground: 1 | Geometry = direction | Direction = 5 0";
 
   /**
-   * The connector alone, with a step from one state to another, in dynamics
-   * unless the state has no acceleration.
+   * The connector without other effects in a step, with inertia unless the
+   * state has no acceleration.
    */
   struct ConnectorAlone
   {
@@ -79,7 +79,9 @@ namespace
       (*to.velocity)[of_scene.dofs().joint_unknown(joint, 1)] = y;
     }
 
-    /** Moves joints 0 and 1 as a rigid body turned and turning about (2, -1).
+    /**
+     * Sets the displacement and velocity of joints 0 and 1 as a rigid body
+     * rotating about (2, -1).
      */
     void turn(const double angle, const double angular_velocity)
     {
@@ -128,7 +130,7 @@ namespace
 TEST(ConnectorForces, ForceActsAlongTheCurrentLine)
 {
   ConnectorAlone connector(spring, from_0_to_1);
-  // Turned upright and stretched from 5 to 7.
+  // Rotated upright and stretched from 5 to 7.
   connector.move(1, -3, 3);
   EXPECT_NEAR(connector.report().extension, 2., connector_round_off);
   EXPECT_NEAR(connector.report().force, 4., connector_round_off);
@@ -193,7 +195,7 @@ TEST(ConnectorForces, GroundAlongADirectionResistsMotionThere)
   EXPECT_EQ(connector.force_on(1, 1), 0.);
 }
 
-TEST(ConnectorForces, ExtensionHasAllDigitsHoweverSmall)
+TEST(ConnectorForces, SmallExtensionsHaveAllDigits)
 {
   ConnectorAlone connector(spring, from_0_to_1);
   for (const double size : {1e-3, 1e-7, 1e-11})
@@ -204,7 +206,7 @@ TEST(ConnectorForces, ExtensionHasAllDigitsHoweverSmall)
       // Across it: s^2 / (sqrt(25 + s^2) + 5).
       connector.move(1, -0.8 * size, 0.6 * size);
       const double across = size * size / (std::sqrt(25 + size * size) + 5);
-      // The displacement's own digits limit it: 6 u_y - 8 u_x cancels.
+      // The digits of the displacement limit it: 6 u_y - 8 u_x cancels.
       EXPECT_NEAR(connector.report().extension, across, 1e-15 * size);
     }
 }
@@ -251,7 +253,7 @@ namespace
   /** Compares the tangent at a fast motion far from rest with differences. */
   void check_tangent(ConnectorAlone &connector, const TangentFactors &factors)
   {
-    // Nearly upside down, long, and fast.
+    // Nearly upside down, long and fast.
     connector.from.displacement.assign(connector.from.displacement.size(), 0.1);
     connector.move(0, 1, 2);
     connector.move(1, -5, -9);
@@ -303,18 +305,18 @@ TEST(ConnectorForces, TangentIsTheDerivativeOfTheForceAtLargeRotations)
           ConnectorAlone in_dynamics(law, position, large),
             in_statics(law, position, large, /*is_dynamic=*/false);
           check_tangent(in_dynamics, {0.8, 1.7, 3.});
-          // There a velocity is a difference over the step.
+          // The velocity is a difference over the step.
           check_tangent(in_statics, {0.8, 0.8 / in_statics.dt, 0.});
         }
 }
 
-TEST(ConnectorForces, InStaticsATurnOfTheLineIsNoRate)
+TEST(ConnectorForces, RotationOfTheLineIsNoRateInStatics)
 {
   ConnectorAlone connector(kelvin_voigt,
                            from_0_to_1,
                            /*large_rotation=*/true,
                            /*is_dynamic=*/false);
-  // The velocities of a difference over the turn would stretch the line.
+  // Velocities from differences over the rotation would stretch the line.
   connector.turn(2.5, 0.);
   for (const int i : {0, 1})
     (*connector.to.velocity)[connector.of_scene.dofs().joint_unknown(1, i)] =
@@ -332,7 +334,7 @@ TEST(ConnectorForces, InStaticsATurnOfTheLineIsNoRate)
 
 namespace
 {
-  /** Values in the records of the layout that are named `one: WHAT`. */
+  /** Number of values in the records of the layout named `one: WHAT`. */
   unsigned int n_kept(const ConnectorAlone &connector, const std::string &what)
   {
     unsigned int n = 0;
@@ -343,7 +345,7 @@ namespace
   }
 } // namespace
 
-TEST(ConnectorForces, HistoryAndStateAreKeptForWhatTheLawNeedsOnly)
+TEST(ConnectorForces, RegistersOnlyTheHistoryThatTheLawNeeds)
 {
   const std::string internal = "internal variables", lost = "dissipated energy";
   EXPECT_EQ(ConnectorAlone(spring, from_0_to_1).layout.history.n_values(), 0u);
@@ -356,10 +358,10 @@ TEST(ConnectorForces, HistoryAndStateAreKeptForWhatTheLawNeedsOnly)
   EXPECT_EQ(three.layout.history.n_values(), 6u);
 }
 
-TEST(ConnectorForces, AcceptedStepsKnowStoredAndLostEnergy)
+TEST(ConnectorForces, AcceptedStepsRecordStoredAndDissipatedEnergy)
 {
   ConnectorAlone connector(kelvin_voigt, along_1_1);
-  // Average rate over the step, so that the trapezoidal work is exact.
+  // Average rate over the step, for exact trapezoidal work.
   const double extension = 0.6 * std::sqrt(2.), rate = extension / connector.dt;
   connector.move(1, 0.6, 0.6);
   connector.push(1, 0.6 / connector.dt, 0.6 / connector.dt);
@@ -468,8 +470,8 @@ TEST(ConnectorForces, ANonlinearLawMakesAllEquationsNonlinear)
   const Equations equations(model);
   EXPECT_FALSE(equations.is_linear());
 
-  // Of the tangent only the connector's part changes with the displacement:
-  // 3 k u^2 along (1, 1) / sqrt 2.
+  // Only the connector part of the tangent changes with the displacement: 3 k
+  // u^2 along (1, 1) / sqrt 2.
   const int         row     = model.numbering.joint_unknown(1, 0);
   EvaluationResults results = equations.make_results();
   TangentMatrix     matrix(equations.pattern());

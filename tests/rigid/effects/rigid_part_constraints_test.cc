@@ -60,7 +60,7 @@ namespace
       return evaluated().residual;
     }
 
-    /** Of the instant `to`. */
+    /** Residual of the instant `to`. */
     std::vector<double> residual_of_rates()
     {
       return EvaluatedAlone(*constraints,
@@ -68,7 +68,10 @@ namespace
         .residual;
     }
 
-    /** lambda . g at the present motion with displacement @p i at @p value. */
+    /**
+     * lambda . g with displacement @p i at @p value and the rest of the motion
+     * unchanged.
+     */
     double virtual_work(const unsigned int i, const double value)
     {
       const double kept                = to.displacement[i];
@@ -123,13 +126,14 @@ namespace
   const SceneText gravity = SceneText().set("Gravity/Acceleration y", -9.81);
 } // namespace
 
-TEST(RigidPartConstraints, ThePlateHasAConstraintForEachThatItsJointsLose)
+TEST(RigidPartConstraints, ThePlateHasOneConstraintPerRemovedDegreeOfFreedom)
 {
   PlateConstraints plate(true);
   unsigned int     n_multipliers = 0;
   for (unsigned int i = 0; i < plate.n; ++i)
     n_multipliers += plate.is_multiplier(i);
-  // 4 joints keep 3 of 8 freedoms, two sections turn along.
+  // 4 joints have 3 of 8 degrees of freedom left, two sections rotate with the
+  // part.
   EXPECT_EQ(n_multipliers, 7u);
 }
 
@@ -179,7 +183,7 @@ TEST(RigidPartConstraints, TangentIsThatOfDifferencesAtALargeRotation)
     }
 }
 
-TEST(RigidPartConstraints, AtRestInTimeTheRowsAreSecondDerivatives)
+TEST(RigidPartConstraints, AtAnInstantTheRowsAreSecondDerivatives)
 {
   for (const bool large_rotation : {true, false})
     {
@@ -220,7 +224,7 @@ TEST(RigidPartConstraints, SmallDisplacementsAreLinear)
     EXPECT_NEAR(product[i], rows[i], 1e-13);
 }
 
-TEST(RigidPartConstraints, AFiniteRigidMotionMeetsThem)
+TEST(RigidPartConstraints, AFiniteRigidMotionSatisfiesThem)
 {
   PlateConstraints plate(true);
   plate.to.displacement.assign(plate.to.displacement.size(), 0.);
@@ -241,7 +245,7 @@ TEST(RigidPartConstraints, AFiniteRigidMotionMeetsThem)
     EXPECT_NEAR(row, 0, 1e-14);
   EXPECT_NEAR(plate.constraints->rotation(0, plate.to)[2], angle, 1e-14);
 
-  // Whole turns of the sections are no other motion.
+  // Full turns of the sections are the same motion.
   for (const unsigned int joint : {2u, 3u})
     plate.to
       .displacement[plate.of_scene.dofs().joint_unknown(joint, rotation_z)] +=

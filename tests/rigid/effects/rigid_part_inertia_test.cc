@@ -9,7 +9,8 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  /** An L of 4 kg with legs of 3 m and 1 m: its base does not hold its centre.
+  /**
+   * An L of 4 kg with legs of 3 m and 1 m; its centre of mass is off its base.
    */
   struct InertiaOfL
   {
@@ -35,7 +36,7 @@ namespace
       return Evaluation::step(from, to, 1.);
     }
 
-    /** A turn at @p rate about (@p x, @p y) in @p vector. */
+    /** Sets a rotation at @p rate about (@p x, @p y) in @p vector. */
     void turn(const double rate,
               const double x,
               const double y,

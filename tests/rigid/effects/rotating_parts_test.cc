@@ -56,7 +56,7 @@ TEST(RotatingParts, ConstraintsAreThreeAJointAndThoseOfABar)
   EXPECT_TRUE(of_scene.lattice.rigid_parts.at(0).has_rotation);
   EXPECT_FALSE(of_scene.lattice.rigid_parts.at(1).has_rotation);
   EXPECT_EQ(of_scene.dofs().constraints().n_multipliers(0), 12u);
-  // 3 joints keep 5 of 9 freedoms.
+  // 3 joints have 5 of 9 degrees of freedom left.
   EXPECT_EQ(of_scene.dofs().constraints().n_multipliers(1), 4u);
 }
 
@@ -108,7 +108,7 @@ TEST(RotatingParts, MotionOfItsJointsIsThatOfTheBody)
 {
   BodyAndBar  parts(true);
   const auto &dofs = parts.of_scene.dofs();
-  // Joints where the constraints want them.
+  // Joints at positions that satisfy the constraints.
   const auto rows = parts.residual(*parts.constraints, parts.to);
   for (unsigned int k = 0; k < 4; ++k)
     {
@@ -128,7 +128,7 @@ TEST(RotatingParts, MotionOfItsJointsIsThatOfTheBody)
 
 TEST(RotatingParts, AHangingBodyIsHeldByItsWeight)
 {
-  // A tripod of three legs of 2 m, hung up at its ends.
+  // A tripod of three legs of 2 m, suspended at its ends.
   SceneRun run(SceneText()
                  .dimension(3)
                  .frame("0 0 0; 1 0 1; -1 1 1; -1 -1 1", "0 1; 0 2; 0 3")

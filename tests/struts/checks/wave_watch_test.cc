@@ -9,8 +9,10 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  /** A cantilever of 1 m, sqrt(EI / rho A) = 1.41 m2/s, shaken at its end: its
-   * second frequency is 31 rad/s. In two struts. */
+  /**
+   * A cantilever of 1 m in two struts, sqrt(EI / rho A) = 1.41 m2/s, excited at
+   * its end; its second frequency is 31 rad/s.
+   */
   SceneText shaken(const unsigned int order, const double frequency)
   {
     return SceneText()
@@ -51,7 +53,7 @@ namespace
   }
 } // namespace
 
-TEST(WaveWatch, TellsElementsThatMoveTheTipOtherwiseThanFineOnes)
+TEST(WaveWatch, ReportsElementsWithAnInaccurateTipMotion)
 {
   for (const double frequency : {15., 31., 60., 100.})
     {
@@ -75,7 +77,7 @@ TEST(WaveWatch, TellsElementsThatMoveTheTipOtherwiseThanFineOnes)
     }
 }
 
-TEST(WaveWatchOnRanks, FindsTheSame)
+TEST(WaveWatchOnRanks, FindsTheSameOnAllRanks)
 {
   const std::string scene = shaken(2, 100);
   const auto        alone = findings_of(scene),
@@ -87,10 +89,10 @@ TEST(WaveWatchOnRanks, FindsTheSame)
   EXPECT_EQ(together[0].time, alone[0].time);
 }
 
-TEST(WaveWatch, SaysNothingOfARodThatFrictionHolds)
+TEST(WaveWatch, IgnoresARodHeldByFriction)
 {
-  // 20 N on it, 4 N along it, of 10 N that friction bears: its strains decide,
-  // and it hardly moves. The end creeps by v0 0.4 / sqrt(1 - 0.4^2).
+  // The rod carries 20 N across and 4 N along, below the friction limit of 10
+  // N. It hardly moves; its end creeps by v0 0.4 / sqrt(1 - 0.4^2).
   for (const double step : {2e-4, 1e-4, 5e-5})
     {
       const SceneText scene =

@@ -20,25 +20,25 @@ namespace
       .support("foot", "0", "clamp");
   }
 
-  /** Order of the motions that struts are given. */
-  constexpr unsigned int given_order = 2;
+  /** Order of the prescribed strut motions. */
+  constexpr unsigned int motion_order = 2;
 
-  /** Ends of a strut along x, the second one moved by @p v and turned. */
+  /** Motion of a strut along x whose second end moves by @p v and rotates. */
   StrutMotion moved_end(const double v, const double rotation)
   {
     StrutMotion motion;
-    motion.order        = given_order;
+    motion.order        = motion_order;
     motion.n_elements   = 1;
     motion.displacement = {0, 0, 0, 0, v / 2, rotation / 2, 0, v, rotation};
     return motion;
   }
 
-  struct Held
+  struct ClampedCorner
   {
-    Held(const SceneText   &text,
-         const unsigned int order,
-         const unsigned int n_elements = 1)
-      : of_scene(SceneText(text).mesh(given_order).str(), {}, MPI_COMM_SELF)
+    ClampedCorner(const SceneText   &text,
+                  const unsigned int order,
+                  const unsigned int n_elements = 1)
+      : of_scene(SceneText(text).mesh(motion_order).str(), {}, MPI_COMM_SELF)
       , struts(of_scene.model,
                std::vector<StrutDivision>(2, {order, n_elements}),
                owned_struts(of_scene.model.numbering))
@@ -49,7 +49,7 @@ namespace
   };
 } // namespace
 
-TEST(StrutMotion, InterpolationKeepsPolynomials)
+TEST(StrutMotion, InterpolationReproducesPolynomials)
 {
   // u_x = s, u_y = s^2, rotation = 1 - s on two elements of order 2.
   StrutMotion motion;
@@ -68,22 +68,22 @@ TEST(StrutMotion, InterpolationKeepsPolynomials)
       EXPECT_NEAR(finer.displacement[3 * node + 1], s * s, 1e-14);
       EXPECT_NEAR(finer.displacement[3 * node + 2], 1 - s, 1e-14);
     }
-  // Ends of elements are where they were, the last node is not lost.
+  // Element ends keep their positions, up to the last node.
   EXPECT_NEAR(finer.displacement[3 * 4], 0.25, 1e-14);
   EXPECT_NEAR(finer.displacement[3 * 16], 1, 1e-14);
 }
 
-TEST(ClampedStrutProblems, SettleToTheEnergyOfABeamWithMovedEnds)
+TEST(ClampedStrutProblems, EquilibriumHasTheEnergyOfABeamWithMovedEnds)
 {
-  // Clamped at one end, the other moved by v without rotation:
-  // F = 12 EI v / (L^3 (1 + 12 EI / (kGA L^2))), which cubics have exactly.
+  // Clamped at one end, the other moved by v without rotation: F = 12 EI v /
+  // (L^3 (1 + 12 EI / (kGA L^2))), exact for cubics.
   const double v = 1e-3, stiffness = 12 / (1 + 12. / 50);
   for (const unsigned int order : {3u, 5u})
     {
-      Held held(corner().linear(), order);
-      held.struts.move(0, moved_end(v, 0));
-      ASSERT_TRUE(held.struts.settle());
-      EXPECT_NEAR(held.struts.strain_energy(),
+      ClampedCorner clamped(corner().linear(), order);
+      clamped.struts.move(0, moved_end(v, 0));
+      ASSERT_TRUE(clamped.struts.settle());
+      EXPECT_NEAR(clamped.struts.strain_energy(),
                   stiffness * v * v / 2,
                   1e-12 * stiffness * v * v);
     }
@@ -91,13 +91,12 @@ TEST(ClampedStrutProblems, SettleToTheEnergyOfABeamWithMovedEnds)
 
 TEST(ClampedStrutProblems, DifferenceIsThatOfTheForcesOnTheEnds)
 {
-  // An element of order 1 that is sheared: F = kGA v / L and the moment F L / 2
-  // at its end, while the beam has stiffness * v; so the difference d acts on
-  // the strut as F = d, M = d L / 2 at the end:
-  // d^2 (1 / kGA + 1 / (12 EI)), with L = 1.
+  // A sheared element of order 1 has F = kGA v / L and the end moment F L / 2;
+  // the exact beam has F = stiffness * v. The difference d loads the strut by F
+  // = d, M = d L / 2 at its end: d^2 (1 / kGA + 1 / (12 EI)), with L = 1.
   const SceneText text = corner().linear();
   const double    v = 1e-3, stiffness = 12 / (1 + 12. / 50);
-  Held            linear(text, 1), cubic(text, 3);
+  ClampedCorner   linear(text, 1), cubic(text, 3);
   linear.struts.move(0, moved_end(v, 0));
   cubic.struts.move(0, moved_end(v, 0));
   ASSERT_TRUE(linear.struts.settle());
@@ -111,31 +110,32 @@ TEST(ClampedStrutProblems, DifferenceIsThatOfTheForcesOnTheEnds)
 
 TEST(ClampedStrutProblems, RigidMotionsNeedNoForces)
 {
-  // The first strut turned by a right angle about its first joint.
+  // The first strut rotates by a right angle about its first joint.
   const double pi = std::acos(-1.);
   StrutMotion  motion;
-  motion.order      = given_order;
+  motion.order      = motion_order;
   motion.n_elements = 1;
   for (const double s : {0., 0.5, 1.})
     for (const double value : {-s, s, pi / 2})
       motion.displacement.push_back(value);
-  Held coarse(corner(), 2), fine(corner(), 4, 2);
-  for (Held *held : {&coarse, &fine})
+  ClampedCorner coarse(corner(), 2), fine(corner(), 4, 2);
+  for (ClampedCorner *clamped : {&coarse, &fine})
     {
-      held->struts.move(0, motion);
-      ASSERT_TRUE(held->struts.settle());
-      EXPECT_NEAR(held->struts.strain_energy(), 0, 1e-25);
+      clamped->struts.move(0, motion);
+      ASSERT_TRUE(clamped->struts.settle());
+      EXPECT_NEAR(clamped->struts.strain_energy(), 0, 1e-25);
     }
   EXPECT_NEAR(fine.struts.difference(0, coarse.struts), 0, 1e-25);
 }
 
-TEST(ClampedStrutProblems, SettleWhereAMotionOfLowOrderIsFarFromEquilibrium)
+TEST(ClampedStrutProblems, ConvergeFromAMotionOfLowOrderFarFromEquilibrium)
 {
   // Slender struts, the first one bent to an arc of 150 degrees. A parabola
-  // through three of its points is stretched and sheared by tens of per cent.
+  // through three of its points has axial and shear strains of tens of per
+  // cent.
   const double angle = 5 * std::acos(-1.) / 6;
   StrutMotion  motion;
-  motion.order      = given_order;
+  motion.order      = motion_order;
   motion.n_elements = 1;
   for (const double s : {0., 0.5, 1.})
     for (const double value : {std::sin(angle * s) / angle - s,
@@ -144,11 +144,11 @@ TEST(ClampedStrutProblems, SettleWhereAMotionOfLowOrderIsFarFromEquilibrium)
       motion.displacement.push_back(value);
   for (const unsigned int order : {4u, 5u, 6u})
     {
-      Held held(corner().section({1e5, 4e4, 1}), order, 2);
-      held.struts.move(0, motion);
-      ASSERT_TRUE(held.struts.settle());
-      EXPECT_EQ(held.struts.out_of_balance(0), 0) << order;
-      EXPECT_NEAR(held.struts.strain_energy(),
+      ClampedCorner clamped(corner().section({1e5, 4e4, 1}), order, 2);
+      clamped.struts.move(0, motion);
+      ASSERT_TRUE(clamped.struts.settle());
+      EXPECT_EQ(clamped.struts.out_of_balance(0), 0) << order;
+      EXPECT_NEAR(clamped.struts.strain_energy(),
                   angle * angle / 2,
                   1e-3 * angle * angle)
         << order;

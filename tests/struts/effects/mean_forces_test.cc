@@ -136,7 +136,7 @@ TEST(MeanForces, WorkOfRotationalSpringsIsStored)
       }
 }
 
-TEST(MeanForces, LoadsDoTheWorkTheyTakeDown)
+TEST(MeanForces, LoadsDoTheWorkTheyRecord)
 {
   for (const std::string direction : {"fixed", "follows the joint"})
     {
@@ -157,7 +157,7 @@ TEST(MeanForces, LoadsDoTheWorkTheyTakeDown)
     }
 }
 
-TEST(MeanForces, MeanOfADeadMomentDoesItsWorkOnTheAngle)
+TEST(MeanForces, MeanOfAConstantMomentWorksOnTheAngle)
 {
   MeanStep  step(frame_scene("0 0; 3 1; 1 2", "0 1; 1 2")
                   .add("Loads/push", "Joints = 1 | Moment z = 1.5"));
@@ -184,7 +184,7 @@ TEST(MeanForces, MultipliersWorkOnTheChangeOfTheirConstraints)
           step.of_scene.model.bodies,
           {step.of_scene.lattice, dofs, large_rotation, {}});
       const EvaluatedAlone end(*constraints, step.evaluation());
-      // Their values at the start.
+      // Constraint values at the start.
       State                now = step.from;
       const EvaluatedAlone start(*constraints,
                                  Evaluation::step(step.from, now, step.dt));
@@ -196,8 +196,8 @@ TEST(MeanForces, MultipliersWorkOnTheChangeOfTheirConstraints)
       EXPECT_NEAR(step.work(end.residual.data()), work, mean_forces_round_off);
       if (!large_rotation)
         continue;
-      // Two multipliers of each joint off the base hold a position; what is
-      // missing to it, at random here, is the lever of their pair of forces.
+      // Two multipliers of each joint off the base fix its position; the random
+      // position error is the lever of their force pair.
       double moment = 0;
       for (const unsigned int joint : {0, 1})
         {
@@ -215,9 +215,8 @@ TEST(MeanForces, MultipliersWorkOnTheChangeOfTheirConstraints)
     }
 }
 
-// Struts, inertia, springs, connectors, loads, weight and a moving support at
-// once: every row times what it does work on, against the ledger.
-TEST(MeanForces, ALatticeWithEverythingBalances)
+// All effects at once: the work of every row against the energy account.
+TEST(MeanForces, EnergyBalancesWithAllEffects)
 {
   for (const bool large_rotation : {true, false})
     for (unsigned int seed = 1; seed <= 3; ++seed)
@@ -234,7 +233,7 @@ TEST(MeanForces, ALatticeWithEverythingBalances)
         const Energies &start = step.from.energies, &end = step.to.energies;
         EXPECT_GT(amount(end, "strut_damping_dissipated"), 0);
         EXPECT_GT(amount(end, "mass_damping_dissipated"), 0);
-        // The supports are released here: their force is in the rows.
+        // The released supports put their force into the rows.
         const double loads =
           end.external() - amount(end, "shaker.support_work");
         EXPECT_NEAR(work,

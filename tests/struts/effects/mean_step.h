@@ -15,7 +15,7 @@ namespace auxfem
   {
     /**
      * A scene in the plane with irregular states at the start and the end of a
-     * step, as Kind::discrete_gradient takes it.
+     * step, for Kind::discrete_gradient.
      */
     struct MeanStep
     {
@@ -48,7 +48,7 @@ namespace auxfem
         find_rates();
       }
 
-      /** Room for what @p effect keeps, alone. */
+      /** Registers the state of @p effect alone. */
       void make_room_for(Effect &effect)
       {
         StateLayout layout;
@@ -59,7 +59,7 @@ namespace auxfem
           value = 0.3;
       }
 
-      /** Rates of `to` as the scheme has them. */
+      /** Sets the rates of `to` as the scheme does. */
       void find_rates()
       {
         const Evaluation step = evaluation();
@@ -77,7 +77,7 @@ namespace auxfem
         return Evaluation::discrete_gradient(from, to, dt);
       }
 
-      /** Energies of the start, kept in it. */
+      /** Energies at the start, stored in its state. */
       Energies at_start(const Effect &effect)
       {
         const State before = from;
@@ -86,7 +86,7 @@ namespace auxfem
           .accept();
       }
 
-      /** What forces do on the step. */
+      /** Work of the forces in the step. */
       double work(const double *forces)
       {
         const Evaluation step = evaluation();
@@ -98,8 +98,7 @@ namespace auxfem
         return sum;
       }
 
-      /** Sums of forces, and of moments about the mean positions of the step.
-       */
+      /** Resultant force, and moment about the mean positions of the step. */
       std::array<double, 3> resultants(const double *forces) const
       {
         const std::vector<NamedUnknown> names = name_unknowns(of_scene.model);
@@ -134,7 +133,10 @@ namespace auxfem
           EXPECT_NEAR(sum, 0, 1e-12);
       }
 
-      /** Largest difference of the tangent of @p effect from differences. */
+      /**
+       * Largest difference between the tangent of @p effect and finite
+       * differences.
+       */
       double error_of_tangent(Effect &effect)
       {
         TangentAlone tangent(effect, of_scene.dofs());

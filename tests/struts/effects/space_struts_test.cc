@@ -23,7 +23,7 @@ namespace
            "Stiffness-proportional damping = 0.3 | "
            "Mass-proportional damping = 0.4 | Reference vector = 0.3 1 0.4");
 
-  /** The effect of one kind, alone. */
+  /** One effect without the others. */
   struct Struts : SpaceEffect
   {
     explicit Struts(const bool large_rotation, const unsigned int order)

@@ -4,7 +4,7 @@
 
 using namespace auxfem;
 
-TEST(StepStarts, AreMadeAnewWhereTheStartDiffersInItsLastBit)
+TEST(StepStarts, AreRecomputedIfTheStartDiffersInItsLastBit)
 {
   StateLayout layout;
   layout.compensation = true;
@@ -12,7 +12,7 @@ TEST(StepStarts, AreMadeAnewWhereTheStartDiffersInItsLastBit)
   State             state(/*n_unknowns=*/3, layout);
   StepStarts<Lanes> starts;
   unsigned int      n_made = 0;
-  const auto        of     = [&](const unsigned int e) {
+  const auto        value  = [&](const unsigned int e) {
     return number_in(starts[e / n_lanes], e % n_lanes);
   };
   const auto update = [&] {
@@ -31,15 +31,15 @@ TEST(StepStarts, AreMadeAnewWhereTheStartDiffersInItsLastBit)
   state.displacement[1] = 1;
   update();
   EXPECT_EQ(n_made, 4u);
-  EXPECT_EQ(of(1), 1.);
+  EXPECT_EQ(value(1), 1.);
   (*state.compensation)[0] = 1e-300;
   update();
   EXPECT_EQ(n_made, 6u);
-  EXPECT_EQ(of(0), 1e-300);
+  EXPECT_EQ(value(0), 1e-300);
   state.rotations[0].vector[2] = 1e-17;
   update();
   EXPECT_EQ(n_made, 8u);
-  // Another number with the same value.
+  // Negative zero has the same value.
   state.displacement[2] = -0.;
   update();
   EXPECT_EQ(n_made, 10u);

@@ -17,7 +17,7 @@ namespace
   /** A strut of 5 m from (0, 0) to (3, 4). */
   const std::string oblique_strut = frame_scene("0 0; 3 4", "0 1");
 
-  /** The inertia of a scene's struts alone. */
+  /** Inertia of the struts of a scene, without other effects. */
   struct InertiaAlone
   {
     InertiaAlone(const std::string              &text,
@@ -39,7 +39,7 @@ namespace
       make_room(layout, to);
     }
 
-    /** At the end of a step of one second. */
+    /** Evaluation at the end of a step of one second. */
     EvaluatedAlone evaluated()
     {
       return {*inertia, Evaluation::step(from, to, 1.)};
@@ -70,7 +70,7 @@ namespace
 
 TEST(StrutInertia, KineticEnergyOfATurningStrutIsExact)
 {
-  // L^3 / 3 about the end, and the cross-sections' own turning.
+  // L^3 / 3 about the end, plus rotary inertia of the sections.
   const double moment = mass_per_length * 125. / 3 + rotary_per_length * 5;
   for (const std::string &order : orders)
     {
@@ -126,7 +126,7 @@ TEST(StrutInertia, MassProportionalDampingIsAForceOnTheVelocity)
     EXPECT_NEAR(moving.residual[i], accelerated.residual[i], 1e-14);
 }
 
-TEST(StrutInertia, MassProportionalDampingTakesThePowerOfTheStepsOwnMotion)
+TEST(StrutInertia, MassProportionalDampingDissipatesThePowerOfTheMeanVelocity)
 {
   InertiaAlone one(oblique_strut,
                    {"Sections/band/Mass-proportional damping=0.7"},
@@ -134,15 +134,15 @@ TEST(StrutInertia, MassProportionalDampingTakesThePowerOfTheStepsOwnMotion)
                    true);
   Vector      &v = *one.from.velocity;
   fill_by_position(one.of_scene.model, 1., v);
-  // In a second at this velocity a v.M v is lost, twice a times the kinetic
-  // energy, and nothing is taken by anything else.
+  // In one second at this velocity, damping dissipates a v.M v, twice a times
+  // the kinetic energy; the numerical work is zero.
   *one.to.velocity    = v;
   one.to.displacement = v;
   const Energies even = one.evaluated().accept();
   EXPECT_NEAR(even.dissipated(), 2 * 0.7 * even.kinetic(), 1e-13);
   EXPECT_NEAR(even.numerical(), 0, 1e-13);
 
-  // Velocities that ring about a body at rest: it loses nothing.
+  // Velocities that oscillate about rest: no dissipation.
   one.to.displacement.assign(v.size(), 0.);
   for (unsigned int i = 0; i < v.size(); ++i)
     (*one.to.velocity)[i] = -v[i];

@@ -8,27 +8,33 @@
 
 namespace auxfem
 {
-  /** What one connector does now, for output. */
+  /** State of one connector, for output. */
   struct ConnectorReport
   {
-    /** Ends of the connector at rest (m). */
+    /** Positions of its ends at rest (m). */
     std::array<dealii::Point<3>, 2> ends;
     /** Displacements of its ends (m); zero at the ground. */
     std::array<dealii::Tensor<1, 3>, 2> displacements;
     double                              force;      ///< N, positive in tension
     double                              extension;  ///< m
-    double                              dissipated; ///< J so far
+    double                              dissipated; ///< J since the start
     unsigned int                        cell;
   };
 
-  /** A connector along its line whose direction means little. */
-  struct VanishingConnector
+  /**
+   * Connector with the smallest length relative to rest, whose direction may be
+   * ill-defined.
+   */
+  struct ShortestConnector
   {
-    double       part  = 1; ///< of its length at rest that is left, 0 if none
-    unsigned int joint = invalid_index; ///< its first
+    double length_ratio = 1; ///< length over length at rest, 0 if it inverts
+    unsigned int joint  = invalid_index; ///< first joint
   };
 
-  /** A group of equal connectors between joints, or joints and the ground. */
+  /**
+   * Forces of a group of equal connectors between joints, or joints and the
+   * ground.
+   */
   class ConnectorForces : public Effect,
                           public StageTerms,
                           public SmallMotionTerms
@@ -38,29 +44,32 @@ namespace auxfem
     virtual const std::string &name() const = 0;
 
     /**
-     * The connector counted by this rank with the smallest part of its length
-     * left, if that is less than @p least; one whose line has been turned round
-     * in the step has passed through zero. Else of no joint. None of a fixed
-     * direction.
-     * @param results of the evaluation of the end of the step
+     * Returns the owned connector with the smallest length ratio, if below @p
+     * least; otherwise no joint. A connector whose line reverses in the step
+     * has the ratio 0. Groups with a fixed direction return no joint.
+     * @param results cache of the evaluation of the end of the step
      */
-    virtual VanishingConnector shortest(const Evaluation  &step,
-                                        const EffectCache &results,
-                                        double             least) const = 0;
+    virtual ShortestConnector shortest(const Evaluation  &step,
+                                       const EffectCache &results,
+                                       double             least) const = 0;
 
-    /** Connectors counted by this rank, in order. */
+    /** Number of connectors that this rank owns. */
     virtual unsigned int n_reported() const = 0;
 
-    /** Counted connector @p i at @p state, from the results of its evaluation. */
+    /**
+     * Report on owned connector @p i at @p state, from the @p results of its
+     * evaluation.
+     */
     virtual ConnectorReport report(unsigned int       i,
                                    const State       &state,
                                    const EffectCache *results) const = 0;
   };
 
   /**
-   * @param pairs the connectors of the whole lattice; those whose ends this
-   *   rank does not own are left out.
-   * @param large_rotation false: the line between the ends is the one at rest.
+   * @param pairs all connectors of the lattice; this rank keeps those with an
+   *   owned unknown
+   * @param large_rotation false: the line between the ends keeps its direction
+   *   at rest
    */
   std::unique_ptr<ConnectorForces>
   make_connector_forces(const ConnectorDefinition    &definition,

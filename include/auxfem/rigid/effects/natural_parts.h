@@ -7,11 +7,12 @@
 
 namespace auxfem
 {
-  /** Difference of the values at both base points, whose unknowns come first.
+  /**
+   * Difference of @p values between the base points, whose unknowns come first.
    */
   template <int dim, std::size_t n>
-  dealii::Tensor<1, dim> across_base(const std::array<int, n> &unknowns,
-                                     const double             *values)
+  dealii::Tensor<1, dim> base_difference(const std::array<int, n> &unknowns,
+                                         const double             *values)
   {
     dealii::Tensor<1, dim> difference;
     for (unsigned int c = 0; c < dim; ++c)
@@ -19,7 +20,7 @@ namespace auxfem
     return difference;
   }
 
-  /** In space: the shortest turn from @p rest to @p now (rad). */
+  /** Shortest rotation vector from @p rest to @p now in space (rad). */
   inline SpaceVector shortest_rotation(const SpaceVector &rest,
                                        const SpaceVector &now)
   {
@@ -30,8 +31,9 @@ namespace auxfem
   }
 
   /**
-   * Rigid parts in natural coordinates: bodies in the plane (dim = 2), with a
-   * constraint for each clamped strut, and bars in space (dim = 3).
+   * Constraints of rigid parts in natural coordinates: bodies in the plane (dim
+   * = 2), with a constraint for each clamped strut, and bars in space (dim =
+   * 3).
    */
   template <int dim>
   class NaturalParts : public RigidPartGroup
@@ -83,8 +85,8 @@ namespace auxfem
                      const TangentFactors &factors,
                      TangentMatrix        &matrix) const override
     {
-      // The gradients are no stiffness: they stand in the matrix whatever is
-      // solved for, displacements or accelerations.
+      // Constraint gradients enter the matrix for any unknown, displacement or
+      // acceleration.
       std::size_t block = first_block;
       add_base_blocks(evaluation, factors, matrix, block);
       add_joint_blocks(matrix, block);
@@ -125,7 +127,7 @@ namespace auxfem
       const double *v = state.velocity->data();
       for (const Base &base : bases)
         rates[base.unknowns[2 * dim]] =
-          gradient(base, u) * across_base<dim>(base.unknowns, v);
+          gradient(base, u) * base_difference<dim>(base.unknowns, v);
       for (const Joint &joint : joints)
         for (unsigned int c = 0; c < dim; ++c)
           {
@@ -153,7 +155,7 @@ namespace auxfem
     {
       const NaturalBody<dim> &body = bodies[reported[i]];
       const Vec               stretch =
-        across_base<dim>(body.base, state.displacement.data());
+        base_difference<dim>(body.base, state.displacement.data());
       SpaceVector result;
       if constexpr (dim == 2)
         {
@@ -193,20 +195,20 @@ namespace auxfem
   private:
     using Vec = dealii::Tensor<1, dim>;
 
-    /** Distance of the base joints of one body. */
+    /** Distance constraint of the base joints of one body. */
     struct Base
     {
       std::array<int, 2 * dim + 1> unknowns; ///< base, multiplier
       DistanceConstraint<dim>      constraint;
     };
-    /** Position of another joint. */
+    /** Position constraint of another joint. */
     struct Joint
     {
       unsigned int             index_in_part; ///< index into RigidPart::joints
       std::array<int, 4 * dim> unknowns;      ///< joint's, base, multipliers
       std::array<std::array<double, 2 * dim>, dim> shapes;
     };
-    /** Of a strut's end; in the plane. */
+    /** Rotation constraint of a clamped strut end, in the plane. */
     struct Clamp
     {
       std::array<int, 6> unknowns; ///< base, rotation, multiplier
@@ -216,9 +218,9 @@ namespace auxfem
     void add_constraints(const NaturalBody<dim> &body);
 
     /**
-     * Of the multiplier's forces: of a step between two states such that it
-     * gives increments of the constraint exactly, moments doing work on
-     * Cayley's measure of increments.
+     * Direction of the multiplier forces. With Kind::discrete_gradient their
+     * work is exactly the increment of the constraint; moments work on Cayley's
+     * measure of rotation increments.
      */
     Vec force_direction(const Base &base, const Evaluation &evaluation) const
     {
@@ -234,10 +236,10 @@ namespace auxfem
     Vec gradient(const Base &base, const double *u) const
     {
       return base.constraint.gradient(
-        large_rotation ? across_base<dim>(base.unknowns, u) : Vec());
+        large_rotation ? base_difference<dim>(base.unknowns, u) : Vec());
     }
 
-    /** dg / d(r1 - r0) and dg / dphi. */
+    /** Derivatives dg / d(r1 - r0) and dg / dphi. */
     std::pair<PlaneVector, double> gradient(const Clamp  &clamp,
                                             const double *u) const
     {
@@ -245,7 +247,7 @@ namespace auxfem
         return {clamp.constraint.normal(0), -clamp.constraint.length};
       const double      phi = u[clamp.unknowns[4]];
       const PlaneVector d =
-        clamp.constraint.rest + across_base<2>(clamp.unknowns, u);
+        clamp.constraint.rest + base_difference<2>(clamp.unknowns, u);
       return {clamp.constraint.normal(phi),
               clamp.constraint.normal_derivative(phi) * d};
     }
@@ -263,10 +265,13 @@ namespace auxfem
                           TangentMatrix        &matrix,
                           std::size_t          &block) const;
     void find_clamp_rates(const State &state, double *rates) const;
-    /** Takes what the constraints of clamps hand on from the @p forces on a body's base. */
-    void take_clamp_forces(unsigned int                 body,
-                           const double                *u,
-                           std::array<double, 2 * dim> &forces) const;
+    /**
+     * Subtracts the forces of the clamp constraints from the @p forces on the
+     * base of a body.
+     */
+    void subtract_clamp_forces(unsigned int                 body,
+                               const double                *u,
+                               std::array<double, 2 * dim> &forces) const;
 
     const std::vector<NaturalBody<dim>> bodies;
     const Lattice                      &lattice;
@@ -274,10 +279,10 @@ namespace auxfem
     const bool                          large_rotation;
     const std::array<TimeFunction, 3>   gravity;
 
-    std::vector<Base>  bases; ///< one a body
+    std::vector<Base>  bases; ///< one per body
     std::vector<Joint> joints;
     std::vector<Clamp> clamps;
-    /** Those of body b: from [b] to [b + 1]. */
+    /** Range of body b: [b] to [b + 1]. */
     std::vector<unsigned int> joint_begin, clamp_begin;
     std::vector<unsigned int> reported; ///< bodies
     std::size_t               first_block = 0;

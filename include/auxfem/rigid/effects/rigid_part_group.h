@@ -9,15 +9,14 @@
 
 namespace auxfem
 {
-  /** What a rigid part does at one time. */
+  /** Joint forces of a rigid part at one time, for output. */
   struct RigidPartReport
   {
     /** Number in Lattice::rigid_parts. */
     unsigned int part;
     /**
-     * Force (N) that each of its joints, in the order of RigidPart::joints,
-     * exerts on the part: what hinges, struts, connectors, loads and supports
-     * there pass on to it.
+     * Force (N) of each joint on the part, in the order of RigidPart::joints:
+     * the sum of hinges, struts, connectors, loads and supports there.
      */
     std::vector<SpaceVector> forces;
   };
@@ -28,15 +27,17 @@ namespace auxfem
     SpaceVector displacement, velocity;
   };
 
-  /** What constraints on rigid parts need to know besides the parts. */
+  /** Common data of the constraints on rigid parts. */
   struct RigidPartSetting
   {
     const Lattice      &lattice;
     const DofNumbering &numbering;
     /** False: the constraints are linearized about rest. */
     bool large_rotation;
-    /** Acceleration along x, y, z for the reported forces (m/s2), zero if it
-     * is left out. */
+    /**
+     * Gravity along x, y, z for the reported forces (m/s2), zero if it is left
+     * out.
+     */
     std::array<TimeFunction, 3> gravity;
   };
 
@@ -51,9 +52,9 @@ namespace auxfem
     virtual unsigned int part(unsigned int i) const = 0;
 
     /**
-     * Rotation vector (rad) of part @p i of this rank; with large rotations its
-     * angle is at most pi. Of a bar the shortest turn that brings it where it
-     * is.
+     * Rotation vector (rad) of part @p i of this rank; its angle is at most pi
+     * with large rotations. For a bar, the shortest rotation to its current
+     * direction.
      */
     virtual SpaceVector rotation(unsigned int i, const State &state) const = 0;
 
@@ -62,12 +63,15 @@ namespace auxfem
                                const dealii::Point<3> &point,
                                const State            &state) const = 0;
 
-    /** Report on part @p i of this rank, from displacements, accelerations and multipliers of @p state. */
+    /**
+     * Report on part @p i of this rank, from displacements, accelerations and
+     * multipliers of @p state.
+     */
     virtual RigidPartReport report(unsigned int i,
                                    const State &state) const = 0;
   };
 
-  /** @name Rigid parts of a kind. */
+  /** @name Constraints of one kind of rigid parts. */
   ///@{
   template <int dim>
   std::unique_ptr<RigidPartGroup>
@@ -79,7 +83,7 @@ namespace auxfem
                       const RigidPartSetting          &setting);
   ///@}
 
-  /** Those that keep rigid parts rigid, of all kinds there are. */
+  /** Constraints of rigid parts of all kinds. */
   std::unique_ptr<RigidPartGroup>
   make_rigid_part_constraints(const RigidBodies      &bodies,
                               const RigidPartSetting &setting);

@@ -14,8 +14,9 @@
 namespace auxfem
 {
   /**
-   * Elements of struts as beams of one kind, each by itself and several of them
-   * at a time. @p Beam is as in BeamForces, without damping.
+   * The elements of one strut group as beams, accessible one by one or in
+   * batches of lanes. BeamForces and BeamMeanForces use them. @p Beam is as in
+   * BeamForces, without damping.
    */
   template <class Beam>
   class BeamElements
@@ -30,11 +31,11 @@ namespace auxfem
 
     struct Element
     {
-      double length; ///< of the strut (m)
+      double length; ///< strut length (m)
       bool   owned;
     };
 
-    /** @param group of the elements of @p numbering. */
+    /** @param group elements of @p numbering */
     BeamElements(const Lattice              &lattice,
                  const DofNumbering         &numbering,
                  const DofNumbering::Group  &group,
@@ -44,14 +45,14 @@ namespace auxfem
       , numbering(numbering)
       , group(group)
       , sections(sections)
-      , shear(shear_flexibility ? 0. : shear_to_make_up_for())
+      , shear(shear_flexibility ? 0. : compensated_shear())
       , shape(shear)
     {
       const unsigned int n_elements = group.end - group.begin;
-      of_elements.reserve(n_elements);
+      elements.reserve(n_elements);
       for (unsigned int e = 0; e < n_elements; ++e)
-        of_elements.push_back({lattice.length(strut(e)),
-                               numbering.elements()[group.begin + e].is_owned});
+        elements.push_back({lattice.length(strut(e)),
+                            numbering.elements()[group.begin + e].is_owned});
       batches_at_rest.reserve((n_elements + n_lanes - 1) / n_lanes);
       for_each_batch([&](const ElementBatch &batch) {
         batches_at_rest.push_back(in_lanes<AtRestInLanes>(
@@ -61,12 +62,12 @@ namespace auxfem
 
     unsigned int size() const
     {
-      return of_elements.size();
+      return elements.size();
     }
 
     const Element &operator[](const unsigned int e) const
     {
-      return of_elements[e];
+      return elements[e];
     }
 
     /** Local unknowns of element @p e of the group. */
@@ -90,7 +91,7 @@ namespace auxfem
       return sections[strut(e).section];
     }
 
-    /** Of the nodes of element @p e. */
+    /** Motion of the nodes of element @p e. */
     typename Beam::Motion motion(const unsigned int e, const State &state) const
     {
       return Beam::motion(numbering, unknowns(e), state);
@@ -118,7 +119,7 @@ namespace auxfem
       return batch.each([&](const unsigned int e) { return unknowns(e); });
     }
 
-    /** Adds tangents of the elements of @p batch. */
+    /** Adds the element tangents of @p batch. */
     void add_blocks(const ElementBatch &batch,
                     const Lanes (&blocks)[n * n],
                     TangentMatrix &matrix) const
@@ -135,23 +136,24 @@ namespace auxfem
     const DofNumbering         &numbering;
     const DofNumbering::Group   group;
     const std::vector<Section> &sections;
-    /** 12 EI / (kGA L^2) that elements of struts without shear flexibility
-     * keep; 0: struts shear. */
+    /**
+     * Shear parameter 12 EI / (kGA L^2) of elements without shear flexibility;
+     * 0 if struts shear.
+     */
     const double           shear;
     const BeamShape<order> shape;
 
   private:
     /**
-     * As much as BeamShape allows, and so little that all struts of this order
-     * stay stable in tension: sections of a beam that shears turn over where
-     * the axial force exceeds the shear stiffness. Linear elements have no
-     * choice.
+     * Largest shear parameter that BeamShape allows and that keeps struts
+     * stable in tension: a shearing section turns over where the axial force
+     * exceeds its shear stiffness. Linear elements always use the largest one.
      */
-    double shear_to_make_up_for() const
+    double compensated_shear() const
     {
-      double most = BeamShape<order>::most_shear;
+      double limit = BeamShape<order>::max_compensated_shear;
       if (order == 1)
-        return most;
+        return limit;
       for (unsigned int s = 0; s < lattice.struts.size(); ++s)
         {
           const auto [strut_order, n_elements] = numbering.divisions()[s];
@@ -160,28 +162,28 @@ namespace auxfem
             continue;
           const double   length  = lattice.length(strut) / n_elements;
           const Section &section = sections[strut.section];
-          most                   = std::min(most,
-                          12 * Beam::least_bending(Beam::stiffness(section)) /
-                            (small_rotation * section.axial_stiffness() *
-                             length * length));
+          limit                  = std::min(
+            limit,
+            12 * Beam::smallest_bending_stiffness(Beam::stiffness(section)) /
+              (small_rotation * section.axial_stiffness() * length * length));
         }
-      return most;
+      return limit;
     }
 
     /**
-     * Frames of the true axis; r0' is that of the interpolated axis, so the
-     * strut is free of stress at rest.
+     * Frames follow the exact axis, but r0' is the slope of the interpolated
+     * axis, so that the strut is free of stress at rest.
      */
     AtRest make_at_rest(const unsigned int e) const
     {
       const StrutInterval &part = interval(e);
       AtRest               at_rest;
-      at_rest.jacobian  = of_elements[e].length * (part.end - part.begin) / 2;
+      at_rest.jacobian  = elements[e].length * (part.end - part.begin) / 2;
       at_rest.stiffness = Beam::stiffness(section(e));
       if (shear > 0)
-        Beam::hold_shear(at_rest.stiffness,
-                         12 /
-                           (shear * 4 * at_rest.jacobian * at_rest.jacobian));
+        Beam::set_shear_stiffness(
+          at_rest.stiffness,
+          12 / (shear * 4 * at_rest.jacobian * at_rest.jacobian));
       dealii::Point<3>     nodes[order + 1], position;
       dealii::Tensor<1, 3> tangent;
       for (int a = 0; a <= order; ++a)
@@ -197,16 +199,18 @@ namespace auxfem
       return at_rest;
     }
 
-    std::vector<Element>       of_elements;
+    std::vector<Element>       elements;
     std::vector<AtRestInLanes> batches_at_rest;
   };
 
-  /** Section forces of damping at the Gauss points of elements at an end of a
-   * step. */
+  /**
+   * Damping section forces at the Gauss points of a batch, at one end of a
+   * step.
+   */
   template <class Beam>
   struct ViscousForces
   {
-    /** @param mean_velocity of the step. */
+    /** @param mean_velocity mean velocity of the step */
     ViscousForces(const BeamElements<typename Beam::Undamped>   &beams,
                   const ElementBatch                            &batch,
                   const typename Beam::template AtRestOf<Lanes> &at_rest,
@@ -221,35 +225,37 @@ namespace auxfem
                             velocity.data());
       };
       const Motion motions[] = {motion(*state.velocity), motion(mean_velocity)};
-      Beam::viscous_forces(beams.shape, at_rest, motions, of_motions);
+      Beam::viscous_forces(beams.shape, at_rest, motions, forces);
     }
 
-    /** At a Gauss point: by the velocities there, and by those that the
-     * step's own motion has there. */
+    /**
+     * Forces at Gauss point @p g from the velocities of the state and from the
+     * mean velocity of the step.
+     */
     std::pair<const SectionForcesOf<Lanes> &, const SectionForcesOf<Lanes> &>
     at(const int g) const
     {
-      return {of_motions[0][g], of_motions[1][g]};
+      return {forces[0][g], forces[1][g]};
     }
 
   private:
-    SectionForcesOf<Lanes> of_motions[2][Beam::order];
+    SectionForcesOf<Lanes> forces[2][Beam::order];
   };
 
-  /** What damping does in a step (J). */
+  /** Work of damping in a step (J). */
   struct DampingWork
   {
-    double lost      = 0; ///< by the mean strain rates of the step
-    double of_forces = 0; ///< by the mean of the forces at both ends
+    double dissipated = 0; ///< work of the mean strain rates
+    double force_work = 0; ///< work of the mean of the forces at both ends
   };
 
-  /** That of all beams counted by this rank, each a @p Beam. */
+  /** Damping work of all beams owned by this rank, each a @p Beam. */
   template <class Beam>
   DampingWork damping_work(const BeamElements<typename Beam::Undamped> &beams,
                            const Evaluation                            &step,
                            const StepMotion                            &motion)
   {
-    // Without inertia the rates at the end are those of the first step.
+    // The first step without inertia has one rate for both ends.
     const bool ends_alike =
       step.kind == Evaluation::Kind::static_step && !step.from.before;
     DampingWork work;
@@ -266,7 +272,7 @@ namespace auxfem
                                const SectionForcesOf<Lanes> &other) {
         return Beam::strain_product(at_rest.stiffness, one, other);
       };
-      Lanes lost = 0, of_forces = 0;
+      Lanes dissipated = 0, force_work = 0;
       for (int g = 0; g < Beam::order; ++g)
         {
           const Lanes factor =
@@ -277,15 +283,15 @@ namespace auxfem
           if (!ends_alike)
             for (unsigned int k = 0; k < mean.size(); ++k)
               mean[k] = (mean[k] + at_start[k]) / 2;
-          lost += factor * product(mean, mean);
-          of_forces += factor / 2 *
+          dissipated += factor * product(mean, mean);
+          force_work += factor / 2 *
             (product(at_start, along_start) + product(at_end, along_end));
         }
       for (unsigned int lane = 0; lane < batch.size; ++lane)
         if (beams[batch.elements[lane]].owned && number_in(beta, lane) != 0)
           {
-            work.lost += number_in(lost, lane);
-            work.of_forces += number_in(of_forces, lane);
+            work.dissipated += number_in(dissipated, lane);
+            work.force_work += number_in(force_work, lane);
           }
     });
     return work;

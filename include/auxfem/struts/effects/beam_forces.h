@@ -10,9 +10,9 @@
 #include <limits>
 
 /**
- * Before a function: everything it calls becomes one piece with it, which a
- * compiler would find too large. Not with sanitizers, whose checks would make
- * minutes of compiling of it.
+ * Inlines all calls of a function, which the compiler would not do for
+ * functions of this size. Sanitizer builds skip it because their checks make
+ * compilation too slow.
  */
 #ifdef AUXFEM_SANITIZERS
 #  define AUXFEM_FLATTEN
@@ -23,22 +23,20 @@
 namespace auxfem
 {
   /**
-   * Internal forces of struts as beams of one kind. What depends on the
-   * dimension and on the theory is in @p Beam, a class of static functions:
-   * `order`, `n_components`, `is_linear`, `is_damped`; types `Undamped`, the
-   * same without damping, `AtRest`, which both have in common, and `Motion` (of
-   * an element's nodes) of double, `AtRestOf<Lanes>` and `MotionOf<Lanes>` of
-   * several elements; functions `frame`, `stiffness`, `hold_shear`,
-   * `least_bending`, `largest_stiffness` for the element at rest, `motion`,
-   * `internal_force`, `tangent_motion`, `tangent` for its forces,
-   * `geometric_tangent`, `elastic_forces`, `viscous_forces` (of several motions
-   * of the same positions) at its Gauss points, and `rotation`, `axes` for
-   * output, `strain_product` for energies. With large rotations it has a type
-   * `StepStart`, what the iterations of a step have in common of several
-   * elements, and functions `end_of_step`, `mean_force` and `mean_tangent`.
-   *
-   * Forces, their tangents and the work of damping are computed of several
-   * elements at a time.
+   * Internal forces of struts as beams of one kind, computed for several
+   * elements at a time. @p Beam holds what depends on dimension and theory, as
+   * static members:
+   * - constants: `order`, `n_components`, `is_linear`, `is_damped`;
+   * - types: `Undamped` (the same without damping), `AtRest`, `Motion` of an
+   * element's nodes, and `AtRestOf<Lanes>`, `MotionOf<Lanes>` for several
+   * elements;
+   * - element at rest: `frame`, `stiffness`, `set_shear_stiffness`,
+   * `smallest_bending_stiffness`, `largest_stiffness`;
+   * - forces: `motion`, `internal_force`, `tangent_motion`, `tangent`, and at
+   * Gauss points `geometric_tangent`, `elastic_forces`, `viscous_forces`;
+   * - output and energies: `rotation`, `axes`, `strain_product`;
+   * - steps with large rotations: `StepStart`, data of the step start that all
+   * iterations share, `end_of_step`, `mean_force`, `mean_tangent`.
    */
   template <class Beam>
   class BeamForces : public BeamSamples<typename Beam::Undamped>
@@ -81,16 +79,16 @@ namespace auxfem
                       double           *residual,
                       EffectCache      *results) const override
     {
-      auto &of_struts  = static_cast<Results &>(*results);
-      of_struts.energy = {};
+      auto &beam_results  = static_cast<Results &>(*results);
+      beam_results.energy = {};
       if (evaluation.kind == Evaluation::Kind::discrete_gradient)
         mean_forces.for_each_force(
           evaluation,
-          of_struts.starts,
+          beam_results.starts,
           [&](const ElementBatch        &batch,
               const BeamEnergyOf<Lanes> &energy,
               const Lanes(&force)[n]) {
-            add_forces(batch, energy, force, residual, of_struts);
+            add_forces(batch, energy, force, residual, beam_results);
           });
       else
         beams.for_each_batch([&](const ElementBatch &batch) {
@@ -100,16 +98,16 @@ namespace auxfem
             beams.at_rest(batch),
             Beam::motion(beams.numbering, beams.unknowns(batch), evaluation.to),
             force);
-          add_forces(batch, energy, force, residual, of_struts);
+          add_forces(batch, energy, force, residual, beam_results);
         });
     }
 
     void add_tangent(const Evaluation                   &evaluation,
                      [[maybe_unused]] const EffectCache *results,
-                     const TangentFactors               &of_scheme,
+                     const TangentFactors               &scheme_factors,
                      TangentMatrix                      &matrix) const override
     {
-      TangentFactors factors = of_scheme;
+      TangentFactors factors = scheme_factors;
       if (factors.stiffness == 0 && factors.damping == 0)
         return;
       if (evaluation.kind == Evaluation::Kind::discrete_gradient)
@@ -167,7 +165,8 @@ namespace auxfem
     {
       if (mean_forces.damps_high_frequencies() &&
           step.kind == Evaluation::Kind::discrete_gradient)
-        account.add_in_step(numerical_entry, energy_of(results).taken);
+        account.add_in_step(numerical_entry,
+                            energy_of(results).numerical_dissipation);
       if constexpr (Beam::is_damped)
         {
           if (!account.takes_time())
@@ -180,9 +179,9 @@ namespace auxfem
             }
           const DampingWork damping =
             damping_work<Beam>(beams, step, account.motion());
-          account.add_in_step(damping_entry, damping.lost);
+          account.add_in_step(damping_entry, damping.dissipated);
           account.add_in_step(numerical_entry,
-                              damping.of_forces - damping.lost);
+                              damping.force_work - damping.dissipated);
         }
     }
 
@@ -204,9 +203,9 @@ namespace auxfem
                           const EffectCache *results,
                           double            *forces) const override
     {
-      const auto &of_struts = static_cast<const BeamResults &>(*results);
+      const auto &beam_results = static_cast<const BeamResults &>(*results);
       for (unsigned int e = 0; e < beams.size(); ++e)
-        raise_nodes(e, of_struts.forces[e], forces);
+        raise_node_bounds(e, beam_results.forces[e], forces);
     }
 
     void roundoff_force_bounds(const Evaluation &evaluation,
@@ -214,9 +213,9 @@ namespace auxfem
                                const LargestMotion &largest,
                                double              *forces) const override
     {
-      // Mean forces take displacements relative to a node, which are those of
-      // an element that turns at most: twice its length.
-      const double most = !Beam::is_linear &&
+      // Mean forces use displacements relative to a node; a rotating element
+      // has at most twice its length.
+      const double max_strain = !Beam::is_linear &&
           evaluation.kind == Evaluation::Kind::discrete_gradient
         ? 4
         : std::numeric_limits<double>::infinity();
@@ -224,17 +223,18 @@ namespace auxfem
         {
           const typename Beam::AtRest at_rest = beams.at_rest(e);
           const double                strain =
-            std::min(most, largest.displacement / at_rest.jacobian) +
+            std::min(max_strain, largest.displacement / at_rest.jacobian) +
             std::min(1., largest.rotation);
-          double with_rate = strain;
+          double strain_with_rate = strain;
           if constexpr (Beam::is_damped)
-            with_rate += at_rest.stiffness.damping_time *
+            strain_with_rate += at_rest.stiffness.damping_time *
               (evaluation.rates_are_differences()
                  ? strain / evaluation.dt
                  : largest.velocity / at_rest.jacobian + largest.spin);
-          raise_nodes(e,
-                      Beam::largest_stiffness(at_rest.stiffness) * with_rate,
-                      forces);
+          raise_node_bounds(e,
+                            Beam::largest_stiffness(at_rest.stiffness) *
+                              strain_with_rate,
+                            forces);
         }
     }
 
@@ -243,7 +243,7 @@ namespace auxfem
     static constexpr int order        = Beam::order;
     static constexpr int n_components = Beam::n_components;
     static constexpr int n            = BeamMeanForces<Beam>::Elements::n;
-    /** Components of displacements, before those of rotations. */
+    /** Displacement components, which precede the rotations. */
     static constexpr int n_translations = n_components == 3 ? 2 : 3;
 
     struct Results : public BeamResults
@@ -253,8 +253,10 @@ namespace auxfem
       typename BeamMeanForces<Beam>::Starts starts;
     };
 
-    /** Strain energy (J) and power lost by damping (W), between two states the
-     * energy lost in the step (J). */
+    /**
+     * Strain energy (J) and power lost by damping (W); with
+     * Kind::discrete_gradient the energy lost in the step (J).
+     */
     static const BeamEnergy &energy_of(const EffectCache *results)
     {
       return static_cast<const BeamResults &>(*results).energy;
@@ -263,22 +265,24 @@ namespace auxfem
     void viscous_forces(
       [[maybe_unused]] const unsigned int e,
       [[maybe_unused]] const State       &state,
-      [[maybe_unused]] SectionForces (&of_points)[order]) const override
+      [[maybe_unused]] SectionForces (&point_forces)[order]) const override
     {
       if constexpr (Beam::is_damped)
         {
           const typename Beam::Motion motions[] = {
             Beam::motion(beams.numbering, beams.unknowns(e), state)};
-          SectionForces of_motions[1][order];
+          SectionForces motion_forces[1][order];
           Beam::viscous_forces(beams.shape,
                                beams.at_rest(e),
                                motions,
-                               of_motions);
-          std::copy_n(of_motions[0], order, of_points);
+                               motion_forces);
+          std::copy_n(motion_forces[0], order, point_forces);
         }
     }
 
-    /** Adds the @p force of several elements, and enters what they do. */
+    /**
+     * Adds the @p force of a batch and records its energies and largest forces.
+     */
     void add_forces(const ElementBatch        &batch,
                     const BeamEnergyOf<Lanes> &energy,
                     const Lanes (&force)[n],
@@ -286,7 +290,7 @@ namespace auxfem
                     BeamResults &results) const
     {
       const Lanes largest =
-        largest_at_ends(force, batch.numbers([&](const unsigned int e) {
+        largest_end_force(force, batch.numbers([&](const unsigned int e) {
           return beams[e].length;
         }));
       for (unsigned int lane = 0; lane < batch.size; ++lane)
@@ -297,7 +301,8 @@ namespace auxfem
             {
               results.energy.strain += number_in(energy.strain, lane);
               results.energy.dissipation += number_in(energy.dissipation, lane);
-              results.energy.taken += number_in(energy.taken, lane);
+              results.energy.numerical_dissipation +=
+                number_in(energy.numerical_dissipation, lane);
             }
           results.forces[e]          = number_in(largest, lane);
           results.strain_energies[e] = number_in(energy.strain, lane);
@@ -323,24 +328,31 @@ namespace auxfem
       });
     }
 
-    /** As in BeamResults. */
-    static Lanes largest_at_ends(const Lanes (&force)[n], const Lanes &length)
+    /**
+     * Largest force of BeamResults at the first two nodes, the ends of the
+     * element.
+     */
+    static Lanes largest_end_force(const Lanes (&force)[n], const Lanes &length)
     {
       using std::abs, std::max;
-      Lanes of_forces = 0, of_moments = 0;
-      // The first two nodes.
+      Lanes largest_force = 0, largest_moment = 0;
       for (int a = 0; a < 2; ++a)
         for (int c = 0; c < n_components; ++c)
           {
-            Lanes &largest = c < n_translations ? of_forces : of_moments;
-            largest        = max(largest, abs(force[n_components * a + c]));
+            Lanes &largest =
+              c < n_translations ? largest_force : largest_moment;
+            largest = max(largest, abs(force[n_components * a + c]));
           }
-      return max(of_forces, Lanes(of_moments / length));
+      return max(largest_force, Lanes(largest_moment / length));
     }
 
-    /** Raises @p forces in the rows of element @p e to @p force (N). */
-    void
-    raise_nodes(const unsigned int e, const double force, double *forces) const
+    /**
+     * Raises the bounds @p forces in the rows of element @p e to at least @p
+     * force (N).
+     */
+    void raise_node_bounds(const unsigned int e,
+                           const double       force,
+                           double            *forces) const
     {
       const int   *unknowns = beams.unknowns(e);
       const double moment   = force * beams[e].length;
@@ -356,7 +368,7 @@ namespace auxfem
     unsigned int strain_entry = 0, damping_entry = 0, numerical_entry = 0;
   };
 
-  /** @name Struts of a polynomial order, all variants. */
+  /** @name Struts of one polynomial order, all variants. */
   ///@{
   std::unique_ptr<StrutForces>
   make_plane_struts(const Lattice              &lattice,

@@ -14,52 +14,52 @@
 namespace auxfem
 {
   /**
-   * What the iterations of a step find of all elements at its start, of several
-   * at a time, made once in a step: kept for as long as the start is the same
-   * to the last bit.
+   * Data of all elements at the start of a step, one BatchData per batch.
+   * BeamMeanForces computes it once a step: it stays valid while the start is
+   * bitwise the same.
    */
-  template <class OfBatch>
+  template <class BatchData>
   class StepStarts
   {
   public:
     /**
      * @param from start of the step
-     * @param make what there is of an ElementBatch, from which alone and @p from
-     *   it follows
+     * @param make computes the data of an ElementBatch from @p from alone
      */
     template <class Make>
     void
     update(const State &from, const unsigned int n_elements, const Make &make)
     {
-      if (n_elements == this->n_elements && is_of(from))
+      if (n_elements == this->n_elements && matches(from))
         return;
       this->n_elements = n_elements;
       displacement     = from.displacement;
       compensation     = *from.compensation;
       rotations        = from.rotations;
-      of_batches.clear();
+      batch_data.clear();
       for_each_batch(n_elements, [&](const ElementBatch &batch) {
-        of_batches.push_back(make(batch));
+        batch_data.push_back(make(batch));
       });
     }
 
-    /** Of batch @p number at the last start. */
-    const OfBatch &operator[](const unsigned int number) const
+    /** Data of batch @p number at the last start. */
+    const BatchData &operator[](const unsigned int number) const
     {
-      return of_batches[number];
+      return batch_data[number];
     }
 
   private:
-    bool is_of(const State &state) const
+    bool matches(const State &state) const
     {
-      return are_same(displacement, state.displacement) &&
-        are_same(compensation, *state.compensation) &&
-        are_same(rotations, state.rotations);
+      return bitwise_equal(displacement, state.displacement) &&
+        bitwise_equal(compensation, *state.compensation) &&
+        bitwise_equal(rotations, state.rotations);
     }
 
-    /** To the last bit, the sign of zero too. */
+    /** Bitwise comparison: distinguishes the sign of zero. */
     template <class T>
-    static bool are_same(const std::vector<T> &one, const std::vector<T> &other)
+    static bool bitwise_equal(const std::vector<T> &one,
+                              const std::vector<T> &other)
     {
       return one.size() == other.size() &&
         (one.empty() ||
@@ -69,12 +69,13 @@ namespace auxfem
     Vector                  displacement, compensation;
     std::vector<Quaternion> rotations;
     unsigned int            n_elements = 0;
-    std::vector<OfBatch>    of_batches;
+    std::vector<BatchData>  batch_data;
   };
 
   /**
-   * Mean forces of beams over a step between two states, of several elements at
-   * a time, with the damping of high frequencies. @p Beam is as in BeamForces.
+   * Mean forces of beams over a step by the discrete gradient, with the damping
+   * of high frequencies, for several elements at a time. @p Beam is as in
+   * BeamForces.
    */
   template <class Beam>
   class BeamMeanForces
@@ -94,7 +95,10 @@ namespace auxfem
       return high_frequency_damping > 0;
     }
 
-    /** Makes room for what the damping of high frequencies remembers. */
+    /**
+     * Registers the increments that the damping of high frequencies stores in
+     * State::history.
+     */
     void register_in(StateLayout &layout)
     {
       if (!damps_high_frequencies())
@@ -112,9 +116,8 @@ namespace auxfem
     }
 
     /**
-     * Calls @p act with several elements at a time, their energies and their
-     * forces, for all.
-     * @param starts kept from one evaluation of the step to the next
+     * Calls @p act with batches of elements, their energies and their forces.
+     * @param starts cache that persists over the evaluations of a step
      */
     template <class Action>
     void for_each_force(const Evaluation        &step,
@@ -137,13 +140,15 @@ namespace auxfem
                                                  damping,
                                                  force);
             act(batch,
-                BeamEnergyOf<Lanes>{energy.strain, energy.lost, energy.taken},
+                BeamEnergyOf<Lanes>{energy.strain,
+                                    energy.dissipation,
+                                    energy.numerical_dissipation},
                 force);
           }
       });
     }
 
-    /** Adds their tangent. */
+    /** Adds the tangent of the mean forces. */
     void add_tangent(const Evaluation     &step,
                      const Starts         &starts,
                      const TangentFactors &factors,
@@ -163,28 +168,35 @@ namespace auxfem
       });
     }
 
-    /** What the damping of high frequencies adds to the stiffness factor of a
-     * linear tangent. */
+    /**
+     * Contribution of the damping of high frequencies to the stiffness factor
+     * of a linear tangent.
+     */
     double stiffness_of_damping(const Evaluation &step) const
     {
-      return damps_high_frequencies() ? increment_damping(step).in_tangent : 0;
+      return damps_high_frequencies() ? increment_damping(step).tangent_factor
+                                      : 0;
     }
 
   private:
     static constexpr int order = Beam::order;
     static constexpr int n     = Elements::n;
-    /** What the damping of high frequencies remembers of an element. */
+    /**
+     * Number of increments that the damping of high frequencies stores per
+     * element.
+     */
     static constexpr int n_increments =
       Beam::is_linear ? n : order * Beam::n_components;
 
-    /** The same on any number of ranks. */
+    /** Element number that does not depend on the number of ranks. */
     static unsigned int number_in_lattice(const StrutInterval &interval)
     {
-      const auto of_strut = std::lround(1 / (interval.end - interval.begin));
-      return interval.strut * of_strut + interval.number();
+      const auto elements_per_strut =
+        std::lround(1 / (interval.end - interval.begin));
+      return interval.strut * elements_per_strut + interval.number();
     }
 
-    /** Of the @p step, without increments. */
+    /** Damping of the @p step; its increments are not set. */
     IncrementDampingOf<Lanes> increment_damping(const Evaluation &step) const
     {
       return {high_frequency_damping,
@@ -193,8 +205,8 @@ namespace auxfem
     }
 
     /**
-     * Calls @p act with batches of all elements and what damps their increments
-     * in the @p step between two states.
+     * Calls @p act with all batches and the damping of their increments in the
+     * @p step.
      */
     template <class Action>
     void for_each_batch(const Evaluation &step, const Action &act) const
@@ -208,19 +220,19 @@ namespace auxfem
         }
       IncrementDampingOf<Lanes> damping = increment_damping(step);
       Lanes                     last[n_increments], now[n_increments];
-      damping.last                    = last;
-      damping.now                     = now;
+      damping.previous_increments     = last;
+      damping.current_increments      = now;
       step.to.history[length_of_step] = step.dt;
       const auto increments = [&](auto &history, const unsigned int e) {
         return history.data() + first_increment + std::size_t(e) * n_increments;
       };
       beams.for_each_batch([&](const ElementBatch &batch) {
-        const auto remembered = batch.each([&](const unsigned int e) {
+        const auto previous = batch.each([&](const unsigned int e) {
           return increments(step.from.history, e);
         });
         for (int i = 0; i < n_increments; ++i)
           last[i] =
-            each_lane([&](const auto lane) { return remembered[lane][i]; });
+            each_lane([&](const auto lane) { return previous[lane][i]; });
         act(batch, damping);
         for (unsigned int lane = 0; lane < batch.size; ++lane)
           take_lane(now,
@@ -229,7 +241,7 @@ namespace auxfem
       });
     }
 
-    /** Of several elements. */
+    /** Displacements of @p batch at the end of the @p step. */
     auto end(const ElementBatch &batch,
              const Starts       &starts,
              const Evaluation   &step) const
@@ -251,8 +263,10 @@ namespace auxfem
       });
     }
 
-    /** By the forces of mean unknowns, and of what the damping adds to
-     * them: increments of unknowns stand for those of strains. */
+    /**
+     * Linear mean force: the internal force of the mean unknowns. The damping
+     * of high frequencies uses increments of unknowns instead of strains.
+     */
     template <class HighFrequencyDamping>
     BeamEnergyOf<Lanes>
     linear_mean_force(const Evaluation                            &step,
@@ -270,8 +284,8 @@ namespace auxfem
       const auto   internal_force = [&](const Motion &motion, Lanes *force) {
         return Beam::internal_force(beams.shape, at_rest, motion, force);
       };
-      const Lanes strain = internal_force(end, force).strain;
-      Lanes       taken  = 0;
+      const Lanes strain                = internal_force(end, force).strain;
+      Lanes       numerical_dissipation = 0;
       for (int i = 0; i < n; ++i)
         {
           mean.u[i] = 0.5 * (start.u[i] + end.u[i]);
@@ -288,14 +302,16 @@ namespace auxfem
             }
           internal_force(added, force);
           for (int i = 0; i < n; ++i)
-            taken += force[i] * (end.u[i] - start.u[i]);
+            numerical_dissipation += force[i] * (end.u[i] - start.u[i]);
         }
-      return {strain, step.dt * internal_force(mean, force).dissipation, taken};
+      return {strain,
+              step.dt * internal_force(mean, force).dissipation,
+              numerical_dissipation};
     }
 
     const Elements &beams;
     const double    high_frequency_damping;
-    /** In State::history: increments of the last step, its length. */
+    /** Positions in State::history: increments and length of the last step. */
     std::size_t first_increment = 0, length_of_step = 0;
   };
 } // namespace auxfem

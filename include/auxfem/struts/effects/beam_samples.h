@@ -13,18 +13,18 @@
 namespace auxfem
 {
   /**
-   * Strain energy (J) of an element and power lost in it (W); of mean forces
-   * over a step the energy lost in it and taken by the damping of high
-   * frequencies (J).
+   * Strain energy (J) of an element and its dissipated power (W). For mean
+   * forces over a step: energy dissipated in the step and numerical dissipation
+   * by the damping of high frequencies (J).
    */
   template <class Number>
   struct BeamEnergyOf
   {
-    Number strain = 0, dissipation = 0, taken = 0;
+    Number strain = 0, dissipation = 0, numerical_dissipation = 0;
   };
   using BeamEnergy = BeamEnergyOf<double>;
 
-  /** What struts do in one evaluation. */
+  /** Forces and energies of struts in one evaluation. */
   struct BeamResults : public EffectCache
   {
     explicit BeamResults(const unsigned int n_elements)
@@ -32,19 +32,21 @@ namespace auxfem
       , strain_energies(n_elements)
     {}
 
-    /** Of all that are counted by this rank. */
+    /** Total of the elements owned by this rank. */
     BeamEnergy energy;
     /**
-     * Of every element, the largest force at its ends (N); moments divided by
-     * the length of the strut.
+     * Largest force at the ends of each element (N); moments are divided by the
+     * length of the strut.
      */
     std::vector<double> forces;
-    /** Of every element (J). */
+    /** Strain energy of each element (J). */
     std::vector<double> strain_energies;
   };
 
-  /** What output and watches ask of struts as beams of one kind. @p Beam is as in
-   * BeamForces, without damping. */
+  /**
+   * Section forces, positions and strains of struts for output and checks. @p
+   * Beam is as in BeamForces, without damping.
+   */
   template <class Beam>
   class BeamSamples : public StrutForces
   {
@@ -63,10 +65,10 @@ namespace auxfem
     }
 
     std::vector<StrutPoint> sample(const State       &state,
-                                   const unsigned int of_numbering,
+                                   const unsigned int element,
                                    const unsigned int n_points) const override
     {
-      const unsigned int          e       = index(of_numbering);
+      const unsigned int          e       = index(element);
       const typename Beam::AtRest at_rest = beams.at_rest(e);
       const typename Beam::Motion motion  = beams.motion(e, state);
       SectionForces               elastic[order], viscous[order] = {};
@@ -109,10 +111,10 @@ namespace auxfem
       return points;
     }
 
-    double energy_density(const unsigned int   of_numbering,
+    double energy_density(const unsigned int   element,
                           const SectionForces &forces) const override
     {
-      return Beam::strain_product(beams.at_rest(index(of_numbering)).stiffness,
+      return Beam::strain_product(beams.at_rest(index(element)).stiffness,
                                   forces,
                                   forces) /
         2;
@@ -120,10 +122,10 @@ namespace auxfem
 
     std::vector<dealii::Point<3>>
     axis(const Vector      &displacement,
-         const unsigned int of_numbering,
+         const unsigned int element,
          const unsigned int n_points) const override
     {
-      const unsigned int            e = index(of_numbering);
+      const unsigned int            e = index(element);
       std::vector<dealii::Point<3>> points(n_points);
       for (unsigned int i = 0; i < n_points; ++i)
         {
@@ -138,9 +140,9 @@ namespace auxfem
     }
 
     ScaledMotion scaled_motion(const State       &state,
-                               const unsigned int of_numbering) const override
+                               const unsigned int element) const override
     {
-      const unsigned int e = index(of_numbering);
+      const unsigned int e = index(element);
       SectionForces      elastic[order];
       elastic_forces(e, state, elastic);
       find_moments(elastic);
@@ -165,16 +167,16 @@ namespace auxfem
     }
 
     double strain_energy(const EffectCache &results,
-                         const unsigned int of_numbering) const override
+                         const unsigned int element) const override
     {
       return static_cast<const BeamResults &>(results)
-        .strain_energies[index(of_numbering)];
+        .strain_energies[index(element)];
     }
 
     double axial_force(const State       &state,
-                       const unsigned int of_numbering) const override
+                       const unsigned int element) const override
     {
-      const unsigned int e = index(of_numbering);
+      const unsigned int e = index(element);
       SectionForces      elastic[order];
       elastic_forces(e, state, elastic);
       double integral = 0;
@@ -198,15 +200,15 @@ namespace auxfem
       StrutStrain largest{least, invalid_index};
       for (unsigned int e = 0; e < beams.size(); ++e)
         {
-          const unsigned int section    = beams.strut(e).section;
-          const double       of_section = limits[section].strain,
-                       least_strain     = largest.ratio * of_section;
+          const unsigned int section      = beams.strut(e).section;
+          const double       strain_limit = limits[section].strain,
+                       least_strain       = largest.ratio * strain_limit;
           if (!beams[e].owned ||
               bounds[section] * energies[e] <=
                 least_strain * least_strain * beams.at_rest(e).jacobian)
             continue;
           const double ratio =
-            largest_strain(state, e, limits[section].distances) / of_section;
+            largest_strain(state, e, limits[section].distances) / strain_limit;
           if (ratio > largest.ratio)
             largest = {ratio, beams.interval(e).strut};
         }
@@ -216,52 +218,60 @@ namespace auxfem
   protected:
     static constexpr int order = Beam::order;
 
-    /** Section forces without damping at the Gauss points of element @p e,
-     * moments such that they do work on its curvatures. */
+    /**
+     * Elastic section forces at the Gauss points of element @p e; moments are
+     * work-conjugate to the curvatures of rotation_derivative.
+     */
     void elastic_forces(const unsigned int e,
                         const State       &state,
-                        SectionForces (&of_points)[order]) const
+                        SectionForces (&point_forces)[order]) const
     {
       Beam::elastic_forces(beams.shape,
                            beams.at_rest(e),
                            beams.motion(e, state),
-                           of_points);
+                           point_forces);
     }
 
     const BeamElements<Beam> beams;
 
   private:
-    /** Makes of moments that do work on curvatures those of the sections. */
-    void find_moments(SectionForces (&of_points)[order]) const
+    /**
+     * Converts moments that are work-conjugate to curvatures to section
+     * moments.
+     */
+    void find_moments(SectionForces (&point_forces)[order]) const
     {
       for (unsigned int k = 3; k < 6; ++k)
         {
           double on_curvatures[order];
           for (int g = 0; g < order; ++g)
-            on_curvatures[g] = of_points[g][k];
+            on_curvatures[g] = point_forces[g][k];
           for (int g = 0; g < order; ++g)
             {
-              of_points[g][k] = 0;
+              point_forces[g][k] = 0;
               for (int h = 0; h < order; ++h)
-                of_points[g][k] += beams.shape.moment[g][h] * on_curvatures[h];
+                point_forces[g][k] +=
+                  beams.shape.moment[g][h] * on_curvatures[h];
             }
         }
     }
 
-    /** Section forces of damping at the Gauss points of element @p e, which are zero
-     * before; none without damping. */
+    /**
+     * Damping section forces at the Gauss points of element @p e; the caller
+     * zeroes them, undamped beams leave them.
+     */
     virtual void viscous_forces(const unsigned int /*e*/,
                                 const State & /*state*/,
-                                SectionForces (&/*of_points*/)[order]) const
+                                SectionForces (&/*point_forces*/)[order]) const
     {}
 
-    /** Number among the beams of an element of the numbering. */
-    unsigned int index(const unsigned int of_numbering) const
+    /** Index among the beams of an element of the numbering. */
+    unsigned int index(const unsigned int element) const
     {
-      return of_numbering - beams.group.begin;
+      return element - beams.group.begin;
     }
 
-    /** Of element @p e at @p xi in [-1, 1], at rest. */
+    /** Position and tangent of element @p e at @p xi in [-1, 1], at rest. */
     void axis_at(const unsigned int    e,
                  const double          xi,
                  dealii::Point<3>     &position,
@@ -273,8 +283,10 @@ namespace auxfem
                          tangent);
     }
 
-    /** Of the translations among @p values of all local unknowns, at a point of
-     * element @p e with shape functions @p N. */
+    /**
+     * Translation part of @p values, by local unknown, at a point of element @p
+     * e with shape functions @p N.
+     */
     dealii::Tensor<1, 3> interpolated(const double (&N)[order + 1],
                                       const unsigned int e,
                                       const Vector      &values) const
@@ -288,7 +300,7 @@ namespace auxfem
       return result;
     }
 
-    /** As in ScaledMotion. */
+    /** Strains from @p forces, scaled as in ScaledMotion. */
     static SectionForces
     scaled_strains(const typename Beam::Stiffness &stiffness,
                    const SectionForces            &forces)
@@ -305,8 +317,8 @@ namespace auxfem
     }
 
     /**
-     * Square of the strain of outer fibres over twice the energy per length
-     * (1/N), at most: N / EA + M d / EI against N^2 / EA + M^2 / EI.
+     * Upper bound of the squared outer-fibre strain over twice the energy per
+     * length (1/N): N / EA + M d / EI against N^2 / EA + M^2 / EI.
      */
     static double strain_per_energy(const Section               &section,
                                     const std::array<double, 2> &distances)
@@ -317,7 +329,7 @@ namespace auxfem
         d3 * d3 / section.bending_stiffness_3();
     }
 
-    /** Intervals between the points at which strains are looked for. */
+    /** Number of intervals between strain sampling points. */
     static constexpr int n_intervals = 4 * order;
 
     static double strain_point(const int i)
@@ -326,30 +338,31 @@ namespace auxfem
     }
 
     /**
-     * The largest square of a section force at such a point over the integral
-     * of the squares of what does work along [-1, 1], by Cauchy and Schwarz.
+     * Upper bound of the squared section force at a sampling point over the
+     * integral of its work-conjugate squares on [-1, 1], by the Cauchy-Schwarz
+     * inequality.
      */
     static double largest_square(const BeamShape<order> &shape)
     {
       double largest = 0;
       for (int i = 0; i <= n_intervals; ++i)
         {
-          double H[order], of_forces = 0, of_moments = 0;
+          double H[order], force_squares = 0, moment_squares = 0;
           shape.gauss_interpolation_at(strain_point(i), H);
           for (int g = 0; g < order; ++g)
             {
               double M = 0;
               for (int h = 0; h < order; ++h)
                 M += H[h] * shape.moment[h][g];
-              of_forces += H[g] * H[g] / shape.weight[g];
-              of_moments += M * M / shape.weight[g];
+              force_squares += H[g] * H[g] / shape.weight[g];
+              moment_squares += M * M / shape.weight[g];
             }
-          largest = std::max({largest, of_forces, of_moments});
+          largest = std::max({largest, force_squares, moment_squares});
         }
       return largest;
     }
 
-    /** Strain of outer fibres along element @p e. */
+    /** Largest outer-fibre strain along element @p e. */
     double largest_strain(const State                 &state,
                           const unsigned int           e,
                           const std::array<double, 2> &distances) const
@@ -377,7 +390,7 @@ namespace auxfem
         std::max_element(std::begin(strains), std::end(strains));
       if (at == strains || at == strains + n_intervals)
         return *at;
-      // The vertex of the parabola through it and its neighbours.
+      // Vertex of the parabola through the largest value and its neighbours.
       const double slope = at[1] - at[-1], bend = 2 * at[0] - at[1] - at[-1];
       return bend > 0 ? *at + slope * slope / (8 * bend) : *at;
     }

@@ -9,20 +9,19 @@
 namespace auxfem
 {
   /**
-   * Struts that a rank counts, each for itself with its ends held: they share
-   * no joint, so each may be in a state of its own, of any instant. Its
-   * inside is in equilibrium, or not, with its line loads and weight, and with
-   * the inertia of accelerations that stay as they are. No communication.
+   * Independent problems of single struts with clamped ends, each at its own
+   * state and time. The interior is in equilibrium with line loads, weight and
+   * the inertia of given accelerations. The choice of elements uses it to
+   * compare meshes. No communication.
    */
   class ClampedStrutProblems
   {
   public:
     /**
-     * @param model must outlive the object. The elements of the model
-     *   have at least two orders, so that all of a strut's are counted by one
-     *   rank.
-     * @param divisions of the struts here, by their numbers in the lattice
-     * @param struts which, of those that owned_struts() of the model tells
+     * @param model must outlive the object; its elements have order 2 or more,
+     *   so that one rank owns all elements of a strut
+     * @param divisions of the struts here, by lattice strut number
+     * @param struts subset of owned_struts() of the model
      */
     ClampedStrutProblems(const LatticeModel        &model,
                          std::vector<StrutDivision> divisions,
@@ -31,36 +30,34 @@ namespace auxfem
     ClampedStrutProblems(const ClampedStrutProblems &)            = delete;
     ClampedStrutProblems &operator=(const ClampedStrutProblems &) = delete;
 
-    /** The struts, by their numbers in the lattice. */
+    /** Lattice numbers of the struts. */
     const std::vector<unsigned int> &struts() const
     {
-      return counted;
+      return strut_numbers;
     }
 
-    /** Brings a strut into @p motion, interpolated to its nodes. */
+    /** Sets the motion of a strut, interpolated to its nodes. */
     void move(unsigned int strut, const StrutMotion &motion);
 
-    /** What the nodes of a strut do. */
+    /** Motion of the nodes of a strut. */
     StrutMotion motion(unsigned int strut) const;
 
     /**
-     * Brings the inside of all struts into equilibrium. Returns whether there
-     * is one: not where the inside of a strut is singular or a force not
-     * finite.
+     * Solves for the equilibrium of all interiors. Returns false if a strut
+     * tangent is singular or a force is not finite.
      */
     bool settle();
 
     /**
-     * How far a strut is from its equilibrium still: the work (J) of the last
-     * correction, 0 if that was negligible.
+     * Work of the last Newton correction of a strut (J), 0 if negligible: its
+     * remaining distance from equilibrium.
      */
     double out_of_balance(unsigned int strut) const;
 
     /**
-     * By how much the forces that hold the ends of a strut, which both have
-     * settled, differ from those of @p other: the strain energy, times two, of a
-     * strut that these differences alone load (J). So it is the square of their
-     * norm by the flexibility of the strut.
+     * Squared norm of the difference of the end forces of a strut from those of
+     * @p other, weighted by the strut flexibility (J). It is twice the strain
+     * energy of a strut loaded by this difference. Both must be in equilibrium.
      */
     double difference(unsigned int                strut,
                       const ClampedStrutProblems &other) const;
@@ -77,22 +74,28 @@ namespace auxfem
 
     void find_residual();
     void add_loads();
-    /** A step of Newton's method; the work (J) of what was out of balance, or
-     * nothing if there is none. */
-    std::optional<double> correct();
-    /** Calls @p act(local unknown, component) for all of a strut but those of
-     * its first end. */
+    /**
+     * One Newton iteration. Returns the work of the residual (J), or nothing if
+     * the tangent is singular.
+     */
+    std::optional<double> newton_iteration();
+    /**
+     * Calls @p act(local unknown, component) for all unknowns of a strut except
+     * those of its first end.
+     */
     template <class Act>
     void   for_each_unknown(unsigned int strut, const Act &act) const;
     double work_on(unsigned int               strut,
                    const std::vector<double> &increment) const;
-    /** Goes along an increment, in a strut whose residual does more work on it
-     * there than at its start only a part of the way. */
-    void advance(std::vector<double> &increment);
-    /** Of every strut to what it may be corrected by at once. */
-    void               shorten(std::vector<double> &increment) const;
+    /**
+     * Applies an increment with a line search: halves it in struts whose
+     * residual does more work than at the start.
+     */
+    void apply_with_line_search(std::vector<double> &increment);
+    /** Limits the increment of each strut. */
+    void               limit_increment(std::vector<double> &increment) const;
     void               apply(const std::vector<double> &increment);
-    EndForces          second_end(unsigned int strut) const;
+    EndForces          second_end_forces(unsigned int strut) const;
     const StrutForces &forces_of(unsigned int element) const;
 
     unsigned int n_elements(const unsigned int strut) const
@@ -101,28 +104,34 @@ namespace auxfem
     }
 
     const bool                      large_rotation;
-    const std::vector<unsigned int> counted;
-    /** Joints apart; struts of others are none of this mesh. */
+    const std::vector<unsigned int> strut_numbers;
+    /**
+     * Lattice in which every strut has joints of its own; rigid parts hold the
+     * other struts.
+     */
     const Lattice                             lattice;
     const DofNumbering                        numbering;
     std::vector<std::unique_ptr<StrutForces>> forces;
     std::vector<std::unique_ptr<Effect>>      inertia, loads;
-    std::vector<std::unique_ptr<EffectCache>> results; ///< of forces
-    TangentPattern                            pattern;
-    std::unique_ptr<TangentMatrix>            tangent;
-    std::unique_ptr<StrutCondensation>        condensation;
-    std::unique_ptr<State>                    state;
-    std::vector<double>                       residual; ///< by local unknown
-    /** By strut of the lattice: its first element, the instant it is at. */
+    std::vector<std::unique_ptr<EffectCache>>
+                                   results; ///< cache of each entry of forces
+    TangentPattern                 pattern;
+    std::unique_ptr<TangentMatrix> tangent;
+    std::unique_ptr<StrutCondensation> condensation;
+    std::unique_ptr<State>             state;
+    std::vector<double>                residual; ///< by local unknown
+    /** @name Data by lattice strut: first element, time, last correction. */
     ///@{
     std::vector<unsigned int> first_element;
     std::vector<double>       instants;  ///< StrutMotion::time
-    std::vector<double>       last_work; ///< of the last correction (J)
+    std::vector<double>       last_work; ///< work of the last correction (J)
     ///@}
   };
 
-  /** The struts that a rank counts, by their numbers in the lattice, in the
-   * order of their elements. */
+  /**
+   * Lattice numbers of the struts that this rank owns, in the order of their
+   * elements.
+   */
   std::vector<unsigned int> owned_struts(const DofNumbering &numbering);
 } // namespace auxfem
 

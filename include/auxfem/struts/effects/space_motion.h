@@ -7,12 +7,15 @@
 
 /**
  * @file
- * How the nodes of elements in space move; Unknowns are those of an element or,
- * in lanes, of several.
+ * Motion of the nodes of elements in space. Unknowns are those of one element
+ * or, in lanes, of several.
  */
 namespace auxfem
 {
-  /** Three of @p values from unknown @p first of an element on. */
+  /**
+   * Vector of three consecutive @p values, starting at unknown @p first of an
+   * element.
+   */
   template <class Unknowns>
   VectorOf<NumberAt<Unknowns>>
   vector_at(const double *values, const Unknowns &unknowns, const int first)
@@ -23,7 +26,7 @@ namespace auxfem
     return vector;
   }
 
-  /** Number of the rotation of node @p a. */
+  /** Index of the rotation of node @p a. */
   inline int rotation_index(const DofNumbering &numbering,
                             const int          *unknowns,
                             const int           a)
@@ -53,7 +56,9 @@ namespace auxfem
   }
   ///@}
 
-  /** Nodes at one end of a step, displacements relative to the first. */
+  /**
+   * Nodes at one end of a step, with displacements relative to the first node.
+   */
   template <int order>
   std::array<Beam3D::NodeOf<Lanes>, order + 1>
   nodes_in_step(const DofNumbering          &numbering,
@@ -110,7 +115,7 @@ namespace auxfem
     Number               u[n];
     Number               v[damped ? n : 1] = {};
 
-    /** As RotatingMotion. */
+    /** Gathers as RotatingMotion::gather(). */
     template <class Unknowns>
     void gather(const DofNumbering & /*numbering*/,
                 const Unknowns                &unknowns,
@@ -126,8 +131,10 @@ namespace auxfem
     }
   };
 
-  /** By which the spin of node @p a changes its angular velocity omega = P W:
-   * it turns with the section, and W follows the step. */
+  /**
+   * Derivative of the angular velocity omega = P W of node @p a by its spin:
+   * omega rotates with the section, and W follows the step.
+   */
   template <int order>
   TensorOf<Lanes>
   angular_velocity_by_spin(const DofNumbering                       &numbering,

@@ -8,7 +8,7 @@
 
 namespace auxfem
 {
-  /** Which inertia of struts is simulated. */
+  /** Inertia terms of struts to simulate. */
   struct InertiaModel
   {
     bool large_rotation = true;
@@ -16,11 +16,13 @@ namespace auxfem
     bool damping        = false; ///< mass-proportional
   };
 
-  /** What mass-proportional damping of struts takes from the motion. */
+  /** Energy entry of mass-proportional damping. */
   EnergyEntry mass_damping_entry();
 
-  /** What the inertia of struts has in the plane and in space: elements and
-   * energies. */
+  /**
+   * Common part of the strut inertia in the plane and in space: elements and
+   * energies.
+   */
   class StrutInertia : public InertiaEffect, public StageTerms
   {
   public:
@@ -41,8 +43,8 @@ namespace auxfem
 
   protected:
     /**
-     * The velocities that damping sees: those at evaluation.to, between two
-     * states their means.
+     * Velocity of mass-proportional damping: the one at evaluation.to, with
+     * Kind::discrete_gradient the mean of the step.
      */
     class DampedVelocity
     {
@@ -50,12 +52,12 @@ namespace auxfem
       /** @p evaluation must outlive the object. */
       explicit DampedVelocity(const Evaluation &evaluation);
 
-      /** Of all local unknowns. */
+      /** Values of all local unknowns. */
       const double *values() const;
 
     private:
       const Evaluation   &evaluation;
-      std::vector<double> means; ///< empty unless between two states
+      std::vector<double> means; ///< empty except with Kind::discrete_gradient
     };
 
     struct Element
@@ -74,7 +76,7 @@ namespace auxfem
     std::vector<Element>      elements;
 
   private:
-    /** As mass_product(), each element with a @p weight. */
+    /** Same as mass_product() with each element multiplied by @p weight. */
     virtual double
     product(const Vector &x, const Vector &y, Weight weight) const = 0;
 
@@ -83,7 +85,7 @@ namespace auxfem
       return product(x, y, [](const Element &) { return 1.; });
     }
 
-    /** The same with the matrix of mass-proportional damping. */
+    /** Product with the matrix of mass-proportional damping. */
     double damping_product(const Vector &x, const Vector &y) const
     {
       return product(x, y, [](const Element &e) { return e.damping; });
@@ -104,7 +106,7 @@ namespace auxfem
                      const std::vector<Section> &sections,
                      const InertiaModel         &model);
 
-  /** The same for lattices in space. */
+  /** Same as make_strut_inertia() for lattices in space. */
   std::unique_ptr<Effect>
   make_space_strut_inertia(const Lattice              &lattice,
                            const DofNumbering         &numbering,

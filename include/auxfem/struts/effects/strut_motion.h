@@ -9,20 +9,23 @@
 namespace auxfem
 {
   /**
-   * What the nodes of one strut do at an instant, from its first to its second
-   * end: order * n_elements + 1 nodes, the Gauss-Lobatto points of its
-   * elements.
+   * Motion of the nodes of one strut at an instant, from its first to its
+   * second end: order * n_elements + 1 nodes, the Gauss-Lobatto points of its
+   * elements. Used to move states between meshes.
    */
   struct StrutMotion
   {
     unsigned int order      = 0; ///< of the elements
     unsigned int n_elements = 0;
     double       time       = 0; ///< time_of_loads()
-    /** n_components() a node; rates are empty where the state has none. */
+    /**
+     * @name Values, n_components() per node; rates are empty if the state has
+     * none.
+     */
     ///@{
     std::vector<double> displacement, velocity, acceleration;
     ///@}
-    /** A node; none if rotations are not kept as quaternions. */
+    /** One rotation per node; empty if the state has no quaternions. */
     std::vector<Quaternion> rotations;
 
     unsigned int n_nodes() const
@@ -32,23 +35,23 @@ namespace auxfem
   };
 
   /**
-   * Of the strut whose elements, all of which are kept on this rank, begin with
-   * @p first_element of @p numbering.
+   * Motion of the strut whose elements begin with @p first_element of @p
+   * numbering; this rank must hold all of them.
    */
   StrutMotion motion_of_strut(const DofNumbering &numbering,
                               const State        &state,
                               unsigned int        first_element);
 
   /**
-   * The same motion at the nodes of other elements.
-   * Displacements, rotations measured from the middle of the element
-   * (elements/beam_3d_strains.h) and rates are interpolated as polynomials of
-   * the elements they come from, so nothing is lost if the new ones divide
-   * these and have no lower order.
+   * Interpolates @p motion to the nodes of another division. Displacements,
+   * rotations relative to the middle of the element (beam_3d_strains.h) and
+   * rates are polynomials of the source elements. The interpolation is exact if
+   * the new elements subdivide the old ones and have no lower order.
    */
   StrutMotion interpolated(const StrutMotion &motion, StrutDivision division);
 
-  /** Writes @p motion, whose nodes are those of the strut's elements, to @p state.
+  /**
+   * Writes @p motion, given at the nodes of the strut's elements, to @p state.
    */
   void set_motion_of_strut(const DofNumbering &numbering,
                            unsigned int        first_element,

@@ -10,7 +10,7 @@
 
 namespace auxfem
 {
-  /** Resultants at a point: N, Q_2, Q_3 (N), T, M_2, M_3 (N m). */
+  /** Section forces N, Q_2, Q_3 (N), T, M_2, M_3 (N m) at a point. */
   template <class Number>
   using SectionForcesOf = std::array<Number, 6>;
   using SectionForces   = SectionForcesOf<double>;
@@ -33,37 +33,41 @@ namespace auxfem
   };
 
   /**
-   * Strains and velocities along an element, so scaled that half the sum of the
-   * squares at a point is an energy per length: strains times the square root
-   * of their stiffness, (J/m)^1/2, velocities times that of the mass per
-   * length. Polynomials, told by their values at Gauss points.
+   * Strains and velocities along an element for comparing runs, scaled so that
+   * half the sum of squares is an energy per length (J/m). Strains are
+   * multiplied by the square root of their stiffness, velocities by that of the
+   * mass per length. Polynomials, given by their values at Gauss points.
    */
   struct ScaledMotion
   {
-    /** Of epsilon, gamma_2, gamma_3, torsion, kappa_2, kappa_3, at the Gauss
-     * points of the internal forces. */
+    /**
+     * Scaled epsilon, gamma_2, gamma_3, torsion, kappa_2, kappa_3 at the Gauss
+     * points of the internal forces.
+     */
     std::vector<std::array<double, 6>> strains;
-    /** Of the displacements along x, y, z, at one Gauss point more; empty
-     * without inertia. */
+    /**
+     * Scaled velocities along x, y, z at one more Gauss point; empty without
+     * inertia.
+     */
     std::vector<std::array<double, 3>> velocities;
   };
 
-  /** Strain that the outer fibres of a section may have. */
+  /** Allowed outer-fibre strain of a section. */
   struct StrainLimit
   {
-    double                strain;    ///< infinite: any
-    std::array<double, 2> distances; ///< of the fibres from axes 2 and 3 (m)
+    double strain; ///< infinite: no limit
+    std::array<double, 2>
+      distances; ///< distances of the fibres from axes 2 and 3 (m)
   };
 
-  /** Strain of an outer fibre, axial strain and those of bending, over what is
-   * allowed. */
+  /** Outer-fibre strain, axial plus bending, over the allowed strain. */
   struct StrutStrain
   {
     double       ratio = 0;
     unsigned int strut = invalid_index;
   };
 
-  /** Which part of the beam theory is used. */
+  /** Terms of the beam theory to simulate. */
   struct StrutModel
   {
     bool large_rotation    = true;
@@ -73,8 +77,10 @@ namespace auxfem
     double high_frequency_damping = 0;
   };
 
-  /** Internal forces of the struts of one polynomial order: geometrically exact
-   * beams. */
+  /**
+   * Internal forces of the struts of one polynomial order: geometrically exact
+   * beams.
+   */
   class StrutForces : public Effect, public StageTerms, public SmallMotionTerms
   {
   public:
@@ -86,13 +92,13 @@ namespace auxfem
          const std::vector<Section> &sections,
          const StrutModel           &model);
 
-    /** Which elements of the numbering they are. */
+    /** Range of the elements in the numbering. */
     virtual const DofNumbering::Group &elements() const = 0;
 
     /**
-     * State of element @p e of the numbering, one of elements(), at @p n_points equally spaced points
-     * from its first to its second end. Section forces are those of the
-     * Gauss points, interpolated.
+     * State of element @p e of the numbering, one of elements(), at @p n_points
+     * equally spaced points from its first to its second end. Section forces
+     * are interpolated from the Gauss points.
      */
     virtual std::vector<StrutPoint>
     sample(const State &state, unsigned int e, unsigned int n_points) const = 0;
@@ -101,30 +107,36 @@ namespace auxfem
     virtual double energy_density(unsigned int         e,
                                   const SectionForces &forces) const = 0;
 
-    /** Positions (m) of the same points under @p displacement, by local
-     * unknown. */
+    /**
+     * Positions (m) of the points of sample() under @p displacement, by local
+     * unknown.
+     */
     virtual std::vector<dealii::Point<3>> axis(const Vector &displacement,
                                                unsigned int  e,
                                                unsigned int n_points) const = 0;
 
-    /** Motion of element @p e of the numbering at @p state. */
+    /** Scaled motion of element @p e of the numbering at @p state. */
     virtual ScaledMotion scaled_motion(const State &state,
                                        unsigned int e) const = 0;
 
-    /** Strain energy (J) of element @p e of the numbering, from the results of
-     * an evaluation. */
+    /**
+     * Strain energy (J) of element @p e of the numbering, from the @p results
+     * of an evaluation.
+     */
     virtual double strain_energy(const EffectCache &results,
                                  unsigned int       e) const = 0;
 
-    /** Axial force (N) in element @p e of the numbering at @p state, the mean
-     * along it, without damping; positive in tension. */
+    /**
+     * Mean elastic axial force (N) in element @p e of the numbering at @p
+     * state; positive in tension.
+     */
     virtual double axial_force(const State &state, unsigned int e) const = 0;
 
     /**
-     * The largest strain along the struts counted by this rank over what its
-     * section may have, if it is more than @p least; else that, of no strut.
-     * By the section forces of sample(), without damping.
-     * @param results of the evaluation of @p state
+     * Largest ratio of strain to allowed strain among the struts owned by this
+     * rank, if above @p least; otherwise no strut. Uses the section forces of
+     * sample(), without damping.
+     * @param results cache of the evaluation of @p state
      * @param limits by section
      */
     virtual StrutStrain largest_strain(const State                    &state,
