@@ -18,10 +18,8 @@ namespace auxfem
                                  : std::numeric_limits<double>::infinity();
     }
 
-    /**
-     * [a - (1 - e^(-a))] / a^2, the mean of (1 - e^(-as)) / a over s from 0 to
-     * 1: 1/2 for a -> 0 and 1 / a for large a.
-     */
+    /** [a - (1 - e^(-a))] / a^2, the mean of (1 - e^(-as)) / a over s from 0 to
+     * 1: 1/2 for a -> 0 and 1 / a for large a. */
     double mean_coefficient(const double a)
     {
       if (a < 0.5)
@@ -53,9 +51,8 @@ namespace auxfem
       double lead; ///< excess of the end rate over the mean rate, times k dt
     };
 
-    /**
-     * Force at the fraction @p s in [0, 1] of a step that starts with @p force.
-     */
+    /** Force at the fraction @p s in [0, 1] of a step that starts with @p
+     * force. */
     double
     force_at(const double s, const double force, const Extension &extension)
     {
@@ -242,10 +239,8 @@ namespace auxfem
       }
 
     private:
-      /**
-       * Adds force and tangent of one element to the responses of all
-       * connectors.
-       */
+      /** Adds force and tangent of one element to the responses of all
+       * connectors. */
       void add_element(const unsigned int     element,
                        const unsigned int     n,
                        const ConnectorMotion *motion,

@@ -25,10 +25,8 @@ namespace auxfem
                                   "Dashpot force per rate of its own "
                                   "extension."};
 
-    /**
-     * A spring in parallel with a Maxwell element: F = Kinf u + F1, dF1/dt +
-     * (K/C) F1 = K du/dt.
-     */
+    /** A spring in parallel with a Maxwell element: F = Kinf u + F1, dF1/dt +
+     * (K/C) F1 = K du/dt. */
     std::unique_ptr<ConnectorLaw>
     make_standard_linear_solid(ParameterValues &values)
     {

@@ -200,10 +200,8 @@ namespace auxfem
       return b * t * t * t / 3 * (1 - 192 / std::pow(PI, 5) * t / b * sum);
     }
 
-    /**
-     * Sets the moments of a section that is the same about every transverse
-     * axis.
-     */
+    /** Sets the moments of a section that is the same about every transverse
+     * axis. */
     void set_axisymmetric_moments(const double second_moment, Section &section)
     {
       section.second_moment_2  = second_moment;

@@ -52,10 +52,8 @@ namespace
       k;
   }
 
-  /**
-   * Amplitude ratios of force and extension in the last of @p cycles, and
-   * dissipation.
-   */
+  /** Amplitude ratios of force and extension in the last of @p cycles, and
+   * dissipation. */
   struct Harmonic
   {
     double storage = 0, loss = 0, dissipated = 0;

@@ -35,10 +35,8 @@ namespace
   /** The base at rest. */
   const PlaneVector rest = vector(1.2, 0.9);
 
-  /**
-   * Position of @p p after a rigid motion, a rotation about the origin and a
-   * translation.
-   */
+  /** Position of @p p after a rigid motion, a rotation about the origin and a
+   * translation. */
   PlaneVector moved(const dealii::Point<3> &p, const double angle)
   {
     return turned_by(vector(p[0], p[1]), angle) + vector(4., -7.);

@@ -44,9 +44,8 @@ namespace
     return beam.template force<true, false>(u, u, force).strain;
   }
 
-  /**
-   * Displacement increments from @p u0 to @p u1, rotations by Cayley's measure.
-   */
+  /** Displacement increments from @p u0 to @p u1, rotations by Cayley's
+   * measure. */
   template <class Vector>
   Vector travel(const Vector &u0, const Vector &u1)
   {

@@ -219,10 +219,8 @@ TEST(Beam2D, SmallDisplacementFormIsTheDerivativeAtRest)
 
 namespace
 {
-  /**
-   * End forces of a straight element along x of length 1.6 under a given motion
-   * (s -> u_x, u_y, phi), evaluated with the exact form.
-   */
+  /** End forces of a straight element along x of length 1.6 under a given
+   * motion (s -> u_x, u_y, phi), evaluated with the exact form. */
   template <class Beam, class Motion>
   typename Beam::Vector forces_under(const Beam &beam, const Motion &motion)
   {

@@ -42,10 +42,8 @@ namespace auxfem
       }
     };
 
-    /**
-     * One beam element in space, with distinct section stiffnesses of equal
-     * size, so that no term hides behind another.
-     */
+    /** One beam element in space, with distinct section stiffnesses of equal
+     * size, so that no term hides behind another. */
     template <int p>
     class Beam3DOnTrial
     {

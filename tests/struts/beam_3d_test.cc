@@ -16,10 +16,8 @@ namespace
 
   const SpaceVector some_shift({1, -2, 0.7});
 
-  /**
-   * Strains of about one, neighbouring nodes up to about 70 degrees apart, all
-   * in an arbitrary orientation.
-   */
+  /** Strains of about one, neighbouring nodes up to about 70 degrees apart, all
+   * in an arbitrary orientation. */
   template <class Beam>
   typename Beam::Nodes irregular_nodes(const Beam        &beam,
                                        const unsigned int seed)
@@ -358,10 +356,8 @@ TEST(Beam3D, UniformShearGivesTheShearForceAndItsMoment)
 
 namespace
 {
-  /**
-   * Motion with a uniform rate of rotation about axis @p component of the
-   * rotation vector; all nodes on the matching curve.
-   */
+  /** Motion with a uniform rate of rotation about axis @p component of the
+   * rotation vector; all nodes on the matching curve. */
   std::array<double, 6>
   uniformly_turned(const double rate, const double s, const int component)
   {

@@ -15,10 +15,8 @@ namespace auxfem
 {
   namespace testing_support
   {
-    /**
-     * One beam element of any order, straight or a circular arc, with section
-     * stiffnesses of equal size, so that no term hides behind a larger one.
-     */
+    /** One beam element of any order, straight or a circular arc, with section
+     * stiffnesses of equal size, so that no term hides behind a larger one. */
     template <int p>
     class BeamOnTrial
     {
@@ -33,10 +31,8 @@ namespace auxfem
       const BeamShape<p>          shape;
       std::array<Position, p + 1> nodes;
 
-      /**
-       * An arc of @p length that starts at (0, 0) in the direction @p angle and
-       * has @p curvature (0: straight).
-       */
+      /** An arc of @p length that starts at (0, 0) in the direction @p angle
+       * and has @p curvature (0: straight). */
       BeamOnTrial(const double length,
                   const double angle,
                   const double curvature,
@@ -99,10 +95,8 @@ namespace auxfem
         return matrix;
       }
 
-      /**
-       * Rotates displacements @p u by @p angle about (0, 0), then translates
-       * them.
-       */
+      /** Rotates displacements @p u by @p angle about (0, 0), then translates
+       * them. */
       Vector
       moved(const Vector &u, const double angle, const Position &shift) const
       {

@@ -26,10 +26,8 @@ namespace
    */
   constexpr double step = 1e-5, difference_error = 1e-8;
 
-  /**
-   * The rotation exp(t a) exp(t b) with its material velocity and acceleration
-   * in closed form.
-   */
+  /** The rotation exp(t a) exp(t b) with its material velocity and acceleration
+   * in closed form. */
   struct TwoTurns
   {
     SpaceVector a{{1.3, -0.4, 0.8}}, b{{-0.5, 2.2, 0.3}};

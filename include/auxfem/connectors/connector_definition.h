@@ -20,16 +20,13 @@ namespace auxfem
     };
     std::string                         name;
     std::shared_ptr<const ConnectorLaw> law;
-    /**
-     * Pairs of joints: pair set of the cell (`in-cell`, `rod`), `3 5; 7 9`, or
-     * `ground: SET`.
-     */
+    /** Pairs of joints: pair set of the cell (`in-cell`, `rod`), `3 5; 7 9`, or
+     * `ground: SET`. */
     std::string          between;
     Geometry             geometry = Geometry::line;
     dealii::Tensor<1, 3> direction; ///< unit vector for Geometry::direction
-    /**
-     * Vector from the joint at rest to the ground point, for `ground: SET` (m).
-     */
+    /** Vector from the joint at rest to the ground point, for `ground: SET`
+     * (m). */
     dealii::Tensor<1, 3> ground_offset;
     std::string          path;
   };
@@ -37,10 +34,8 @@ namespace auxfem
   /** `Connectors`. */
   SubsectionSchema connectors_schema();
 
-  /**
-   * Reads the values of one such subsection. Throws InputError if they are
-   * inconsistent.
-   */
+  /** Reads the values of one such subsection. Throws InputError if they are
+   * inconsistent. */
   ConnectorDefinition read_connector(ParameterValues &values);
 } // namespace auxfem
 

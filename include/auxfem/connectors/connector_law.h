@@ -75,10 +75,8 @@ namespace auxfem
     /** Whether the law has a dashpot. */
     virtual bool is_viscous() const = 0;
 
-    /**
-     * Whether the force is linear in extension, rate and internal variables, so
-     * that tangents are constant.
-     */
+    /** Whether the force is linear in extension, rate and internal variables,
+     * so that tangents are constant. */
     virtual bool is_linear() const = 0;
 
     /**
@@ -120,10 +118,8 @@ namespace auxfem
                                double                *trial,
                                ConnectorResponse     *response) const = 0;
 
-    /**
-     * Response at @p extension (m) after complete relaxation; the internal
-     * variables are then zero.
-     */
+    /** Response at @p extension (m) after complete relaxation; the internal
+     * variables are then zero. */
     ConnectorResponse relaxed(const double extension) const
     {
       return {long_time_stiffness() * extension, long_time_stiffness(), 0};
@@ -146,23 +142,17 @@ namespace auxfem
                                           const double *internal,
                                           double *internal_rates) const = 0;
 
-    /**
-     * Stiffness after complete relaxation (N/m), used when the scene leaves out
-     * viscosity.
-     */
+    /** Stiffness after complete relaxation (N/m), used when the scene leaves
+     * out viscosity. */
     virtual double long_time_stiffness() const = 0;
 
-    /**
-     * Complex stiffness (N/m): force over extension for motions e^(s t), s in
-     * 1/s. Nonlinear laws are linearized about rest.
-     */
+    /** Complex stiffness (N/m): force over extension for motions e^(s t), s in
+     * 1/s. Nonlinear laws are linearized about rest. */
     virtual std::complex<double>
     dynamic_stiffness(std::complex<double> s) const = 0;
 
-    /**
-     * Terms k s tau / (1 + s tau) of dynamic_stiffness(): k (N/m) by relaxation
-     * time tau (s).
-     */
+    /** Terms k s tau / (1 + s tau) of dynamic_stiffness(): k (N/m) by
+     * relaxation time tau (s). */
     virtual std::map<double, double> relaxing_stiffnesses() const
     {
       return {};
@@ -187,10 +177,8 @@ namespace auxfem
   RegistryEntry<ConnectorLaw> generalized_maxwell_entry();
   ///@}
 
-  /**
-   * Spring @p stiffness (N/m) and dashpot @p damping (N s/m) in parallel: F = K
-   * u + C du/dt. Either may be zero.
-   */
+  /** Spring @p stiffness (N/m) and dashpot @p damping (N s/m) in parallel: F =
+   * K u + C du/dt. Either may be zero. */
   std::unique_ptr<ConnectorLaw> make_kelvin_voigt_law(double stiffness,
                                                       double damping);
 } // namespace auxfem

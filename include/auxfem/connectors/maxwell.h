@@ -41,10 +41,8 @@ namespace auxfem
     /** Coefficients of a step of length @p dt (s). */
     Step step(double dt) const;
 
-    /**
-     * Update by Euler's backward rule at a Runge-Kutta stage: F_new = decay
-     * F_base + damping v, v being the rate at the stage.
-     */
+    /** Update by Euler's backward rule at a Runge-Kutta stage: F_new = decay
+     * F_base + damping v, v being the rate at the stage. */
     struct Stage
     {
       double decay;   ///< 1 / (1 + dt / tau)
@@ -54,10 +52,8 @@ namespace auxfem
     /** Coefficients of a stage over @p dt (s). */
     Stage stage(double dt) const;
 
-    /**
-     * Force (N) at the end of a step of @p dt (s) that starts with @p force (N)
-     * and adds @p extension_increment (m) at a constant rate.
-     */
+    /** Force (N) at the end of a step of @p dt (s) that starts with @p force
+     * (N) and adds @p extension_increment (m) at a constant rate. */
     double
     at_constant_rate(double force, double extension_increment, double dt) const;
 
@@ -80,19 +76,15 @@ namespace auxfem
     /** Energy in the spring (J) under @p force (N): F^2 / (2 k). */
     double stored_energy(double force) const;
 
-    /**
-     * Rate dF/dt = k du/dt - F / tau (N/s) under @p force (N) at @p
-     * extension_rate (m/s); 0 if the dashpot has no resistance.
-     */
+    /** Rate dF/dt = k du/dt - F / tau (N/s) under @p force (N) at @p
+     * extension_rate (m/s); 0 if the dashpot has no resistance. */
     double force_rate(double force, double extension_rate) const;
 
     /** Power lost in the dashpot (W) under @p force (N): F^2 / c, c = k tau. */
     double lost_power(double force) const;
 
-    /**
-     * Energy dissipated in a step (J): integral of F^2 / c over the step of @p
-     * motion that starts with @p force (N).
-     */
+    /** Energy dissipated in a step (J): integral of F^2 / c over the step of @p
+     * motion that starts with @p force (N). */
     double dissipated_energy(double force, const ConnectorMotion &motion) const;
   };
 

@@ -63,10 +63,8 @@ namespace auxfem
                                    const dealii::Point<3> &r1,
                                    const dealii::Point<3> &point);
 
-  /**
-   * Derivatives of component @p component of a point by r0_x, r0_y, ..., r1_x,
-   * r1_y, ...: the shares of a force on the point for the base unknowns.
-   */
+  /** Derivatives of component @p component of a point by r0_x, r0_y, ..., r1_x,
+   * r1_y, ...: the shares of a force on the point for the base unknowns. */
   template <int dim>
   std::array<double, 2 * dim> shape(const NaturalPosition &position,
                                     unsigned int           component);
@@ -86,10 +84,8 @@ namespace auxfem
                     double                 length,
                     const NaturalPosition &centre);
 
-  /**
-   * The constraint |r1 - r0| = L as g = (|d|^2 - L^2) / (2 L) = 0 (m); its
-   * multiplier is the force (N) along the base.
-   */
+  /** The constraint |r1 - r0| = L as g = (|d|^2 - L^2) / (2 L) = 0 (m); its
+   * multiplier is the force (N) along the base. */
   template <int dim>
   struct DistanceConstraint
   {
@@ -145,10 +141,8 @@ namespace auxfem
     std::string struts;
     /** Joint set of one part; empty if parts are made of struts. */
     std::string joints;
-    /**
-     * True: every strut is a separate part; false: connected struts form one
-     * part.
-     */
+    /** True: every strut is a separate part; false: connected struts form one
+     * part. */
     bool   single_struts = false;
     double mass          = 0; ///< of each part (kg)
     /**
@@ -165,10 +159,8 @@ namespace auxfem
   /** `Rigid parts`. */
   SubsectionSchema rigid_parts_schema();
 
-  /**
-   * Reads the values of one such subsection. Throws InputError if they are
-   * inconsistent.
-   */
+  /** Reads the values of one such subsection. Throws InputError if they are
+   * inconsistent. */
   RigidPartDefinition read_rigid_part(ParameterValues &values);
 } // namespace auxfem
 

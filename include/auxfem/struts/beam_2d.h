@@ -36,10 +36,8 @@ namespace auxfem
     };
     using Frame = FrameOf<double>;
 
-    /**
-     * Section stiffness (N, N, N m2) and retardation time of
-     * stiffness-proportional damping (s).
-     */
+    /** Section stiffness (N, N, N m2) and retardation time of
+     * stiffness-proportional damping (s). */
     template <class Number>
     struct StiffnessOf
     {
@@ -86,10 +84,8 @@ namespace auxfem
       return d;
     }
 
-    /**
-     * Strains from the displacement gradient. The form 1 - cos(phi) = 2
-     * sin^2(phi/2) avoids cancellation in small strains.
-     */
+    /** Strains from the displacement gradient. The form 1 - cos(phi) = 2
+     * sin^2(phi/2) avoids cancellation in small strains. */
     template <bool large_rotation, class Number>
     inline KinematicsOf<Number> kinematics(const FrameOf<Number>    &frame,
                                            const GradientOf<Number> &d)
@@ -209,10 +205,8 @@ namespace auxfem
       return energy;
     }
 
-    /**
-     * Adds the geometric part of a section tangent: axial and shear force
-     * rotate with the section.
-     */
+    /** Adds the geometric part of a section tangent: axial and shear force
+     * rotate with the section. */
     template <class Number>
     inline void add_geometric_part(const KinematicsOf<Number> &k,
                                    const Number                axial,
@@ -226,10 +220,8 @@ namespace auxfem
       G[2][2] -= axial * k.stretch + shear * k.slip;
     }
 
-    /**
-     * Derivative of the section forces by (r'.t, r'.n, phi) at a Gauss point,
-     * in the frame of the rotated section; rows and columns in this order.
-     */
+    /** Derivative of the section forces by (r'.t, r'.n, phi) at a Gauss point,
+     * in the frame of the rotated section; rows and columns in this order. */
     template <bool large_rotation, bool damped, class Number>
     inline void section_tangent(const KinematicsOf<Number> &k,
                                 const StiffnessOf<Number>  &stiffness,
@@ -277,10 +269,8 @@ namespace auxfem
         add_geometric_part(k, stiffness_factor * N, stiffness_factor * Q, G);
     }
 
-    /**
-     * Adds a Gauss point with its section tangent and bending stiffness to an
-     * element tangent.
-     */
+    /** Adds a Gauss point with its section tangent and bending stiffness to an
+     * element tangent. */
     template <int order, class Number>
     inline void add_section(const BeamShape<order>     &shape,
                             const int                   g,
@@ -331,10 +321,8 @@ namespace auxfem
           }
     }
 
-    /**
-     * Tangent stiffness_factor * dF/du + damping_factor * dF/dv of the internal
-     * force, row by row into @p matrix (3 (order + 1) squared).
-     */
+    /** Tangent stiffness_factor * dF/du + damping_factor * dF/dv of the
+     * internal force, row by row into @p matrix (3 (order + 1) squared). */
     template <int order, bool large_rotation, bool damped, class Number>
     inline void tangent(const BeamShape<order>    &shape,
                         const FrameOf<Number>     *frames,
@@ -373,10 +361,8 @@ namespace auxfem
         }
     }
 
-    /**
-     * Geometric stiffness of section @p forces at the Gauss points (N and Q at
-     * indices 0 and 1; M has no effect) at the displacements @p u.
-     */
+    /** Geometric stiffness of section @p forces at the Gauss points (N and Q at
+     * indices 0 and 1; M has no effect) at the displacements @p u. */
     template <int order, class Forces>
     inline void geometric_tangent(const BeamShape<order> &shape,
                                   const Frame            *frames,

@@ -176,10 +176,8 @@ namespace auxfem
       return k;
     }
 
-    /**
-     * Ratio of the rotation of a Gauss point relative to d_r to its
-     * interpolation with the c_a.
-     */
+    /** Ratio of the rotation of a Gauss point relative to d_r to its
+     * interpolation with the c_a. */
     template <int order, class Number>
     inline Number rotation_scale(const NodeIncrements<order, Number> &nodes,
                                  const PointIncrementsOf<Number>     &point,
@@ -189,10 +187,8 @@ namespace auxfem
         (k.half_cosine * nodes.reference_cosine);
     }
 
-    /**
-     * Derivatives of the rotation at a Gauss point and of its slope by nodal
-     * rotations over a step.
-     */
+    /** Derivatives of the rotation at a Gauss point and of its slope by nodal
+     * rotations over a step. */
     template <int order, class Number>
     struct RotationShapes
     {
@@ -239,10 +235,8 @@ namespace auxfem
               stiffness.bending * mean.kappa};
     }
 
-    /**
-     * Adds damping forces from the strain increment over @p dt (s); returns the
-     * energy dissipated in the step (J/m).
-     */
+    /** Adds damping forces from the strain increment over @p dt (s); returns
+     * the energy dissipated in the step (J/m). */
     template <class Number>
     inline Number add_damping(const StepKinematicsOf<Number> &k,
                               const StiffnessOf<Number>      &stiffness,
@@ -260,10 +254,8 @@ namespace auxfem
         M * k.increment.kappa;
     }
 
-    /**
-     * Adds the forces of @p damping at Gauss point @p g; returns its numerical
-     * dissipation in the step (J/m).
-     */
+    /** Adds the forces of @p damping at Gauss point @p g; returns its numerical
+     * dissipation in the step (J/m). */
     template <class Number>
     inline Number add_damping(const StepKinematicsOf<Number>   &k,
                               const StiffnessOf<Number>        &stiffness,
@@ -281,10 +273,8 @@ namespace auxfem
       return N * d.epsilon + Q * d.gamma + M * d.kappa;
     }
 
-    /**
-     * Strain energy at the end of a step, energy dissipated in it and numerical
-     * dissipation by IncrementDamping (J).
-     */
+    /** Strain energy at the end of a step, energy dissipated in it and
+     * numerical dissipation by IncrementDamping (J). */
     template <class Number>
     struct StepEnergyOf
     {

@@ -7,10 +7,8 @@ namespace auxfem
 {
   namespace Beam3D
   {
-    /**
-     * Derivatives of the energy per length by r', psi and psi' at constant P_r,
-     * and the couple n x r' of a rotation of P_r at constant psi.
-     */
+    /** Derivatives of the energy per length by r', psi and psi' at constant
+     * P_r, and the couple n x r' of a rotation of P_r at constant psi. */
     template <class Number>
     struct GradientOf
     {
@@ -86,10 +84,8 @@ namespace auxfem
       }
     };
 
-    /**
-     * Derivatives of the middle rotation and of the nodal psi by nodal spins,
-     * and derivatives of the moments that act on them.
-     */
+    /** Derivatives of the middle rotation and of the nodal psi by nodal spins,
+     * and derivatives of the moments that act on them. */
     template <int order, class Number = double>
     struct NodeOperators
     {
@@ -150,10 +146,8 @@ namespace auxfem
         couple += weight * d.couple;
       }
 
-      /**
-       * Computes the moments on the nodes; @p at_ends receives the moment on
-       * the middle rotation.
-       */
+      /** Computes the moments on the nodes; @p at_ends receives the moment on
+       * the middle rotation. */
       void find_moments(const NodeOperators<order, Number> &nodes,
                         VectorOf<Number>                   *moments,
                         VectorOf<Number>                   &at_ends) const
@@ -234,10 +228,8 @@ namespace auxfem
               curvature * frame.axes};
     }
 
-    /**
-     * Internal force of the small-displacement form; arguments as in
-     * internal_force().
-     */
+    /** Internal force of the small-displacement form; arguments as in
+     * internal_force(). */
     template <int order, class Number>
     inline Number small_displacement_force(const BeamShape<order>    &shape,
                                            const FrameOf<Number>     *frames,

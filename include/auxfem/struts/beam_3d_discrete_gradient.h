@@ -61,10 +61,8 @@ namespace auxfem
                 damping_rate * point.increment.kappa};
     }
 
-    /**
-     * Adds the strains of @p damping at Gauss point @p g to mean @p strains and
-     * returns the addition.
-     */
+    /** Adds the strains of @p damping at Gauss point @p g to mean @p strains
+     * and returns the addition. */
     template <class Number>
     inline StrainsOf<Number>
     add_damping(const IncrementDampingOf<Number> &damping,
@@ -83,10 +81,8 @@ namespace auxfem
       return added;
     }
 
-    /**
-     * Strain energy at the end of a step, energy dissipated in it and numerical
-     * dissipation by IncrementDamping (J).
-     */
+    /** Strain energy at the end of a step, energy dissipated in it and
+     * numerical dissipation by IncrementDamping (J). */
     template <class Number>
     struct StepEnergyOf
     {

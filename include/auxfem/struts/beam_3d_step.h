@@ -98,10 +98,8 @@ namespace auxfem
       {}
     };
 
-    /**
-     * Element half way through a step and at its end, with the rotation
-     * increments of its nodes.
-     */
+    /** Element half way through a step and at its end, with the rotation
+     * increments of its nodes. */
     template <int order, class Number = double>
     struct StepElement
     {
@@ -184,10 +182,8 @@ namespace auxfem
       VectorOf<Number>        slope;       ///< mean of r'
       Number                  determinant; ///< of Rbar
       StrainsOf<Number>       increment;   ///< of the strains
-      /**
-       * Theta - sum A_a Theta_a and Theta' - sum B_a Theta_a before the
-       * correction; zero at the round-off of rotations.
-       */
+      /** Theta - sum A_a Theta_a and Theta' - sum B_a Theta_a before the
+       * correction; zero at the round-off of rotations. */
       VectorOf<Number> missing_turn, missing_slope;
 
       /** @param nodes at the end */

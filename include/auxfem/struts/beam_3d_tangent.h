@@ -128,10 +128,8 @@ namespace auxfem
       }
     };
 
-    /**
-     * Rows of the tangent for a force or moment: derivatives by the nodal
-     * motion.
-     */
+    /** Rows of the tangent for a force or moment: derivatives by the nodal
+     * motion. */
     template <int order, class Number = double>
     struct Rows
     {
@@ -140,10 +138,8 @@ namespace auxfem
       TensorOf<Number> by_spin[order + 1];
       TensorOf<Number> by_middle;
 
-      /**
-       * Replaces the derivative by the middle rotation by derivatives by the
-       * spins of the ends.
-       */
+      /** Replaces the derivative by the middle rotation by derivatives by the
+       * spins of the ends. */
       void eliminate_middle(const NodeOperators<order, Number> &nodes)
       {
         for (int end = 0; end < 2; ++end)
@@ -168,10 +164,8 @@ namespace auxfem
             }
     }
 
-    /**
-     * Rows of a nodal force: converts derivatives by psi to derivatives by
-     * spins.
-     */
+    /** Rows of a nodal force: converts derivatives by psi to derivatives by
+     * spins. */
     template <int order, class Number>
     inline Rows<order, Number>
     rows_of_force(const ElementHessian<order, Number> &h,
@@ -191,10 +185,8 @@ namespace auxfem
       return rows;
     }
 
-    /**
-     * Rows of the nodal moment T(psi_a)^-1 times the moment @p by_psi that acts
-     * on psi_a.
-     */
+    /** Rows of the nodal moment T(psi_a)^-1 times the moment @p by_psi that
+     * acts on psi_a. */
     template <int order, class Number>
     inline Rows<order, Number>
     rows_of_moment(const ElementHessian<order, Number>    &h,
@@ -222,10 +214,8 @@ namespace auxfem
       return rows;
     }
 
-    /**
-     * Rows of the moment on the middle rotation: the couple minus the nodal
-     * moments.
-     */
+    /** Rows of the moment on the middle rotation: the couple minus the nodal
+     * moments. */
     template <int order, class Number>
     inline Rows<order, Number>
     rows_of_middle(const ElementHessian<order, Number> &h,
@@ -252,10 +242,8 @@ namespace auxfem
       return rows;
     }
 
-    /**
-     * Adds V_end^T times the moment on the middle rotation to the moment of an
-     * end.
-     */
+    /** Adds V_end^T times the moment on the middle rotation to the moment of an
+     * end. */
     template <int order, class Number>
     inline void add_to_end(const int                           end,
                            const NodeOperators<order, Number> &nodes,
@@ -336,10 +324,8 @@ namespace auxfem
         }
     }
 
-    /**
-     * Tangent stiffness @p factor dF/d(u, theta) of the internal force, row by
-     * row into @p matrix (6 (order + 1) squared).
-     */
+    /** Tangent stiffness @p factor dF/d(u, theta) of the internal force, row by
+     * row into @p matrix (6 (order + 1) squared). */
     template <int order, class Number>
     inline void tangent(const BeamShape<order>                 &shape,
                         const ElementKinematics<order, Number> &element,
@@ -360,10 +346,8 @@ namespace auxfem
                           matrix);
     }
 
-    /**
-     * Geometric stiffness of section @p forces at the Gauss points (N, Q_2,
-     * Q_3, T, M_2, M_3).
-     */
+    /** Geometric stiffness of section @p forces at the Gauss points (N, Q_2,
+     * Q_3, T, M_2, M_3). */
     template <int order, class Number, class Forces>
     inline void
     geometric_tangent(const BeamShape<order>                 &shape,

@@ -22,10 +22,8 @@ namespace auxfem
    */
   constexpr unsigned int lowest_chosen_order = 2;
 
-  /**
-   * Calls @p make with the polynomial order as a compile-time constant
-   * (std::integral_constant<int, order>), order in 1..largest.
-   */
+  /** Calls @p make with the polynomial order as a compile-time constant
+   * (std::integral_constant<int, order>), order in 1..largest. */
   template <int largest = largest_plane_order, class Make>
   auto dispatch_order(const unsigned int order, const Make &make)
   {
@@ -37,10 +35,8 @@ namespace auxfem
     return make(std::integral_constant<int, largest>());
   }
 
-  /**
-   * Element at rest, as beam kernels need it; of several elements with Lanes
-   * for numbers.
-   */
+  /** Element at rest, as beam kernels need it; of several elements with Lanes
+   * for numbers. */
   template <int order, class Frame, class Stiffness, class Number>
   struct BeamAtRest
   {
@@ -77,23 +73,18 @@ namespace auxfem
     static constexpr bool is_used = false;
   };
 
-  /**
-   * Damping of the strain increments of one element or, with Lanes, of several.
-   */
+  /** Damping of the strain increments of one element or, with Lanes, of
+   * several. */
   template <class Number>
   struct IncrementDampingOf
   {
     static constexpr bool is_used = true;
 
-    /**
-     * The added stress is C times current_factor delta E_n - previous_factor
-     * delta E_{n-1}.
-     */
+    /** The added stress is C times current_factor delta E_n - previous_factor
+     * delta E_{n-1}. */
     double current_factor, previous_factor;
-    /**
-     * current_factor for steps of equal length. A reused tangent keeps it,
-     * since it is close to the others.
-     */
+    /** current_factor for steps of equal length. A reused tangent keeps it,
+     * since it is close to the others. */
     double tangent_factor;
     /** delta E_{n-1}, and storage for delta E_n; point by point. */
     const Number *previous_increments;
@@ -116,10 +107,8 @@ namespace auxfem
       previous_factor = q > 0 ? chi / 2 * std::min(q, 1 / q) : 0.;
     }
 
-    /**
-     * Returns the addition to mean strain @p i of an element and stores @p
-     * increment, its delta E_n.
-     */
+    /** Returns the addition to mean strain @p i of an element and stores @p
+     * increment, its delta E_n. */
     Number operator()(const int i, const Number &increment) const
     {
       current_increments[i] = increment;

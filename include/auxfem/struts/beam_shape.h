@@ -30,15 +30,11 @@ namespace auxfem
 
     double value[order][order + 1];      ///< N_a at the Gauss points
     double derivative[order][order + 1]; ///< dN_a/dxi at the Gauss points
-    /**
-     * Curvatures at the Gauss points by nodal rotations: equal to derivative if
-     * the struts shear.
-     */
+    /** Curvatures at the Gauss points by nodal rotations: equal to derivative
+     * if the struts shear. */
     double rotation_derivative[order][order + 1];
-    /**
-     * Section moments at the Gauss points by the moments work-conjugate to
-     * these curvatures: the identity if the struts shear.
-     */
+    /** Section moments at the Gauss points by the moments work-conjugate to
+     * these curvatures: the identity if the struts shear. */
     double moment[order][order];
     double weight[order];              ///< Gauss weights
     double point[order];               ///< Gauss points in [-1, 1]
@@ -55,10 +51,8 @@ namespace auxfem
     /** N_a at any @p xi in [-1, 1]. */
     void values_at(double xi, double *values) const;
 
-    /**
-     * Lagrange polynomials through the Gauss points at @p xi, to interpolate
-     * section forces.
-     */
+    /** Lagrange polynomials through the Gauss points at @p xi, to interpolate
+     * section forces. */
     void gauss_interpolation_at(double xi, double *values) const;
   };
 } // namespace auxfem

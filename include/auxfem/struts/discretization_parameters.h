@@ -14,10 +14,8 @@ namespace auxfem
     unsigned int order = 3; ///< polynomial order 1..6, in space 1..4
     /** Global refinements: 2^n elements per strut. */
     unsigned int refinements = 0;
-    /**
-     * Allowed discretization error (1) for the choice of elements; nothing: use
-     * the elements given here.
-     */
+    /** Allowed discretization error (1) for the choice of elements; nothing:
+     * use the elements given here. */
     std::optional<double> tolerance = {};
 
     StrutDivision common_division() const

@@ -29,25 +29,17 @@ namespace auxfem
     double second_moment_2 = 0, second_moment_3 = 0;
     /** Saint-Venant's torsion constant J (m4). */
     double torsion_constant = 0;
-    /**
-     * Rotary inertia per length about axes 1, 2, 3 (kg m); empty: density times
-     * I_2 + I_3, I_2, I_3.
-     */
+    /** Rotary inertia per length about axes 1, 2, 3 (kg m); empty: density
+     * times I_2 + I_3, I_2, I_3. */
     std::optional<std::array<double, 3>> given_rotary_inertia;
-    /**
-     * Vector whose projection normal to the strut gives axis 3; empty:
-     * default_reference().
-     */
+    /** Vector whose projection normal to the strut gives axis 3; empty:
+     * default_reference(). */
     std::optional<dealii::Tensor<1, 3>> reference;
-    /**
-     * Distance of the outer fibres from axes 2 and 3 (m); 0: unknown, the
-     * section is given by its stiffnesses.
-     */
+    /** Distance of the outer fibres from axes 2 and 3 (m); 0: unknown, the
+     * section is given by its stiffnesses. */
     std::array<double, 2> fibre_distances = {{0., 0.}};
-    /**
-     * Half thickness across axes 2 and 3 for contact (m); 0: unknown, the
-     * section is given by its stiffnesses.
-     */
+    /** Half thickness across axes 2 and 3 for contact (m); 0: unknown, the
+     * section is given by its stiffnesses. */
     std::array<double, 2> half_thicknesses = {{0., 0.}};
     /** Outer-fibre strain at which the material yields; empty: not given. */
     std::optional<double> yield_strain;
@@ -88,10 +80,8 @@ namespace auxfem
     {
       return youngs_modulus * second_moment_3;
     }
-    /**
-     * Radii of gyration about axes 2 and 3 (m), lower bounds of the fibre
-     * distances of any section.
-     */
+    /** Radii of gyration about axes 2 and 3 (m), lower bounds of the fibre
+     * distances of any section. */
     std::array<double, 2> radii_of_gyration() const
     {
       return {
@@ -120,20 +110,16 @@ namespace auxfem
     std::string struts; ///< strut set
     Section     section;
     std::string path;
-    /**
-     * False if the scene gives no density, allowed only without inertia and
-     * weight.
-     */
+    /** False if the scene gives no density, allowed only without inertia and
+     * weight. */
     bool has_density = true;
   };
 
   /** `Sections`. */
   SubsectionSchema sections_schema();
 
-  /**
-   * Reads the values of one such subsection. Throws InputError if they are
-   * inconsistent.
-   */
+  /** Reads the values of one such subsection. Throws InputError if they are
+   * inconsistent. */
   SectionDefinition read_section(ParameterValues &values);
 } // namespace auxfem
 

@@ -15,10 +15,8 @@ namespace auxfem
      */
     constexpr double doubtful_length_ratio = 0.05;
 
-    /**
-     * Checks connectors along their line for vanishing length, where the
-     * direction is undefined.
-     */
+    /** Checks connectors along their line for vanishing length, where the
+     * direction is undefined. */
     class ConnectorWatch : public Watch
     {
     public:

@@ -13,10 +13,8 @@ namespace auxfem
   {
     using Tensor = dealii::Tensor<2, 3>;
 
-    /**
-     * Derivative of a unit vector along n by its vector, times the length: 1 -
-     * e n.
-     */
+    /** Derivative of a unit vector along n by its vector, times the length: 1 -
+     * e n. */
     Tensor across(const dealii::Tensor<1, 3> &e, const dealii::Tensor<1, 3> &n)
     {
       return Tensor(dealii::unit_symmetric_tensor<3>()) -
@@ -361,10 +359,8 @@ namespace auxfem
       }
 
     private:
-      /**
-       * Evaluates the law of connector @p i in continuous form at @p state,
-       * with @p results of its evaluation.
-       */
+      /** Evaluates the law of connector @p i in continuous form at @p state,
+       * with @p results of its evaluation. */
       ContinuousResponse continuous(const unsigned int i,
                                     const State       &state,
                                     const EffectCache &results,
@@ -469,10 +465,8 @@ namespace auxfem
           }
       }
 
-      /**
-       * Adds the derivative of the force on the second end of connector @p i by
-       * the relative motion.
-       */
+      /** Adds the derivative of the force on the second end of connector @p i
+       * by the relative motion. */
       void add_block(const unsigned int i,
                      const Tensor      &by_motion,
                      TangentMatrix     &matrix) const

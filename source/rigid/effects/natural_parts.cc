@@ -18,10 +18,8 @@ namespace auxfem
       block[n * i + j] = block[n * j + i] = value;
     }
 
-    /**
-     * Sets forces @p column in column j and the constraint gradient @p row in
-     * row j of such a block.
-     */
+    /** Sets forces @p column in column j and the constraint gradient @p row in
+     * row j of such a block. */
     template <std::size_t n>
     void set_constraint(std::array<double, n * n> &block,
                         const unsigned int         i,

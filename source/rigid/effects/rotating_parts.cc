@@ -215,9 +215,8 @@ namespace auxfem
         unsigned int        body; ///< index into bodies
       };
 
-      /**
-       * Values of @p vector at three unknowns of a joint, starting at @p first.
-       */
+      /** Values of @p vector at three unknowns of a joint, starting at @p
+       * first. */
       static SpaceVector
       values(const Vector &vector, const Joint &joint, const unsigned int first)
       {

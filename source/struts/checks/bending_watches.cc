@@ -133,10 +133,8 @@ namespace auxfem
       return std::nullopt;
     }
 
-    /**
-     * Checks struts of one element, whose local buckling the mesh cannot
-     * represent.
-     */
+    /** Checks struts of one element, whose local buckling the mesh cannot
+     * represent. */
     class LocalBucklingWatch : public Watch
     {
     public:

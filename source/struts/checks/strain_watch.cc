@@ -131,10 +131,8 @@ namespace auxfem
       return limits;
     }
 
-    /**
-     * Yield strains; sections with unknown fibre distances use their lower
-     * bound, the radius of gyration.
-     */
+    /** Yield strains; sections with unknown fibre distances use their lower
+     * bound, the radius of gyration. */
     std::vector<StrainLimit> yield_strains(const std::vector<Section> &sections)
     {
       std::vector<StrainLimit> limits;

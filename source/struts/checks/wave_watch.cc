@@ -27,10 +27,8 @@ namespace auxfem
      */
     constexpr double unusable_fraction = 0.01;
 
-    /**
-     * Nodal weights of the highest Legendre coefficient of a polynomial that is
-     * given by its values at the nodes.
-     */
+    /** Nodal weights of the highest Legendre coefficient of a polynomial that
+     * is given by its values at the nodes. */
     std::vector<double> highest_coefficients(const unsigned int order)
     {
       const std::vector<double> nodes = LineRule(order).nodes;
@@ -51,10 +49,8 @@ namespace auxfem
     {
       const int   *rotations; ///< unknowns of the first node
       unsigned int strut;
-      /**
-       * Kinetic energy (J) of a rotation rate of 1 rad/s in the highest degree:
-       * half its mass times (h / (4p + 2))^2 / (2p + 3).
-       */
+      /** Kinetic energy (J) of a rotation rate of 1 rad/s in the highest
+       * degree: half its mass times (h / (4p + 2))^2 / (2p + 3). */
       double energy;
     };
 

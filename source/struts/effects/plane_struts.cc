@@ -115,10 +115,8 @@ namespace auxfem
       /** Displacements of elements at the end of a step. */
       using StepEnd = std::array<Lanes, n>;
 
-      /**
-       * Elements at the start of a step; displacements are relative to the
-       * first node, rotations are reduced by full turns.
-       */
+      /** Elements at the start of a step; displacements are relative to the
+       * first node, rotations are reduced by full turns. */
       struct StepStart
       {
         StepStart(const BeamShape<order> &shape,

@@ -140,9 +140,8 @@ namespace auxfem
                 unknowns[n_components * i + 3])];
         }
 
-        /**
-         * Torque on node @p i in the global frame (N m), with damping @p alpha.
-         */
+        /** Torque on node @p i in the global frame (N m), with damping @p
+         * alpha. */
         SpaceVector torque(const int i, const double alpha) const
         {
           SpaceVector material = rate[i];
@@ -225,10 +224,8 @@ namespace auxfem
         return L;
       }
 
-      /**
-       * Adds the mean torques, which are the change of the angular momenta P_a
-       * L_a in the step.
-       */
+      /** Adds the mean torques, which are the change of the angular momenta P_a
+       * L_a in the step. */
       void add_mean_torques(const unsigned int e,
                             const Evaluation  &step,
                             const double       alpha,

@@ -95,10 +95,8 @@ namespace auxfem
       double bending = 0; ///< L^3 / 12 EI (m/N)
     };
 
-    /**
-     * Compliances of a strut of @p length across the axis with the larger share
-     * of shear.
-     */
+    /** Compliances of a strut of @p length across the axis with the larger
+     * share of shear. */
     Compliances compliances(const Section     &section,
                             const double       length,
                             const unsigned int dimension)

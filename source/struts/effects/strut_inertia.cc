@@ -5,10 +5,8 @@ namespace auxfem
 {
   namespace
   {
-    /**
-     * Consistent mass M of struts in the plane, translational rho A and rotary
-     * rho I, and the force alpha M v with damping. Constant.
-     */
+    /** Consistent mass M of struts in the plane, translational rho A and rotary
+     * rho I, and the force alpha M v with damping. Constant. */
     template <int order, bool damped>
     class PlaneStrutInertia : public StrutInertia
     {
@@ -68,10 +66,8 @@ namespace auxfem
     private:
       static constexpr int n = 3 * (order + 1);
 
-      /**
-       * Adds the forces of accelerations @p a and, with damping, velocities @p
-       * v.
-       */
+      /** Adds the forces of accelerations @p a and, with damping, velocities @p
+       * v. */
       void add_forces(const double *a, const double *v, double *residual) const
       {
         double local[n];

@@ -36,10 +36,8 @@ namespace auxfem
       return values;
     }
 
-    /**
-     * Calls @p act(node along the strut, local unknowns) for the nodes of a
-     * strut; nodes between elements come twice.
-     */
+    /** Calls @p act(node along the strut, local unknowns) for the nodes of a
+     * strut; nodes between elements come twice. */
     template <class Act>
     void for_each_node(const DofNumbering &numbering,
                        const unsigned int  first_element,
@@ -54,10 +52,8 @@ namespace auxfem
                 a * numbering.n_components());
     }
 
-    /**
-     * Calls @p act with each pair of nodal values and state vector that both
-     * have.
-     */
+    /** Calls @p act with each pair of nodal values and state vector that both
+     * have. */
     template <class Motion, class StateType, class Act>
     void for_each_field(Motion &motion, StateType &state, const Act &act)
     {
@@ -68,10 +64,8 @@ namespace auxfem
         act(motion.acceleration, *state.acceleration);
     }
 
-    /**
-     * Rotation at a point with shape values @p N of an element whose nodes
-     * begin at @p first.
-     */
+    /** Rotation at a point with shape values @p N of an element whose nodes
+     * begin at @p first. */
     Quaternion rotation_at(const Quaternion          *first,
                            const std::vector<double> &N)
     {

@@ -33,10 +33,8 @@ namespace
   const std::string ground_along_x =
     "Between = ground: 1 | Geometry = direction | Direction = 5 0";
 
-  /**
-   * The connector without other effects in a step, with inertia unless the
-   * state has no acceleration.
-   */
+  /** The connector without other effects in a step, with inertia unless the
+   * state has no acceleration. */
   struct ConnectorAlone
   {
     explicit ConnectorAlone(const std::string &law,
@@ -79,10 +77,8 @@ namespace
       (*to.velocity)[of_scene.dofs().joint_unknown(joint, 1)] = y;
     }
 
-    /**
-     * Sets the displacement and velocity of joints 0 and 1 as a rigid body
-     * rotating about (2, -1).
-     */
+    /** Sets the displacement and velocity of joints 0 and 1 as a rigid body
+     * rotating about (2, -1). */
     void turn(const double angle, const double angular_velocity)
     {
       for (const unsigned int joint : {0, 1})

@@ -14,10 +14,8 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  /**
-   * A rigid part of 4 joints, three of them off its base line, with elastic
-   * struts to joint 4, clamped to it at joints 2 and 3.
-   */
+  /** A rigid part of 4 joints, three of them off its base line, with elastic
+   * struts to joint 4, clamped to it at joints 2 and 3. */
   const SceneText plate =
     frame_scene("0 0; 2 0.3; 1.6 1.1; 0.2 1.4; 3 2", "0 1; 1 2; 0 3; 2 4; 3 4")
       .add("Rigid parts/plate",
@@ -68,10 +66,8 @@ namespace
         .residual;
     }
 
-    /**
-     * lambda . g with displacement @p i at @p value and the rest of the motion
-     * unchanged.
-     */
+    /** lambda . g with displacement @p i at @p value and the rest of the motion
+     * unchanged. */
     double virtual_work(const unsigned int i, const double value)
     {
       const double kept                = to.displacement[i];

@@ -24,10 +24,8 @@ namespace
 
   const std::string clamped = "Elastic struts = clamped";
 
-  /**
-   * A body of joints 0 to 3, a bar of three joints from joint 3 on, and elastic
-   * struts to joint 4, clamped to the body.
-   */
+  /** A body of joints 0 to 3, a bar of three joints from joint 3 on, and
+   * elastic struts to joint 4, clamped to the body. */
   const std::string body_and_bar =
     space_frame("0 0 0; 2 0.3 0.1; 1.6 1.1 -0.4; 0.2 1.4 0.9; 3 2 0.5; "
                 "0.7 2.4 1.4; 1.2 3.4 1.9",

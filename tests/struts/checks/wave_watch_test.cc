@@ -9,10 +9,8 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  /**
-   * A cantilever of 1 m in two struts, sqrt(EI / rho A) = 1.41 m2/s, excited at
-   * its end; its second frequency is 31 rad/s.
-   */
+  /** A cantilever of 1 m in two struts, sqrt(EI / rho A) = 1.41 m2/s, excited
+   * at its end; its second frequency is 31 rad/s. */
   SceneText shaken(const unsigned int order, const double frequency)
   {
     return SceneText()

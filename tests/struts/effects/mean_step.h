@@ -13,10 +13,8 @@ namespace auxfem
 {
   namespace testing_support
   {
-    /**
-     * A scene in the plane with irregular states at the start and the end of a
-     * step, for Kind::discrete_gradient.
-     */
+    /** A scene in the plane with irregular states at the start and the end of a
+     * step, for Kind::discrete_gradient. */
     struct MeanStep
     {
       explicit MeanStep(const std::string &text,
@@ -133,10 +131,8 @@ namespace auxfem
           EXPECT_NEAR(sum, 0, 1e-12);
       }
 
-      /**
-       * Largest difference between the tangent of @p effect and finite
-       * differences.
-       */
+      /** Largest difference between the tangent of @p effect and finite
+       * differences. */
       double error_of_tangent(Effect &effect)
       {
         TangentAlone tangent(effect, of_scene.dofs());

@@ -21,20 +21,16 @@ namespace auxfem
     unsigned int                        cell;
   };
 
-  /**
-   * Connector with the smallest length relative to rest, whose direction may be
-   * ill-defined.
-   */
+  /** Connector with the smallest length relative to rest, whose direction may
+   * be ill-defined. */
   struct ShortestConnector
   {
     double length_ratio = 1; ///< length over length at rest, 0 if it inverts
     unsigned int joint  = invalid_index; ///< first joint
   };
 
-  /**
-   * Forces of a group of equal connectors between joints, or joints and the
-   * ground.
-   */
+  /** Forces of a group of equal connectors between joints, or joints and the
+   * ground. */
   class ConnectorForces : public Effect,
                           public StageTerms,
                           public SmallMotionTerms
@@ -56,10 +52,8 @@ namespace auxfem
     /** Number of connectors that this rank owns. */
     virtual unsigned int n_reported() const = 0;
 
-    /**
-     * Report on owned connector @p i at @p state, from the @p results of its
-     * evaluation.
-     */
+    /** Report on owned connector @p i at @p state, from the @p results of its
+     * evaluation. */
     virtual ConnectorReport report(unsigned int       i,
                                    const State       &state,
                                    const EffectCache *results) const = 0;

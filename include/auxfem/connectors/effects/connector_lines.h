@@ -23,10 +23,8 @@ namespace auxfem
 
     std::vector<ConnectorMotion>   motion;
     std::vector<ConnectorResponse> response;
-    /**
-     * Force direction; not a unit vector for mean forces, NaN if the ends
-     * coincide.
-     */
+    /** Force direction; not a unit vector for mean forces, NaN if the ends
+     * coincide. */
     std::vector<dealii::Tensor<1, 3>> direction;
     std::vector<dealii::Tensor<1, 3>> velocity_difference;
     std::vector<double>               current_length; ///< m
@@ -41,10 +39,8 @@ namespace auxfem
   /** The two ends of a connector. */
   struct ConnectorEnds
   {
-    /**
-     * Local unknowns x1, y1, z1, x2, y2, z2; -1 at the ground and for z in the
-     * plane.
-     */
+    /** Local unknowns x1, y1, z1, x2, y2, z2; -1 at the ground and for z in the
+     * plane. */
     std::array<int, 6> unknowns;
     /** Vector from first to second end at rest (m). */
     dealii::Tensor<1, 3> span;
@@ -89,10 +85,8 @@ namespace auxfem
     /** Rate of extension of a connector at @p state (m/s). */
     double rate_at(const ConnectorEnds &ends, const State &state) const;
 
-    /**
-     * Description of a connector of the @p group whose ends coincide at @p time
-     * (s); empty if there is none.
-     */
+    /** Description of a connector of the @p group whose ends coincide at @p
+     * time (s); empty if there is none. */
     std::string nonfinite_reason(const std::string      &group,
                                  double                  time,
                                  const ConnectorResults &results) const;
@@ -102,20 +96,16 @@ namespace auxfem
     std::vector<ConnectorEnds> ends;
 
   private:
-    /**
-     * Whether the ends coincide at a @p length (m), so that the direction is
-     * undefined.
-     */
+    /** Whether the ends coincide at a @p length (m), so that the direction is
+     * undefined. */
     bool ends_coincide(const ConnectorEnds &ends, double length) const;
 
     /** Extension under @p displacement, by local unknown (m). */
     double extension(const ConnectorEnds &ends,
                      const Vector        &displacement) const;
 
-    /**
-     * Rate of extension of connector @p i with the extensions in @p results
-     * (m/s).
-     */
+    /** Rate of extension of connector @p i with the extensions in @p results
+     * (m/s). */
     double rate(unsigned int            i,
                 const Evaluation       &evaluation,
                 const ConnectorResults &results) const;

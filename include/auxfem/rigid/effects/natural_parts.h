@@ -7,9 +7,8 @@
 
 namespace auxfem
 {
-  /**
-   * Difference of @p values between the base points, whose unknowns come first.
-   */
+  /** Difference of @p values between the base points, whose unknowns come
+   * first. */
   template <int dim, std::size_t n>
   dealii::Tensor<1, dim> base_difference(const std::array<int, n> &unknowns,
                                          const double             *values)
@@ -265,10 +264,8 @@ namespace auxfem
                           TangentMatrix        &matrix,
                           std::size_t          &block) const;
     void find_clamp_rates(const State &state, double *rates) const;
-    /**
-     * Subtracts the forces of the clamp constraints from the @p forces on the
-     * base of a body.
-     */
+    /** Subtracts the forces of the clamp constraints from the @p forces on the
+     * base of a body. */
     void subtract_clamp_forces(unsigned int                 body,
                                const double                *u,
                                std::array<double, 2 * dim> &forces) const;

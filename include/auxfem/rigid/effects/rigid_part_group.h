@@ -14,10 +14,8 @@ namespace auxfem
   {
     /** Number in Lattice::rigid_parts. */
     unsigned int part;
-    /**
-     * Force (N) of each joint on the part, in the order of RigidPart::joints:
-     * the sum of hinges, struts, connectors, loads and supports there.
-     */
+    /** Force (N) of each joint on the part, in the order of RigidPart::joints:
+     * the sum of hinges, struts, connectors, loads and supports there. */
     std::vector<SpaceVector> forces;
   };
 
@@ -34,10 +32,8 @@ namespace auxfem
     const DofNumbering &numbering;
     /** False: the constraints are linearized about rest. */
     bool large_rotation;
-    /**
-     * Gravity along x, y, z for the reported forces (m/s2), zero if it is left
-     * out.
-     */
+    /** Gravity along x, y, z for the reported forces (m/s2), zero if it is left
+     * out. */
     std::array<TimeFunction, 3> gravity;
   };
 
@@ -63,10 +59,8 @@ namespace auxfem
                                const dealii::Point<3> &point,
                                const State            &state) const = 0;
 
-    /**
-     * Report on part @p i of this rank, from displacements, accelerations and
-     * multipliers of @p state.
-     */
+    /** Report on part @p i of this rank, from displacements, accelerations and
+     * multipliers of @p state. */
     virtual RigidPartReport report(unsigned int i,
                                    const State &state) const = 0;
   };

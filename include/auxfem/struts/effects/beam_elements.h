@@ -136,10 +136,8 @@ namespace auxfem
     const DofNumbering         &numbering;
     const DofNumbering::Group   group;
     const std::vector<Section> &sections;
-    /**
-     * Shear parameter 12 EI / (kGA L^2) of elements without shear flexibility;
-     * 0 if struts shear.
-     */
+    /** Shear parameter 12 EI / (kGA L^2) of elements without shear flexibility;
+     * 0 if struts shear. */
     const double           shear;
     const BeamShape<order> shape;
 
@@ -170,10 +168,8 @@ namespace auxfem
       return limit;
     }
 
-    /**
-     * Frames follow the exact axis, but r0' is the slope of the interpolated
-     * axis, so that the strut is free of stress at rest.
-     */
+    /** Frames follow the exact axis, but r0' is the slope of the interpolated
+     * axis, so that the strut is free of stress at rest. */
     AtRest make_at_rest(const unsigned int e) const
     {
       const StrutInterval &part = interval(e);
@@ -203,10 +199,8 @@ namespace auxfem
     std::vector<AtRestInLanes> batches_at_rest;
   };
 
-  /**
-   * Damping section forces at the Gauss points of a batch, at one end of a
-   * step.
-   */
+  /** Damping section forces at the Gauss points of a batch, at one end of a
+   * step. */
   template <class Beam>
   struct ViscousForces
   {
@@ -228,10 +222,8 @@ namespace auxfem
       Beam::viscous_forces(beams.shape, at_rest, motions, forces);
     }
 
-    /**
-     * Forces at Gauss point @p g from the velocities of the state and from the
-     * mean velocity of the step.
-     */
+    /** Forces at Gauss point @p g from the velocities of the state and from the
+     * mean velocity of the step. */
     std::pair<const SectionForcesOf<Lanes> &, const SectionForcesOf<Lanes> &>
     at(const int g) const
     {

@@ -253,10 +253,8 @@ namespace auxfem
       typename BeamMeanForces<Beam>::Starts starts;
     };
 
-    /**
-     * Strain energy (J) and power lost by damping (W); with
-     * Kind::discrete_gradient the energy lost in the step (J).
-     */
+    /** Strain energy (J) and power lost by damping (W); with
+     * Kind::discrete_gradient the energy lost in the step (J). */
     static const BeamEnergy &energy_of(const EffectCache *results)
     {
       return static_cast<const BeamResults &>(*results).energy;
@@ -280,9 +278,8 @@ namespace auxfem
         }
     }
 
-    /**
-     * Adds the @p force of a batch and records its energies and largest forces.
-     */
+    /** Adds the @p force of a batch and records its energies and largest
+     * forces. */
     void add_forces(const ElementBatch        &batch,
                     const BeamEnergyOf<Lanes> &energy,
                     const Lanes (&force)[n],
@@ -328,10 +325,8 @@ namespace auxfem
       });
     }
 
-    /**
-     * Largest force of BeamResults at the first two nodes, the ends of the
-     * element.
-     */
+    /** Largest force of BeamResults at the first two nodes, the ends of the
+     * element. */
     static Lanes largest_end_force(const Lanes (&force)[n], const Lanes &length)
     {
       using std::abs, std::max;
@@ -346,10 +341,8 @@ namespace auxfem
       return max(largest_force, Lanes(largest_moment / length));
     }
 
-    /**
-     * Raises the bounds @p forces in the rows of element @p e to at least @p
-     * force (N).
-     */
+    /** Raises the bounds @p forces in the rows of element @p e to at least @p
+     * force (N). */
     void raise_node_bounds(const unsigned int e,
                            const double       force,
                            double            *forces) const

@@ -95,10 +95,8 @@ namespace auxfem
       return high_frequency_damping > 0;
     }
 
-    /**
-     * Registers the increments that the damping of high frequencies stores in
-     * State::history.
-     */
+    /** Registers the increments that the damping of high frequencies stores in
+     * State::history. */
     void register_in(StateLayout &layout)
     {
       if (!damps_high_frequencies())
@@ -168,10 +166,8 @@ namespace auxfem
       });
     }
 
-    /**
-     * Contribution of the damping of high frequencies to the stiffness factor
-     * of a linear tangent.
-     */
+    /** Contribution of the damping of high frequencies to the stiffness factor
+     * of a linear tangent. */
     double stiffness_of_damping(const Evaluation &step) const
     {
       return damps_high_frequencies() ? increment_damping(step).tangent_factor
@@ -181,10 +177,8 @@ namespace auxfem
   private:
     static constexpr int order = Beam::order;
     static constexpr int n     = Elements::n;
-    /**
-     * Number of increments that the damping of high frequencies stores per
-     * element.
-     */
+    /** Number of increments that the damping of high frequencies stores per
+     * element. */
     static constexpr int n_increments =
       Beam::is_linear ? n : order * Beam::n_components;
 
@@ -263,10 +257,8 @@ namespace auxfem
       });
     }
 
-    /**
-     * Linear mean force: the internal force of the mean unknowns. The damping
-     * of high frequencies uses increments of unknowns instead of strains.
-     */
+    /** Linear mean force: the internal force of the mean unknowns. The damping
+     * of high frequencies uses increments of unknowns instead of strains. */
     template <class HighFrequencyDamping>
     BeamEnergyOf<Lanes>
     linear_mean_force(const Evaluation                            &step,

@@ -34,19 +34,15 @@ namespace auxfem
 
     /** Total of the elements owned by this rank. */
     BeamEnergy energy;
-    /**
-     * Largest force at the ends of each element (N); moments are divided by the
-     * length of the strut.
-     */
+    /** Largest force at the ends of each element (N); moments are divided by
+     * the length of the strut. */
     std::vector<double> forces;
     /** Strain energy of each element (J). */
     std::vector<double> strain_energies;
   };
 
-  /**
-   * Section forces, positions and strains of struts for output and checks. @p
-   * Beam is as in BeamForces, without damping.
-   */
+  /** Section forces, positions and strains of struts for output and checks. @p
+   * Beam is as in BeamForces, without damping. */
   template <class Beam>
   class BeamSamples : public StrutForces
   {
@@ -218,10 +214,8 @@ namespace auxfem
   protected:
     static constexpr int order = Beam::order;
 
-    /**
-     * Elastic section forces at the Gauss points of element @p e; moments are
-     * work-conjugate to the curvatures of rotation_derivative.
-     */
+    /** Elastic section forces at the Gauss points of element @p e; moments are
+     * work-conjugate to the curvatures of rotation_derivative. */
     void elastic_forces(const unsigned int e,
                         const State       &state,
                         SectionForces (&point_forces)[order]) const
@@ -235,10 +229,8 @@ namespace auxfem
     const BeamElements<Beam> beams;
 
   private:
-    /**
-     * Converts moments that are work-conjugate to curvatures to section
-     * moments.
-     */
+    /** Converts moments that are work-conjugate to curvatures to section
+     * moments. */
     void find_moments(SectionForces (&point_forces)[order]) const
     {
       for (unsigned int k = 3; k < 6; ++k)
@@ -256,10 +248,8 @@ namespace auxfem
         }
     }
 
-    /**
-     * Damping section forces at the Gauss points of element @p e; the caller
-     * zeroes them, undamped beams leave them.
-     */
+    /** Damping section forces at the Gauss points of element @p e; the caller
+     * zeroes them, undamped beams leave them. */
     virtual void viscous_forces(const unsigned int /*e*/,
                                 const State & /*state*/,
                                 SectionForces (&/*point_forces*/)[order]) const
@@ -283,10 +273,8 @@ namespace auxfem
                          tangent);
     }
 
-    /**
-     * Translation part of @p values, by local unknown, at a point of element @p
-     * e with shape functions @p N.
-     */
+    /** Translation part of @p values, by local unknown, at a point of element
+     * @p e with shape functions @p N. */
     dealii::Tensor<1, 3> interpolated(const double (&N)[order + 1],
                                       const unsigned int e,
                                       const Vector      &values) const
@@ -316,10 +304,8 @@ namespace auxfem
       return strains;
     }
 
-    /**
-     * Upper bound of the squared outer-fibre strain over twice the energy per
-     * length (1/N): N / EA + M d / EI against N^2 / EA + M^2 / EI.
-     */
+    /** Upper bound of the squared outer-fibre strain over twice the energy per
+     * length (1/N): N / EA + M d / EI against N^2 / EA + M^2 / EI. */
     static double strain_per_energy(const Section               &section,
                                     const std::array<double, 2> &distances)
     {

@@ -42,16 +42,12 @@ namespace auxfem
     /** Motion of the nodes of a strut. */
     StrutMotion motion(unsigned int strut) const;
 
-    /**
-     * Solves for the equilibrium of all interiors. Returns false if a strut
-     * tangent is singular or a force is not finite.
-     */
+    /** Solves for the equilibrium of all interiors. Returns false if a strut
+     * tangent is singular or a force is not finite. */
     bool settle();
 
-    /**
-     * Work of the last Newton correction of a strut (J), 0 if negligible: its
-     * remaining distance from equilibrium.
-     */
+    /** Work of the last Newton correction of a strut (J), 0 if negligible: its
+     * remaining distance from equilibrium. */
     double out_of_balance(unsigned int strut) const;
 
     /**
@@ -74,23 +70,17 @@ namespace auxfem
 
     void find_residual();
     void add_loads();
-    /**
-     * One Newton iteration. Returns the work of the residual (J), or nothing if
-     * the tangent is singular.
-     */
+    /** One Newton iteration. Returns the work of the residual (J), or nothing
+     * if the tangent is singular. */
     std::optional<double> newton_iteration();
-    /**
-     * Calls @p act(local unknown, component) for all unknowns of a strut except
-     * those of its first end.
-     */
+    /** Calls @p act(local unknown, component) for all unknowns of a strut
+     * except those of its first end. */
     template <class Act>
     void   for_each_unknown(unsigned int strut, const Act &act) const;
     double work_on(unsigned int               strut,
                    const std::vector<double> &increment) const;
-    /**
-     * Applies an increment with a line search: halves it in struts whose
-     * residual does more work than at the start.
-     */
+    /** Applies an increment with a line search: halves it in struts whose
+     * residual does more work than at the start. */
     void apply_with_line_search(std::vector<double> &increment);
     /** Limits the increment of each strut. */
     void               limit_increment(std::vector<double> &increment) const;
@@ -105,10 +95,8 @@ namespace auxfem
 
     const bool                      large_rotation;
     const std::vector<unsigned int> strut_numbers;
-    /**
-     * Lattice in which every strut has joints of its own; rigid parts hold the
-     * other struts.
-     */
+    /** Lattice in which every strut has joints of its own; rigid parts hold the
+     * other struts. */
     const Lattice                             lattice;
     const DofNumbering                        numbering;
     std::vector<std::unique_ptr<StrutForces>> forces;
@@ -128,10 +116,8 @@ namespace auxfem
     ///@}
   };
 
-  /**
-   * Lattice numbers of the struts that this rank owns, in the order of their
-   * elements.
-   */
+  /** Lattice numbers of the struts that this rank owns, in the order of their
+   * elements. */
   std::vector<unsigned int> owned_struts(const DofNumbering &numbering);
 } // namespace auxfem
 

@@ -12,10 +12,8 @@
  */
 namespace auxfem
 {
-  /**
-   * Vector of three consecutive @p values, starting at unknown @p first of an
-   * element.
-   */
+  /** Vector of three consecutive @p values, starting at unknown @p first of an
+   * element. */
   template <class Unknowns>
   VectorOf<NumberAt<Unknowns>>
   vector_at(const double *values, const Unknowns &unknowns, const int first)
@@ -131,10 +129,8 @@ namespace auxfem
     }
   };
 
-  /**
-   * Derivative of the angular velocity omega = P W of node @p a by its spin:
-   * omega rotates with the section, and W follows the step.
-   */
+  /** Derivative of the angular velocity omega = P W of node @p a by its spin:
+   * omega rotates with the section, and W follows the step. */
   template <int order>
   TensorOf<Lanes>
   angular_velocity_by_spin(const DofNumbering                       &numbering,

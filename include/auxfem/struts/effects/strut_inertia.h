@@ -19,10 +19,8 @@ namespace auxfem
   /** Energy entry of mass-proportional damping. */
   EnergyEntry mass_damping_entry();
 
-  /**
-   * Common part of the strut inertia in the plane and in space: elements and
-   * energies.
-   */
+  /** Common part of the strut inertia in the plane and in space: elements and
+   * energies. */
   class StrutInertia : public InertiaEffect, public StageTerms
   {
   public:
@@ -42,10 +40,8 @@ namespace auxfem
                        EnergyAccount     &account) const override;
 
   protected:
-    /**
-     * Velocity of mass-proportional damping: the one at evaluation.to, with
-     * Kind::discrete_gradient the mean of the step.
-     */
+    /** Velocity of mass-proportional damping: the one at evaluation.to, with
+     * Kind::discrete_gradient the mean of the step. */
     class DampedVelocity
     {
     public:
@@ -95,10 +91,8 @@ namespace auxfem
     unsigned int damping_entry = 0;
   };
 
-  /**
-   * Inertia of the struts, with mass-proportional damping where a section has
-   * it.
-   */
+  /** Inertia of the struts, with mass-proportional damping where a section has
+   * it. */
   std::unique_ptr<Effect>
   make_strut_inertia(const Lattice              &lattice,
                      const DofNumbering         &numbering,

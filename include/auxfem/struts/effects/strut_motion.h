@@ -34,10 +34,8 @@ namespace auxfem
     }
   };
 
-  /**
-   * Motion of the strut whose elements begin with @p first_element of @p
-   * numbering; this rank must hold all of them.
-   */
+  /** Motion of the strut whose elements begin with @p first_element of @p
+   * numbering; this rank must hold all of them. */
   StrutMotion motion_of_strut(const DofNumbering &numbering,
                               const State        &state,
                               unsigned int        first_element);

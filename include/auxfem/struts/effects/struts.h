@@ -40,15 +40,11 @@ namespace auxfem
    */
   struct ScaledMotion
   {
-    /**
-     * Scaled epsilon, gamma_2, gamma_3, torsion, kappa_2, kappa_3 at the Gauss
-     * points of the internal forces.
-     */
+    /** Scaled epsilon, gamma_2, gamma_3, torsion, kappa_2, kappa_3 at the Gauss
+     * points of the internal forces. */
     std::vector<std::array<double, 6>> strains;
-    /**
-     * Scaled velocities along x, y, z at one more Gauss point; empty without
-     * inertia.
-     */
+    /** Scaled velocities along x, y, z at one more Gauss point; empty without
+     * inertia. */
     std::vector<std::array<double, 3>> velocities;
   };
 
@@ -77,10 +73,8 @@ namespace auxfem
     double high_frequency_damping = 0;
   };
 
-  /**
-   * Internal forces of the struts of one polynomial order: geometrically exact
-   * beams.
-   */
+  /** Internal forces of the struts of one polynomial order: geometrically exact
+   * beams. */
   class StrutForces : public Effect, public StageTerms, public SmallMotionTerms
   {
   public:
@@ -107,10 +101,8 @@ namespace auxfem
     virtual double energy_density(unsigned int         e,
                                   const SectionForces &forces) const = 0;
 
-    /**
-     * Positions (m) of the points of sample() under @p displacement, by local
-     * unknown.
-     */
+    /** Positions (m) of the points of sample() under @p displacement, by local
+     * unknown. */
     virtual std::vector<dealii::Point<3>> axis(const Vector &displacement,
                                                unsigned int  e,
                                                unsigned int n_points) const = 0;
@@ -119,17 +111,13 @@ namespace auxfem
     virtual ScaledMotion scaled_motion(const State &state,
                                        unsigned int e) const = 0;
 
-    /**
-     * Strain energy (J) of element @p e of the numbering, from the @p results
-     * of an evaluation.
-     */
+    /** Strain energy (J) of element @p e of the numbering, from the @p results
+     * of an evaluation. */
     virtual double strain_energy(const EffectCache &results,
                                  unsigned int       e) const = 0;
 
-    /**
-     * Mean elastic axial force (N) in element @p e of the numbering at @p
-     * state; positive in tension.
-     */
+    /** Mean elastic axial force (N) in element @p e of the numbering at @p
+     * state; positive in tension. */
     virtual double axial_force(const State &state, unsigned int e) const = 0;
 
     /**
