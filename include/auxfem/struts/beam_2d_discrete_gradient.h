@@ -5,7 +5,29 @@
 #include <auxfem/struts/beam_2d.h>
 #include <auxfem/struts/beam_dispatch.h>
 
-/** direction of t */
+/**
+ * @file
+ * Mean forces of Beam2D over a step from state 0 to state 1 that conserve
+ * energy and momenta. They use the algorithmic strain operators of Simo, Tarnow
+ * & Doblare (1995) and Romero & Armero (2002) in the plane. With a bar for
+ * means over the step, a delta for increments and d = (phi_1 - phi_0) / 2,
+ * @code
+ * stress      = C (E_0 + E_1) / 2 + beta C delta E / dt
+ * d(epsilon)  = (t_0 + t_1)/2 . dr' + (n_0 + n_1)/2 . rbar' dphi_g
+ * d(gamma)    = (n_0 + n_1)/2 . dr' - (t_0 + t_1)/2 . rbar' dphi_g
+ * @endcode
+ * Cayley's measure 2 tan d describes rotations. With subscripts a for nodes, g
+ * for Gauss points and d_r = (d_first + d_last) / 2 of the ends,
+ * @code
+ * dphi_r = sum_ends cos(d_a) dphi_a / sum_ends cos(d_a)
+ * c_a    = cos(d_a) cos(d_r) / sinc(d_a - d_r)
+ * dphi_g = dphi_r + sinc(d_g - d_r) / (cos(d_g) cos(d_r)) *
+ *            sum_a N_a c_a (dphi_a - dphi_r)
+ * dkappa = sum_a N_a' c_a (dphi_a - dphi_r)
+ * @endcode
+ * For dr = delta r and dphi_a = 2 tan d_a these are exactly the strain
+ * increments; for rigid motions they vanish.
+ */
 namespace auxfem
 {
   namespace Beam2D
@@ -22,7 +44,7 @@ namespace auxfem
     struct PointAtStartOf
     {
       StrainsOf<Number> strains;
-      Number            cosine, sine; ///< of t
+      Number            cosine, sine; ///< direction of t
       Number            x, y;         ///< r'
     };
 

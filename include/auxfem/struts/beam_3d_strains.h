@@ -102,9 +102,8 @@ namespace auxfem
     template <int order, class Number = double>
     struct RelativeRotations
     {
-      QuaternionOf<Number> middle; ///< P_r
-      VectorOf<Number>
-        psi[order + 1]; ///< relative rotation vectors of the nodes (rad)
+      QuaternionOf<Number> middle;         ///< P_r
+      VectorOf<Number>     psi[order + 1]; ///< of the nodes (rad)
 
       explicit RelativeRotations(const NodeOf<Number> *nodes)
       {

@@ -13,8 +13,8 @@ namespace auxfem
   {
     using Tensor = dealii::Tensor<2, 3>;
 
-    /** Derivative of a unit vector along n by its vector, times the length: 1 -
-     * e n. */
+    /** Derivative of a unit vector along n by its vector, times the length (I -
+     * e n). */
     Tensor across(const dealii::Tensor<1, 3> &e, const dealii::Tensor<1, 3> &n)
     {
       return Tensor(dealii::unit_symmetric_tensor<3>()) -

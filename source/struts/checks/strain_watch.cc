@@ -62,8 +62,8 @@ namespace auxfem
            << ", its Yield strain is "
            << percentage_text(exceedance.strain / exceedance.largest.size, 3)
            << ". The model stays elastic; real struts soften and deform "
-              "permanently. Reduce the load, or use the results up to this "
-              "time.";
+              "permanently. Reduce the load, or use the results up to that "
+              "point.";
       return {Verdict::doubtful, text.str(), exceedance.first.time, location};
     }
 

@@ -90,9 +90,9 @@ namespace auxfem
     /**
      * Checks for bending waves that are too short for the elements. The
      * rotations of an element of order p define its bending up to degree p + 1.
-     * In a plane wave the energy fraction in that degree grows as (k h)^(2p +
-     * 2); rigid rotation has none. The sum over sampled steps is compared with
-     * the total kinetic energy.
+     * In a plane wave the energy fraction in that degree grows as (kh)^(2p+2);
+     * rigid rotation has none. The sum over sampled steps is compared with the
+     * total kinetic energy.
      */
     class WaveWatch : public Watch
     {

@@ -180,9 +180,9 @@ namespace auxfem
       // here.
       if (!(history.rate > 0) && mass_damping > 0)
         return std::nullopt;
-      const double damping_ratio = stiffness_damping * history.rate +
+      const double damping_force_ratio = stiffness_damping * history.rate +
         (mass_damping > 0 ? mass_damping / history.rate : 0.);
-      return EffectMeasure{history.lost(plan, damping_ratio),
+      return EffectMeasure{history.lost(plan, damping_force_ratio),
                            "the struts' forces"};
     }
   } // namespace

@@ -101,13 +101,12 @@ namespace auxfem
     const DofNumbering                        numbering;
     std::vector<std::unique_ptr<StrutForces>> forces;
     std::vector<std::unique_ptr<Effect>>      inertia, loads;
-    std::vector<std::unique_ptr<EffectCache>>
-                                   results; ///< cache of each entry of forces
-    TangentPattern                 pattern;
-    std::unique_ptr<TangentMatrix> tangent;
-    std::unique_ptr<StrutCondensation> condensation;
-    std::unique_ptr<State>             state;
-    std::vector<double>                residual; ///< by local unknown
+    std::vector<std::unique_ptr<EffectCache>> results; ///< one per group
+    TangentPattern                            pattern;
+    std::unique_ptr<TangentMatrix>            tangent;
+    std::unique_ptr<StrutCondensation>        condensation;
+    std::unique_ptr<State>                    state;
+    std::vector<double>                       residual; ///< by local unknown
     /** @name Data by lattice strut: first element, time, last correction. */
     ///@{
     std::vector<unsigned int> first_element;

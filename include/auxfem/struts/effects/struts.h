@@ -51,9 +51,8 @@ namespace auxfem
   /** Allowed outer-fibre strain of a section. */
   struct StrainLimit
   {
-    double strain; ///< infinite: no limit
-    std::array<double, 2>
-      distances; ///< distances of the fibres from axes 2 and 3 (m)
+    double                strain;    ///< infinite: no limit
+    std::array<double, 2> distances; ///< fibres from axes 2, 3 (m)
   };
 
   /** Outer-fibre strain, axial plus bending, over the allowed strain. */
