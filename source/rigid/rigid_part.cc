@@ -175,8 +175,8 @@ namespace auxfem
       }
     if (part.struts.empty() == part.joints.empty())
       values.refuse(part.struts.empty()
-                      ? "neither Struts nor Joints is given. Give one of them"
-                      : "both Struts and Joints are given. Give one of them");
+                      ? "give either Struts or Joints; none of them is given"
+                      : "give either Struts or Joints; both are given");
     if (part.mass == 0 && part.rotary_inertia)
       values.refuse("Rotary inertia is given, but Mass = 0. "
                     "Give the part a mass");
