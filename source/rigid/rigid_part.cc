@@ -11,7 +11,7 @@ namespace auxfem
   {
     const PlaneVector d        = in_dimension<2>(r1 - r0),
                       to_point = in_dimension<2>(point - r0);
-    return {(to_point * d) / (d * d), (to_point * turned(d)) / (d * d)};
+    return {(to_point * d) / (d * d), (to_point * perpendicular(d)) / (d * d)};
   }
 
   template <>

@@ -29,7 +29,7 @@ namespace
 
   PlaneVector turned_by(const PlaneVector &v, const double angle)
   {
-    return std::cos(angle) * v + std::sin(angle) * turned(v);
+    return std::cos(angle) * v + std::sin(angle) * perpendicular(v);
   }
 
   /** The base at rest. */
@@ -47,7 +47,7 @@ namespace
                       const dealii::Point<3> &pole,
                       const double            rate)
   {
-    return rate * turned(vector(p[0] - pole[0], p[1] - pole[1]));
+    return rate * perpendicular(vector(p[0] - pole[0], p[1] - pole[1]));
   }
 
   /** (v0, v1) . M . (v0, v1) / 2 */

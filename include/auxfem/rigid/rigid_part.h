@@ -29,7 +29,7 @@ namespace auxfem
   using PlaneVector = dealii::Tensor<1, 2>;
 
   /** Rotates @p v by a right angle, counterclockwise. */
-  inline PlaneVector turned(const PlaneVector &v)
+  inline PlaneVector perpendicular(const PlaneVector &v)
   {
     PlaneVector result;
     result[0] = -v[1];
@@ -129,7 +129,7 @@ namespace auxfem
     /** de / dphi; the next derivative is -e. */
     PlaneVector normal_derivative(double rotation) const
     {
-      return turned(normal(rotation));
+      return perpendicular(normal(rotation));
     }
   };
 

@@ -95,7 +95,7 @@ namespace auxfem
       (base_difference<2>(clamp.unknowns, u0) +
        base_difference<2>(clamp.unknowns, u1)) /
         2;
-    return {mean, turned(mean) * d};
+    return {mean, perpendicular(mean) * d};
   }
 
   template <int dim>

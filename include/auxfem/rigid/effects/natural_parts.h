@@ -158,7 +158,7 @@ namespace auxfem
       SpaceVector result;
       if constexpr (dim == 2)
         {
-          const double across = turned(body.rest) * stretch;
+          const double across = perpendicular(body.rest) * stretch;
           result[2]           = large_rotation
                       ? std::atan2(across, body.rest * (body.rest + stretch))
                       : across / (body.length * body.length);
