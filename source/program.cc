@@ -240,7 +240,7 @@ namespace auxfem
 
   namespace
   {
-    /** What is printed for actions that compute nothing. */
+    /** The text printed by actions that compute nothing. */
     std::optional<std::string> answer(const CommandLine::Action action)
     {
       switch (action)

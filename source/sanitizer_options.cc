@@ -1,8 +1,8 @@
-/** What the address sanitizer asks the program for: leaks are not looked for,
- * as MPI and the libraries below it keep memory to the end; of the calls that
- * led to an allocation few are kept, which of 30 takes a sixth of the time (to
- * have them: ASAN_OPTIONS=malloc_context_size=30); of freed memory 32 MB are
- * kept from use, not 256, as getting pages for these takes the system longer.
+/** Defaults of the address sanitizer. It does not search for leaks, because MPI
+ * and the libraries below it keep memory to the end. It keeps few calls of an
+ * allocation, because 30 take a sixth of the time (they return with
+ * ASAN_OPTIONS=malloc_context_size=30), and 32 MB of freed memory instead of
+ * 256, because the system needs longer for more pages.
  */
 extern "C" const char *
 __asan_default_options(); // NOLINT(bugprone-reserved-identifier)

@@ -40,8 +40,8 @@ namespace auxfem
       return values;
     }
 
-    /** What may change beside parameters of the output: how far the run goes.
-     */
+    /** Parameters that a resumed run may change beside those of the output: how
+     * far the run goes. */
     std::vector<std::string> ends_of(const Scene &scene)
     {
       if (scene.analysis == Analysis::static_path)

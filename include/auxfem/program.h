@@ -9,7 +9,7 @@
 
 namespace auxfem
 {
-  /** What the user asked for on the command line. */
+  /** The parsed command line. */
   struct CommandLine
   {
     enum class Action

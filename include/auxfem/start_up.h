@@ -7,9 +7,9 @@
 namespace auxfem
 {
   /**
-   * What to tell where this processor lacks vector instructions that the
-   * compiler was allowed to use (AUXFEM_VECTOR_INSTRUCTIONS); none if it has
-   * them. To be called before anything is computed.
+   * A message if this processor lacks vector instructions that the compiler was
+   * allowed to use (AUXFEM_VECTOR_INSTRUCTIONS). To be called before anything
+   * is computed.
    */
   std::optional<std::string> missing_instructions();
 

@@ -22,7 +22,7 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  /** What has passed since it was made. */
+  /** Wall time since construction. */
   class Times
   {
   public:

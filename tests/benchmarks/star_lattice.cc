@@ -70,7 +70,7 @@ namespace
                                    "Output/Directory=output/benchmark"});
     Measurement               result;
 
-    // What a run says on the screen would stand in the middle of the table.
+    // The console of a run would interrupt the table.
     std::cout.setstate(std::ios::failbit);
     const std::unique_ptr<Recorder> output =
       make_run_output(run.scene, MPI_COMM_WORLD);

@@ -92,7 +92,7 @@ namespace
       refuse_columns_of_nothing(scene, build_lattice(scene));
   }
 
-  /** What is wrong with a message that a user would get; empty if nothing. */
+  /** The defect of a message to the user; empty if there is none. */
   std::string fault_of(const std::string &message)
   {
     const std::string shown = with_short_lines(message);

@@ -20,7 +20,7 @@ namespace
                       dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD)))
     {}
 
-    /** What all ranks print together, and how this one ends. */
+    /** The output of all ranks together, and the exit code of this one. */
     ProgramRun run_on_all_ranks(const Words &arguments) const
     {
       const ProgramRun mine = run_auxfem(arguments);

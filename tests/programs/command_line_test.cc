@@ -266,7 +266,7 @@ namespace
     EXPECT_DOUBLE_EQ(std::stod(summary("time_reached")), 200e-6);
     EXPECT_EQ(summary("joints"), "44");
 
-    // What was printed is in the log, except for progress, which may be denser.
+    // The log has the printed lines, except for progress, which may be denser.
     std::istringstream stream(run.output);
     const std::string  log = read_text(path("out/log.txt"));
     for (std::string line; std::getline(stream, line);)

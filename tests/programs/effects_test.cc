@@ -6,7 +6,7 @@ namespace
 {
   using namespace auxfem::testing_support;
 
-  /** What a run says that it simulates and leaves out. */
+  /** The lists of simulated and omitted effects that a run prints. */
   class EffectsProgram : public ProgramTest
   {
   protected:

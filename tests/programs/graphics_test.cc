@@ -54,7 +54,7 @@ namespace
         EXPECT_NEAR(table["dissipated"][i],
                     table["tie.dissipated"][i] + table["anchors.dissipated"][i],
                     1e-12 * table["dissipated"].back());
-        // Nor does a support move.
+        // No support moves.
         EXPECT_EQ(table["external"][i], table["push.load_work"][i]);
         // Written with 15 digits, balance is the sum of the others.
         EXPECT_NEAR(table["balance"][i],

@@ -7,7 +7,7 @@ namespace
 
   const std::string short_run = "Time/End time=40 us";
 
-  /** What a run does to files that are there before it. */
+  /** Runs into folders that hold files already. */
   class FilesOfTheUser : public ProgramTest
   {
   protected:
@@ -57,7 +57,7 @@ namespace
     refuses_link("connectors", "../elsewhere/none", {"--force"});
     refuses_link("history.csv", "../elsewhere/empty");
 
-    // What is replaced on demand is the link.
+    // --force replaces the link, not its target.
     fs::create_directories(path("out"));
     for (const char *name : {"history.csv", "log.txt", "summary.json.part"})
       fs::create_symlink("../elsewhere/empty",

@@ -182,7 +182,7 @@ namespace
         EXPECT_EQ(run.exit_code, 1);
         expect_contains(run.errors, {"no checkpoint in ", folder});
       }
-    // What a new run leaves in the folder is its own.
+    // A new run removes the checkpoints of the old one.
     ASSERT_EQ(run_auxfem(begin()).exit_code, 0);
     EXPECT_TRUE(has_checkpoint());
     ASSERT_EQ(

@@ -23,7 +23,7 @@ namespace auxfem
                                 "set Time step = 0.0000152587890625"),
                        "set Force y = -4e3 * t",
                        "set Force y = -0.3 * sin(1000 * t)") +
-                // Else the end time has a say in it.
+                // A decision would depend on the end time.
                 "subsection Effects\n  set Large rotation = on\nend\n");
       }
 
@@ -32,7 +32,7 @@ namespace auxfem
       inline static const std::string end = "0.01953125", early = "0.0078125",
                                       later = "0.01171875";
 
-      /** Of a run in `out`. */
+      /** Arguments of a run into `out`. */
       static Words begin()
       {
         return {"scene.prm", "--output", "out"};

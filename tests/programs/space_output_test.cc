@@ -8,7 +8,7 @@ namespace
   using namespace auxfem;
   using namespace auxfem::testing_support;
 
-  /** What scenes in space write, read back as ParaView does. */
+  /** Files of scenes in space, read back as ParaView does. */
   class SpaceOutputProgram : public ProgramTest
   {
   protected:
@@ -119,7 +119,7 @@ subsection Time
 end
 )");
     const SpaceVector F({3, -2, 5}), M({0.3, 0.7, -0.2});
-    // Of the part beyond a section on the part before it.
+    // The part beyond a section acts on the part before it.
     const auto moment = [&](const double s) {
       return M +
         (slanted_length - s) * dealii::cross_product_3d(slanted_tangent, F);

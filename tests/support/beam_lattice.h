@@ -114,7 +114,7 @@ namespace auxfem::testing_support
     std::unique_ptr<Unknowns>      unknowns;
     std::unique_ptr<SparseMatrix>  matrix;
 
-    /** Of every joint and component (by number in components), of all ranks. */
+    /** Global number of a component (by its place in components) of a joint. */
     int number(const unsigned int joint, const unsigned int c) const
     {
       return first[rank_of[joint]] + position[joint] * components.size() + c;

@@ -14,8 +14,8 @@ namespace auxfem
 {
   namespace testing_support
   {
-    /** What a path of equilibria is seen to be: computed in this process
-     * without writing anything. Motions are those of joints on this rank. */
+    /** Records a path of equilibria in this process, without files. Motions are
+     * those of joints on this rank. */
     class FollowedPath : public Recorder
     {
     public:
@@ -25,7 +25,7 @@ namespace auxfem
         std::optional<unsigned long> n_negative;
         std::optional<int>           determinant_sign;
         Energies                     energies;
-        /** Of joints, by component of motion. */
+        /** By joint and component of motion. */
         std::vector<std::array<double, n_motion_components>> motions;
       };
       struct Singular : Point

@@ -16,7 +16,7 @@ namespace auxfem::testing_support
     {
       blocks.reserve(1 << 20);
       getrlimit(RLIMIT_AS, &former);
-      // What is in use stays; nothing new is given.
+      // Memory in use stays valid; new allocations fail.
       const rlimit limit{0, former.rlim_max};
       setrlimit(RLIMIT_AS, &limit);
       for (std::size_t size = 1 << 26; size >= 1 << 13; size /= 2)

@@ -58,7 +58,7 @@ namespace auxfem
       return std::count(text.begin(), text.end(), '\n');
     }
 
-    /** What a program printed, and how it ended. */
+    /** Output and exit code of a program. */
     struct ProgramRun
     {
       int         exit_code; ///< -1: ended by a signal
@@ -132,7 +132,7 @@ namespace auxfem
       return match[1].matched ? match[1] : match[2];
     }
 
-    /** What is written to a file descriptor goes to a file meanwhile. */
+    /** Redirects a file descriptor to a file for its lifetime. */
     class Redirection
     {
     public:

@@ -112,7 +112,7 @@ namespace auxfem
         return results;
       }
 
-      /** Of the evaluation last given to residual(). */
+      /** The tangent at the evaluation last given to residual(). */
       void tangent(const Evaluation     &evaluation,
                    const TangentFactors &factors,
                    TangentMatrix        &matrix) const

@@ -31,7 +31,7 @@ namespace auxfem
         }
     }
 
-    /** What stands behind the `=` of a parameter; numbers become text. */
+    /** The value of a parameter as text; numbers are converted. */
     struct SceneValue
     {
       /** As it stands. */
@@ -59,7 +59,7 @@ namespace auxfem
       double bending;
     };
 
-    /** Of struts; what is empty is not set. */
+    /** Material of struts; empty values are not set. */
     struct Material
     {
       SceneValue youngs_modulus;
@@ -348,7 +348,7 @@ namespace auxfem
         return set("Probes/" + name, selection);
       }
 
-      /** What a user would write in the file. */
+      /** The text of the `.prm` file. */
       std::string str() const
       {
         // Entries of each subsection, which may be given once only.

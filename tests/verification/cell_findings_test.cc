@@ -7,9 +7,9 @@
 
 #include "result_table.h"
 
-// What Shokri Rad, Mohsenizadeh and Ahmad found on their eight cases, measured
-// on the corrected equations over the two numbers they do not give. Nothing is
-// tuned: what is asserted is what holds everywhere in the range.
+// The findings of Shokri Rad, Mohsenizadeh and Ahmad on their eight cases, by
+// the corrected equations and for a range of the two numbers that the paper
+// omits. The assertions hold everywhere in that range.
 
 using namespace auxfem;
 using namespace auxfem::testing_support;

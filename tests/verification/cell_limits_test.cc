@@ -133,7 +133,7 @@ TEST(CellLimits, StandardLinearSolidWithoutItsSpringIsMaxwell)
 
 TEST(CellLimits, StandardLinearSolidWithALockedDashpotIsASpring)
 {
-  // What flows in 50 ms is 1e-6 of the dashpot's 20 kN/m over 1e9 N s/m.
+  // The dashpot of 1e9 N s/m beside 20 kN/m creeps by 1e-6 in 50 ms.
   expect_equal(course("standard-linear-solid", K, 1e9, "5e3"),
                course("spring", K + 5e3, 0),
                1e-6);

@@ -50,7 +50,7 @@ namespace
     return std::accumulate(values.begin(), values.end(), 0.) / values.size();
   }
 
-  /** Of the mean, squared. */
+  /** Squared standard error of the mean. */
   double squared_error(const std::vector<double> &values)
   {
     double squares = 0;

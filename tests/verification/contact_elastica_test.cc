@@ -37,7 +37,7 @@ namespace
       .mesh(3, 5);
   }
 
-  /** What touches the plane. */
+  /** Contacts with the plane. */
   std::vector<ContactReport> contacts(const SceneRun &run)
   {
     return run.equations.reporting()

@@ -12,7 +12,7 @@
 using namespace auxfem;
 using namespace auxfem::testing_support;
 
-// What hits a rigid plate, or is hit by one: forces, durations, velocities,
+// Impacts on rigid plates, and of such plates: forces, durations, velocities,
 // energy and momentum.
 
 namespace

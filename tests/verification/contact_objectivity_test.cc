@@ -15,7 +15,7 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  /** What happens in a step, in the directions before the turn. */
+  /** Results of a step, in axes before the rotation of the scene. */
   struct CrushStep
   {
     double      time;
@@ -93,8 +93,8 @@ namespace
         .set("Effects/Shear flexibility", "off")
         .mesh(3, 2)
         .add("Time", "Spectral radius = 0.6")
-        // Of longer steps some are tried again in parts, and which hangs on
-        // round-off, as does which struts bounce for a single step.
+        // With longer steps, round-off decides which steps are divided and
+        // which struts bounce for a single step.
         .time(0.05, 0.000125, "generalized-alpha");
       // The lower one lies below the joint that is held.
       scene.add("Plates/lower",

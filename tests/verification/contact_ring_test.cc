@@ -91,7 +91,7 @@ namespace
                                    end[1] + ring_thickness / 2};
       },
       {0, 2});
-    // Else a part of it lies flat.
+    // With less, a part of the ring would lie flat.
     EXPECT_GT(u[1], 1);
     return {u[0],
             0,

@@ -40,8 +40,8 @@ namespace
         std::cos(inclination);
     }
 
-    /** Of the other rod on this one, per length (N/m): turns the section force
-     * around the axis. */
+    /** Force of the other rod on this one, per length (N/m). It turns the
+     * section force around the axis. */
     double contact_force() const
     {
       return force_around() * std::sin(inclination) / radius;
@@ -83,7 +83,7 @@ namespace
       .mesh(3, 4);
   }
 
-  /** What is seen of the rods in the middle eighth of their length. */
+  /** Measured shape of the rods in the middle eighth of their length. */
   struct MiddleOfRods
   {
     explicit MiddleOfRods(const SpaceRun &run)
@@ -158,8 +158,8 @@ TEST(ContactTwist, RodsWindAboutEachOther)
                  penetration = std::sqrt(2 * 0.02 * radius *
                                          helix.contact_force() / stiffness);
     EXPECT_LT(penetration, 0.02 * radius);
-    // What the ends disturb fades as exp(-z / sqrt(EI / N)): to two thousandths
-    // where the middle begins.
+    // The disturbance of the ends fades as exp(-z / sqrt(EI / N)): to two
+    // thousandths where the middle begins.
     table.row(at + "radius of the helix (m)",
               middle.radius,
               radius - penetration / 2,

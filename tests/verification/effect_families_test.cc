@@ -30,7 +30,7 @@ namespace
     std::function<SceneText(double)> scene;
   };
 
-  /** What a family says at one value. */
+  /** Measure and change of a family at one value of its parameter. */
   struct Sample
   {
     double value, measure, change;

@@ -65,8 +65,8 @@ namespace auxfem
     };
 
     /**
-     * What makes all @p misses zero, as many as there are unknowns, from a
-     * guess: Newton's method with differences. Of shooting.
+     * Solves @p misses = 0 from a guess by Newton's method with differences, for
+     * as many equations as unknowns.
      */
     inline std::vector<double>
     shoot(const std::function<std::vector<double>(const std::vector<double> &)>

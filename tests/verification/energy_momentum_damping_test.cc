@@ -69,8 +69,8 @@ namespace
       return (low + high) / 2;
     }
 
-    /** What is left of the amplitude in a step: that of the root near -1 where
-     * the angle is large, else of the pair beside the small real root. */
+    /** Amplification factor of a step: that of the root near -1 where the angle
+     * is large, otherwise of the complex pair. */
     double spectral_radius(const bool is_large) const
     {
       if (is_large)
@@ -94,7 +94,7 @@ namespace
     return u;
   }
 
-  /** What is left of the amplitude in a step, from displacements. */
+  /** Amplification factor of a step, from displacements. */
   double amplitude_left(const std::vector<double> &u,
                         const bool                 is_large,
                         const unsigned int         n)

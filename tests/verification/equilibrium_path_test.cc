@@ -54,7 +54,7 @@ namespace
       (follows ? "load that turns with the frame" : "dead load") +
       ", rod equation by shooting");
     table.relative("upper", 40000 * limits[0].load_factor, upper, 1e-6);
-    // What shear leaves there.
+    // The tolerance is the effect of shear.
     table.relative("lower", 40000 * limits[1].load_factor, lower, 4e-6);
   }
 

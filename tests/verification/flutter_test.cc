@@ -111,15 +111,15 @@ namespace
   template <class T>
   T root_near(const std::function<T(T)> &of, T before, T at)
   {
-    T of_before = of(before);
+    T apart_before = of(before);
     for (unsigned int i = 0; i < 50; ++i)
       {
-        const T of_at = of(at);
-        if (of_at == of_before)
+        const T apart_at = of(at);
+        if (apart_at == apart_before)
           break;
-        const T change = of_at * (at - before) / (of_at - of_before);
+        const T change = apart_at * (at - before) / (apart_at - apart_before);
         before         = at;
-        of_before      = of_at;
+        apart_before   = apart_at;
         at -= change;
         if (std::abs(change) < 1e-13 * std::abs(at))
           break;
@@ -143,17 +143,18 @@ namespace
     return std::pow(one * one - other * other, 2).real();
   }
 
-  /** By which the first two modes meet, of what @p modes finds under a force. */
+  /** The force under which the first two modes meet. */
   double flutter_load(const std::function<double(double)> &apart_under,
                       const double                         near)
   {
-    double before = near * 0.99, at = near, of_before = apart_under(before);
+    double before = near * 0.99, at = near, apart_before = apart_under(before);
     for (unsigned int i = 0; i < 5; ++i)
       {
-        const double of_at  = apart_under(at),
-                     change = of_at * (at - before) / (of_at - of_before);
-        before              = at;
-        of_before           = of_at;
+        const double apart_at = apart_under(at),
+                     change =
+                       apart_at * (at - before) / (apart_at - apart_before);
+        before       = at;
+        apart_before = apart_at;
         at -= change;
         if (std::abs(change) < 1e-5 * at)
           break;

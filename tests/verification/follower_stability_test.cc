@@ -14,7 +14,8 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  /** Of columns: what axial strain and shear leave is some 1e-6. */
+  /** Axial and shear stiffness of columns, whose strains change loads by 1e-6.
+   */
   constexpr double stout = 1e7;
 
   /** Adds a force of @p force down the column at @p joint, of which the part
@@ -116,7 +117,7 @@ namespace
     for (const double follower : {0., 0.15, 0.3})
       for (const bool in_space : {false, true})
         {
-          // What follows a rotation needs an elastic strut, short and stiff.
+          // A following load needs an elastic strut, short and stiff.
           const std::string joints = "0 0; 0 1; 0 1.38; 0 1.4",
                             struts = "0 1; 1 2; 2 3";
           SceneText scene = in_space ? static_space_frame(joints, struts)

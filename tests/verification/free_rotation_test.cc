@@ -45,7 +45,7 @@ namespace
     return SpaceTensor(dealii::unit_symmetric_tensor<3>());
   }
 
-  /** Of straight struts with the section of round_beam(). */
+  /** Inertia of straight struts with the section of round_beam(). */
   RigidBody rigid_body(const Body &body)
   {
     RigidBody rigid;
@@ -132,7 +132,7 @@ namespace
     return scene.mesh(2, 0).time(end, dt).str();
   }
 
-  /** What remains of the fourth order in dt, and strains (m). */
+  /** Error of fourth order in dt, and strains (m). */
   constexpr double allowed_error = 1e-5;
 
   /** Positions of all joints at the end, extrapolated from two steps. */

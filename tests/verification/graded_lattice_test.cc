@@ -88,7 +88,7 @@ namespace
     return read_scene_from_text(text.str(), "test.prm");
   }
 
-  /** What a run found. */
+  /** Results of a run. */
   struct GradedOutcome
   {
     std::vector<StrutDivision> divisions;

@@ -209,8 +209,8 @@ namespace auxfem
         return apart / largest;
       }
 
-      /** What becomes of the run @p whole of @p hard if no more than its
-       * checkpoint is left. */
+      /** Resumes the run @p whole of @p hard from its checkpoint and describes
+       * the difference. */
       std::string words_on_resumed(const HardCase    &hard,
                                    const std::string &scheme,
                                    const Course      &whole)

@@ -15,7 +15,7 @@ namespace auxfem
     /** A scene that is hard for a time scheme. */
     struct HardCase
     {
-      /** Of its table. */
+      /** Title of its table. */
       std::string              title;
       std::string              prm;
       std::vector<std::string> overrides = {};
@@ -28,7 +28,7 @@ namespace auxfem
       double part_before_checkpoint = 0.5;
     };
 
-    /** What is seen of a run. */
+    /** History and verdict of a run. */
     struct Course
     {
       bool    is_completed = true;

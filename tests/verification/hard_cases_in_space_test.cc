@@ -9,8 +9,8 @@
 using namespace auxfem;
 using namespace auxfem::testing_support;
 
-// What makes other programs fail in space: damping that brakes rigid rotation,
-// steps of more than a radian, and lattices that buckle.
+// Scenes in space on which other programs fail: damping that brakes rigid
+// rotation, steps of more than a radian, and lattices that buckle.
 
 namespace
 {

@@ -10,9 +10,9 @@
 using namespace auxfem;
 using namespace auxfem::testing_support;
 
-// What breaks finite-element programs: a lattice that collapses, long steps,
-// extreme connectors, tolerances below round-off, many turns. A run goes on or
-// ends with a clear error, and never with a state that is not finite.
+// Scenes that break finite-element programs: a lattice that collapses, long
+// steps, extreme connectors, tolerances below round-off, many turns. A run goes
+// on or ends with a clear error, and never with a state that is not finite.
 
 namespace
 {
@@ -21,7 +21,7 @@ namespace
   /** The star lattice, 2 x 2 cells, under @p load (N) on each top joint until @p end (s). */
   Overrides small_star(const double load, const double end = 20e-3)
   {
-    // What collapses goes on through itself, which is harder yet.
+    // Without contact the lattice collapses through itself, a harder case.
     return star_size(2, load) +
       Overrides{"Time/End time=" + text(end), "Effects/Contact=off"};
   }
@@ -52,7 +52,7 @@ namespace
     return -run.motion(run.lattice.joint_sets.at("top")[1], 1);
   }
 
-  /** What remains to be seen of a run. */
+  /** Results of a run. */
   struct Outcome
   {
     double        shortening, balance, work;
@@ -260,8 +260,8 @@ TEST(HardCases, MaxwellElementsOfAnyRelaxationTime)
       const Outcome run =
         outcome(small_star(1) + Overrides{"Connectors/damper/Law=maxwell"} +
                 connector("Damping coefficient", K * tau));
-      // What a spring loses by relaxation is end / tau of its part; what is
-      // left of a dashpot falls with C.
+      // A spring loses the part end / tau by relaxation; the force of a dashpot
+      // falls with C.
       if (ratio <= 1e-4)
         table.row(label("dt / tau", ratio),
                   run.shortening,
@@ -419,6 +419,6 @@ TEST(HardCases, LinearStaticsWithDashpotsFactorizesAtKinksOnly)
   // The first step, also that after the kink of the load, has no rates to look
   // back on; all others have the same.
   EXPECT_EQ(run.work().factorizations, 4u);
-  // Of two iterations the second refines weak parts beside stiff ones.
+  // The second of two iterations refines weak parts beside stiff ones.
   EXPECT_LE(run.work().iterations, 2 * run.scene.time.n_steps());
 }

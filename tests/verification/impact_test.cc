@@ -76,8 +76,7 @@ TEST(Impact, RodSlowsTheHammerByItsWave)
 
 namespace
 {
-  /** What a mass of 1 kg does after it hits a connector of K = 1 N/m at 1 m/s.
-   */
+  /** Rebound of a mass of 1 kg from a connector of K = 1 N/m at 1 m/s. */
   struct Rebound
   {
     double restitution_at_zero_force = 0, time_at_zero_force = 0;

@@ -130,8 +130,8 @@ namespace
   };
 
   /**
-   * Of the frame pulled along +x with a lateral force of @p imperfection times
-   * the force, up to the force @p end.
+   * Deflections of the frame pulled along +x, with a lateral force of
+   * @p imperfection times the force, up to the force @p end.
    */
   std::vector<Deflection>
   pulled(const double imperfection, const double end, const double step)

@@ -136,9 +136,10 @@ TEST(NaturalFrequencies, EulerBernoulliBar)
     return f;
   };
   // Measured: 7e-6 where the elements, of length l, are half a wave, kl = pi,
-  // and 1e-5 (kl / pi)^7 at most. Of eigenvalues beside the stiffness of shear
-  // round-off leaves eight digits, beside the shift of (500 Hz)^2: with one
-  // LAPACK or another f1 of the cantilever differs by 1.3e-5 Hz.
+  // and 1e-5 (kl / pi)^7 at most. Round-off
+  // leaves eight digits of eigenvalues beside the stiffness of shear and the
+  // shift of (500 Hz)^2: f1 of the cantilever differs by 1.3e-5 Hz between
+  // versions of LAPACK.
   const auto allowed = [&](const Frequencies &bL) {
     Frequencies error = exact(bL);
     for (unsigned int i = 0; i < n_modes; ++i)
@@ -179,10 +180,10 @@ TEST(NaturalFrequencies, EulerBernoulliBar)
 
 TEST(NaturalFrequencies, EulerBernoulliBarOnCoarseMeshes)
 {
-  // What shear is left to give, 5e-3 of the bending of an element, would lower
-  // the frequency by 5e-3 (kl)^2 / 24, 2e-3 with an element a half wave. Made
-  // up for, with inertia within the element, it leaves 3e-4 at order 4, as much
-  // as the mesh does, and 7e-6 at order 6 (doc/theory.md, Sections).
+  // The remaining shear, 5e-3 of the bending of an element, would lower the
+  // frequency by 5e-3 (kl)^2 / 24, 2e-3 with an element a half wave. Inertia
+  // within the element compensates it to 3e-4 at order 4, as much as the error
+  // of the mesh, and 7e-6 at order 6 (doc/theory/struts.md, Sections).
   ComparisonTable table("Lowest frequency of a pinned Euler-Bernoulli bar (Hz) "
                         "on coarse meshes, closed form");
   const double exact = std::acos(-1.) / 2 * std::sqrt(210e9 / 7850 * 0.01 / 12);

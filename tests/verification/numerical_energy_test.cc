@@ -11,8 +11,8 @@
 using namespace auxfem;
 using namespace auxfem::testing_support;
 
-// What time schemes take from the motion beside what damping takes, and whether
-// the ledger closes with it.
+// Energy that time schemes take from the motion beside damping, and the balance
+// of the ledger with it.
 
 namespace
 {
@@ -80,7 +80,7 @@ namespace
                              law);
   }
 
-  /** What a scene has beside the frame. */
+  /** Parts of a scene beside the frame. */
   struct Feature
   {
     std::string name, section, base;

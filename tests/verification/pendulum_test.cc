@@ -69,8 +69,8 @@ TEST(Pendulum, PeriodIsTheEllipticIntegral)
       const double coarse = 4 * quarter_period(angle, 2e-3, end) / small_period;
       const double fine   = 4 * quarter_period(angle, 1e-3, end) / small_period;
       // Second order: (w dt)^2 / 12 is 1.2e-6 in small swings and more in
-      // large ones. What the extrapolation leaves is the fourth order and the
-      // vibration of the rod under its weight, suddenly applied.
+      // large ones. The extrapolation leaves the fourth order and the vibration
+      // of the rod under its weight, suddenly applied.
       EXPECT_LT(std::abs(fine - ratio), 1e-5);
       table.relative(label("angle (deg)", degrees),
                      fine + (fine - coarse) / 3,

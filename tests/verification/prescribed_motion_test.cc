@@ -121,7 +121,7 @@ TEST(PrescribedMotion, AStopIsTheImpulseOfTheRigidBody)
           SceneRun run(
             moved_bar(drive_and_stop(stop), scheme.steps(step, 0.45)));
           run.run();
-          // What is left is the second order of the way there.
+          // The tolerance is the error of second order before the stop.
           EXPECT_NEAR(spin(run), spin_after_stop(stop), 2e-4);
         }
 }

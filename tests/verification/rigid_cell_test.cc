@@ -24,7 +24,7 @@ namespace
     return text.str();
   }
 
-  /** What turns prm/rigid-cell.prm into case @p c. */
+  /** Overrides that turn prm/rigid-cell.prm into case @p c. */
   std::vector<std::string> overrides(const CellCase &c)
   {
     return {assignment("Lattice/Bar length", c.bar_length),

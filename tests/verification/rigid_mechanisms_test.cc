@@ -150,7 +150,7 @@ TEST(RigidMechanisms, HingeForceOfTheCompoundPendulum)
 
 namespace
 {
-  /** What a free flight changes at most, in parts of what there is. */
+  /** Largest relative changes in a free flight. */
   struct FlightErrors
   {
     double rotation, length, momentum, moment_of_momentum, energy;

@@ -140,7 +140,7 @@ namespace
     return scene;
   }
 
-  /** What happens at the crown when it has gone down by these @p deflections. */
+  /** States of the arch when its crown has gone down by these @p deflections. */
   std::vector<ArchPoint> arch_path(const double               stiffness,
                                    const std::vector<double> &deflections)
   {
@@ -172,8 +172,8 @@ namespace
     for (const ArchPoint &point : reference)
       deflections.push_back(point.v);
 
-    // What EA = kGA leaves of stretch is linear in 1/EA: at 1e8 it is 2e-5 of
-    // the load, so that its square is out of sight after extrapolation.
+    // The effect of stretch is linear in 1/EA: at EA = kGA = 1e8 it is 2e-5 of
+    // the load, so its square is negligible after extrapolation.
     const auto      soft  = arch_path(1e8, deflections);
     const auto      stiff = arch_path(2e8, deflections);
     ComparisonTable table("Deep circular arch, inextensible rod equation by "

@@ -205,7 +205,7 @@ namespace
     if (from.acceleration)
       {
         compare(*to.velocity, *from.velocity);
-        // What Newton's tolerance leaves, over the small rotary inertia.
+        // The tolerance is Newton's residual over the small rotary inertia.
         compare(*to.acceleration, *from.acceleration, 1e-8);
       }
     ASSERT_EQ(to.rotations.size(), from.rotations.size());

@@ -27,7 +27,7 @@ namespace auxfem
         .set("Sections/beam/Rotary inertia", "20 10 10");
     }
 
-    /** What remains of second-order values with halved steps. */
+    /** Richardson extrapolation of second-order values with halved steps. */
     inline double extrapolated(const double coarse, const double fine)
     {
       return fine + (fine - coarse) / 3;

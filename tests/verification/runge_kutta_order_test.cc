@@ -29,7 +29,7 @@ namespace
       .set("Time/Order of esdirk", order);
   }
 
-  /** Of a run at equal times, by name. */
+  /** Columns of a run at equal times, by name. */
   using Quantities = std::map<std::string, std::vector<double>>;
 
   /** @p columns of the history of a run, at multiples of @p interval (s). */

@@ -169,7 +169,7 @@ TEST(SpaceMechanisms, ABarIsASphericalPendulum)
             r[c] = run.lattice.joints[1][c] + run.motion(1, c);
             v[c] = run.velocity(1, c);
           }
-        // Of the moment of momentum about the vertical, r x v is three times.
+        // r x v is three times the moment of momentum about the vertical.
         moment = std::max(moment,
                           std::abs(r[0] * v[1] - r[1] * v[0] -
                                    2 * std::pow(std::sin(pi / 3), 2)));
@@ -185,7 +185,7 @@ TEST(SpaceMechanisms, ABarIsASphericalPendulum)
                 18 * dt * dt);
       table.row(label("length (m), dt", dt), length, 0, 5e-14);
       table.row(label("moment of momentum, dt", dt), moment, 0, 6 * dt * dt);
-      // What the motion has gained, whether the scheme accounts for it or not.
+      // Energy that the motion has gained, accounted for by the scheme or not.
       table.row(label("energy gained (J), dt", dt),
                 run.balance() - run.state.energies.numerical(),
                 0,

@@ -20,7 +20,7 @@ namespace
 {
   constexpr unsigned int n_quantities = 6;
 
-  /** What is measured at the free end of the second beam. */
+  /** Motion of the free end of the second beam. */
   using EndMotion = std::array<SpaceVector, n_quantities>;
 
   const char *const names[n_quantities] = {"displacement (m)",

@@ -38,7 +38,7 @@ namespace auxfem
         return lattice.joints[joint] + displacement(joint);
       }
 
-      /** Of a joint since rest. */
+      /** Rotation of a joint since rest. */
       const Quaternion &rotation(const unsigned int joint) const
       {
         const DofNumbering &numbering = model.numbering;
@@ -46,7 +46,7 @@ namespace auxfem
           numbering.joint_unknown(joint, first_rotation)));
       }
 
-      /** Of a support on the lattice. */
+      /** Force of a support on the lattice (N). */
       SpaceVector force(const std::string &support) const
       {
         return reactions(support, 0);

@@ -41,7 +41,7 @@ namespace auxfem
     }
 
     /**
-     * What @p vector holds for the displacement of a joint or, with @p first =
+     * Entries of @p vector for the displacement of a joint or, with @p first =
      * first_rotation, for its rotation.
      */
     inline SpaceVector at_joint(const SceneRun    &run,

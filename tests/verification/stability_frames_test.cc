@@ -44,7 +44,7 @@ namespace
     return last / first;
   }
 
-  /** Of a joint in a direction, over time (m). */
+  /** Largest motion of a joint in a direction, over time (m). */
   double largest_motion(const Course &course, const unsigned int motion)
   {
     double largest = 0;

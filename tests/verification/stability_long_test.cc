@@ -10,7 +10,7 @@ using namespace auxfem::testing_support;
 TEST(StabilityOfLongRuns, TumblingCell)
 {
   SceneText scene = tumbling_cell();
-  // What goes wrong is to be the schemes' own, not that struts touch.
+  // Without contact all errors are those of the schemes.
   scene.set("Effects/Contact", "off").set("Newton/Tolerance", 1e-10);
   HardCase hard;
   hard.title   = "A hundred thousand steps of a tumbling cell";

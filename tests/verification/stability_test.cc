@@ -19,7 +19,7 @@ namespace
                      const double                    load,
                      const std::vector<std::string> &overrides = {})
   {
-    // What collapses goes on through itself, which is harder yet.
+    // Without contact the lattice collapses through itself, a harder case.
     return {title,
             star_scene(),
             star_size(2, load) + overrides +

@@ -84,8 +84,8 @@ namespace
       }
   }
 
-  /** Of the strain energy of the error, and in dynamics with its kinetic
-   * energy, after which @p norm is named. */
+  /** Orders of the strain energy of the error, and in dynamics with its
+   * kinetic energy; @p norm names it. */
   void field_orders(const std::string &name,
                     const SceneText   &scene,
                     const std::string &norm)

@@ -263,7 +263,7 @@ TEST(Tolerance, IsKeptByRigidPartsWhoseLoadJumps)
   SceneText scene = frame_in(2);
   scene.rigid_part("block", "1", 0.5);
   scene.set("Loads/push/Force y", "if(t < 0.2, -10, 5)");
-  // Of Runge-Kutta schemes the error with rigid parts is not known.
+  // Runge-Kutta schemes have no error estimate with rigid parts.
   expect_tolerances_kept_by_newmark("frame with a rigid part, load that jumps",
                                     scene,
                                     "tip");
