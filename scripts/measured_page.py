@@ -1,4 +1,4 @@
-"""What the scripts have in common that write tables of doc/measurements/ and
+"""Common functions of the scripts that write tables of doc/measurements/ and
 doc/verification/."""
 
 import datetime

@@ -428,7 +428,7 @@ def place_legend(chart, place):
 
 
 def curve_name(run, column, arguments, place):
-    """What the legend says: the runs' given names, or what tells curves apart."""
+    """The label of a curve: the given name of its run, or run and column."""
     if place < len(arguments.name):
         run_name = arguments.name[place]
     elif arguments.compare or arguments.dashed:

@@ -32,21 +32,20 @@ namespace auxfem
    *
    * Open MPI would start a daemon that could start further ranks, and look for
    * network adapters: 0.3 s, more than a small scene takes. Without its daemon
-   * all such processes of a user would also share one temporary folder, which
-   * one removes while another starts. It is told by environment variables
-   * (`OMPI_MCA_...`), which other implementations of MPI ignore; those that the
-   * user has set stay as they are.
+   * all such processes of a user would share one temporary folder, which one
+   * may remove while another starts. Environment variables (`OMPI_MCA_...`)
+   * prevent both; those that the user has set stay as they are.
    */
   void prepare_mpi_for_one_process();
 
   /**
-   * Has numbers below 2.2e-308 in size count as zero in what this thread, and
-   * threads it starts, compute from now on. To be called on every rank.
+   * Makes this thread, and threads it starts, treat numbers below 2.2e-308 in
+   * size as zero. To be called on every rank.
    *
-   * In struts that a wave has hardly reached motions are that small, and the
-   * processor takes many times longer to multiply such numbers. Nothing is
-   * lost: they are far below the round-off of all they are added to. Only x86
-   * processors are told, as the language has no means for it.
+   * Motions ahead of a wave are that small, and the processor multiplies such
+   * numbers many times more slowly. They are far below the round-off of the
+   * sums they enter. C++ has no means for it, so this works on x86 processors
+   * only.
    */
   void flush_denormals_to_zero();
 } // namespace auxfem

@@ -35,9 +35,9 @@ namespace
 
     void print(const std::string &what) const
     {
-      const double of_rank =
+      const double rank_seconds =
         static_cast<double>(std::clock() - processor) / CLOCKS_PER_SEC;
-      const double largest = layout.largest(of_rank);
+      const double largest = layout.largest(rank_seconds);
       if (layout.rank() == 0)
         std::cout << what << ": wall " << MPI_Wtime() - wall << " s, processor "
                   << largest << " s\n";
@@ -66,18 +66,18 @@ namespace
     solver->analyse(*system.matrix, *system.unknowns);
     for (const std::string which : {"first", "second"})
       {
-        const Times of_factorization(layout);
+        const Times factorization_time(layout);
         const bool  is_done =
           solver->factorize(*system.matrix) == FactorizationOutcome::done;
-        of_factorization.print(which + " factorization");
+        factorization_time.print(which + " factorization");
         if (!is_done)
           return;
         const std::vector<double> b = system.loads();
         std::vector<double>       x = b;
-        const Times               of_solution(layout);
+        const Times               solution_time(layout);
         const unsigned long       n   = solver->n_iterations();
         const std::string         why = solver->solve(x.data());
-        of_solution.print(which + " solution");
+        solution_time.print(which + " solution");
         const double residual = system.residual(x, b);
         if (is_root)
           std::cout << solver->n_iterations() - n << " iterations, residual "

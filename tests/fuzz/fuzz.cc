@@ -139,7 +139,7 @@ namespace
       , prefix("fuzz_" + std::to_string(seed))
     {}
 
-    /** One damaged input; whether it was taken as it should be. */
+    /** Runs one damaged input; returns whether the program reacts correctly. */
     bool run_one()
     {
       const Seed       &seed  = seeds[mutator.below(seeds.size())];

@@ -9,7 +9,7 @@ namespace
   class BadInput : public ProgramTest
   {
   protected:
-    /** One screen, for a user, and nothing of the program's inside. */
+    /** A message to the user fits on one screen and names nothing internal. */
     static void expect_refusal(const ProgramRun &run, const Words &parts)
     {
       EXPECT_EQ(run.exit_code, 1) << run.output << run.errors;

@@ -90,7 +90,7 @@ namespace
           for (const Json &variant : subsection.at("variants"))
             add_parameters(variant);
       }
-    // As many as the tables of the page have rows.
+    // One entry for each row in the tables of the page.
     const std::string page = run_auxfem({"--print-parameters=markdown"}).output;
     std::size_t       n_rows = 0;
     for (auto at = page.find("\n| `"); at != std::string::npos;
@@ -162,7 +162,7 @@ namespace
             comment.clear();
           }
       }
-    // As many as subsections: the loop above has seen more than a part.
+    // The loop above has seen every subsection.
     EXPECT_GT(n_parameters, 17u);
 
     expect_contains(

@@ -144,9 +144,9 @@ namespace
       {
         // Struts alone would have beta omega / 2; springs and loads take a
         // part.
-        const double of_struts = 1e-4 * M_PI * table["frequency"][i];
-        EXPECT_LT(table["damping_ratio"][i], 1.6 * of_struts);
-        EXPECT_GT(table["damping_ratio"][i], 0.6 * of_struts);
+        const double strut_damping = 1e-4 * M_PI * table["frequency"][i];
+        EXPECT_LT(table["damping_ratio"][i], 1.6 * strut_damping);
+        EXPECT_GT(table["damping_ratio"][i], 0.6 * strut_damping);
         EXPECT_NEAR(table["damped_frequency"][i] / table["frequency"][i],
                     std::sqrt(1 - std::pow(table["damping_ratio"][i], 2)),
                     1e-3);

@@ -69,7 +69,7 @@ namespace
     ASSERT_EQ(one.exit_code, 0) << one.errors;
     ASSERT_EQ(two.exit_code, 0) << two.errors;
     expect_same(history("one"), history("two"));
-    // It moves: the body is seen to turn about every axis.
+    // The body turns about every axis.
     for (const char *column : {"body.phi_x", "body.phi_y", "body.phi_z"})
       EXPECT_GT(history("one").largest(column), 1e-4) << column;
     EXPECT_EQ(summary("ranks", "two"), "2");

@@ -26,7 +26,7 @@ namespace
     for (unsigned int i = 1; i < path_table.n_rows; ++i)
       EXPECT_GT(path_table["arc_length"][i], path_table["arc_length"][i - 1]);
     EXPECT_EQ(path_table["negative_eigenvalues"].back(), 0.);
-    // It is the leaning one, which linear theory knows the begin of.
+    // The branch leans; linear theory predicts its start.
     EXPECT_GT(std::abs(path_table["top.ux"].back()), 5e-3);
     EXPECT_GT(factors.back(), 0.6419);
 
@@ -92,7 +92,7 @@ namespace
     EXPECT_NE(run.output.find("off the designed one by up to 0.0001"),
               std::string::npos)
       << run.output;
-    // It leans on to the side that it leant to.
+    // The lattice leans to the side of its imperfection.
     EXPECT_GT(Table(path("out/history.csv"))["top.ux"].back(), 5e-3);
 
     Words other_mesh = imperfect;

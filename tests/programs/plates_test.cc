@@ -169,7 +169,7 @@ namespace
     ASSERT_EQ(run.exit_code, 0) << run.errors;
     const Table table = history();
     EXPECT_EQ(std::count(table.names.begin(), table.names.end(), "disc.fy"), 0);
-    // All fly on as they came.
+    // All parts keep their velocity.
     EXPECT_NEAR(table["kinetic"].back(),
                 table["kinetic"].front(),
                 1e-9 * table["kinetic"].front());

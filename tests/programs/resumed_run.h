@@ -128,7 +128,7 @@ namespace auxfem
         EXPECT_EQ(summary("exit_state"), "completed");
       }
 
-      /** The same but for round-off and what Newton's method leaves: a run to
+      /** Equal except for round-off and Newton's residual: a run to
        * another end, or on other ranks, has its checkpoints at other steps. */
       void expect_about_that_of_the_whole_run() const
       {
@@ -145,7 +145,7 @@ namespace auxfem
       }
     };
 
-    /** The same for paths of equilibria, which buckle on their way. */
+    /** Resumed paths of equilibria, which buckle on their way. */
     class ResumedPath : public ResumedRun
     {
     protected:

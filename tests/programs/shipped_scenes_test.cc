@@ -122,7 +122,7 @@ namespace
         at_foot = std::max(at_foot, table["foundation.ry"][i]);
         error   = std::max(error, std::abs(table["balance"][i]));
       }
-    // It is off the lattice, without what that and the connectors have kept.
+    // The weight has left with the energy that lattice and connectors returned.
     EXPECT_EQ(table["weight.fy"].back(), 0);
     EXPECT_GT(table["weight motion.vy"].back(), 0.5);
     EXPECT_LT(table["weight motion.vy"].back(), 0.8);

@@ -129,7 +129,7 @@ namespace
   {
     if (OMPI_MAJOR_VERSION >= 5)
       GTEST_SKIP() << "Open MPI 5 makes a folder for one process too.";
-    // Where none can be made, nothing is to be missed.
+    // A folder that cannot be made must not be needed.
     write("a-file", "");
     const Variable   temporary("TMPDIR", path("a-file").c_str());
     const ProgramRun run =

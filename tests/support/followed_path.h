@@ -51,7 +51,7 @@ namespace auxfem
       }
 
       /** The singular points of one kind, in their order. */
-      std::vector<Singular> of_kind(const SingularPoint::Kind kind) const
+      std::vector<Singular> points_of_kind(const SingularPoint::Kind kind) const
       {
         std::vector<Singular> found;
         for (const Singular &point : singular_points)
@@ -62,12 +62,12 @@ namespace auxfem
 
       std::vector<Singular> limits() const
       {
-        return of_kind(SingularPoint::Kind::limit);
+        return points_of_kind(SingularPoint::Kind::limit);
       }
 
       std::vector<Singular> bifurcations() const
       {
-        return of_kind(SingularPoint::Kind::bifurcation);
+        return points_of_kind(SingularPoint::Kind::bifurcation);
       }
 
       std::vector<Point>    points;
@@ -83,9 +83,9 @@ namespace auxfem
       std::vector<Checkpoint> checkpoints;
 
     private:
-      void begin(const Equations &of_run) override
+      void begin(const Equations &run_equations) override
       {
-        equations = &of_run;
+        equations = &run_equations;
       }
 
       void start(const Solution &solution) override

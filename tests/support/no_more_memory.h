@@ -8,7 +8,7 @@
 
 namespace auxfem::testing_support
 {
-  /** As long as it lives, malloc() and new give small pieces only. */
+  /** During its lifetime malloc() and new provide small pieces only. */
   class NoMoreMemory
   {
   public:

@@ -216,8 +216,8 @@ namespace auxfem
         const std::string errors = path("stderr.txt");
         int               exit_code;
         {
-          const Redirection of_output(STDOUT_FILENO, output);
-          const Redirection of_errors(STDERR_FILENO, errors);
+          const Redirection redirected_output(STDOUT_FILENO, output);
+          const Redirection redirected_errors(STDERR_FILENO, errors);
           std::filesystem::current_path(folder);
           exit_code = auxfem::run_program(arguments, {});
           std::filesystem::current_path(before);

@@ -418,7 +418,7 @@ namespace auxfem
       unsigned int                                     n_sections = 0;
     };
 
-    /** Both, of two that set the same parameter @p second. */
+    /** All parameters of both; where both set one, @p second counts. */
     inline SceneText operator+(SceneText first, const SceneText &second)
     {
       return first.add(second);

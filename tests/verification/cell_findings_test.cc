@@ -47,14 +47,14 @@ namespace
 
   void add_row(const char *finding, const Count &count, ResultTable &table)
   {
-    const std::string of_asked = " of " + std::to_string(count.asked);
+    const std::string out_of_comparisons = " of " + std::to_string(count.asked);
     table.row({finding,
-               std::to_string(count.at_end) + of_asked,
-               std::to_string(count.largest) + of_asked});
+               std::to_string(count.at_end) + out_of_comparisons,
+               std::to_string(count.largest) + out_of_comparisons});
   }
 
   /** The number that @p member has in each of the cases 1 to 8. */
-  std::string of_cases(const std::array<Force, 9> &f, double Force::*member)
+  std::string force_list(const std::array<Force, 9> &f, double Force::*member)
   {
     std::string text;
     for (unsigned int n = 1; n <= 8; ++n)
@@ -84,8 +84,8 @@ TEST(CellFindings, OverBarLengthAndMassRatio)
           f[n] = force_of(n, L1, ratio);
         forces.row({formatted("%g", L1),
                     formatted("%g", ratio),
-                    of_cases(f, &Force::at_end),
-                    of_cases(f, &Force::largest)});
+                    force_list(f, &Force::at_end),
+                    force_list(f, &Force::largest)});
 
         const auto less =
           [&f](const unsigned int a, const unsigned int b, Count &count) {

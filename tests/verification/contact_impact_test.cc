@@ -155,7 +155,7 @@ TEST(ContactImpact, EnergyAndMomentumStayThroughTheImpact)
     stored        = std::max(stored, run.state.energies.stored());
     largest_force = std::max(largest_force, force_on(run, 0).norm());
   });
-  // They did meet, and part.
+  // The bodies have met and parted.
   EXPECT_GT(largest_force, 10);
   EXPECT_GT(stored, 1e-3 * energy);
   EXPECT_EQ(force_on(run, 0).norm(), 0);

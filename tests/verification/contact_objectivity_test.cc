@@ -19,9 +19,9 @@ namespace
   struct CrushStep
   {
     double      time;
-    SpaceVector force;      ///< on the plate that comes down (N)
-    SpaceVector tip;        ///< displacement of the bar's end (m)
-    double      of_contact; ///< magnitude of forces between struts (N)
+    SpaceVector force;         ///< on the plate that comes down (N)
+    SpaceVector tip;           ///< displacement of the bar's end (m)
+    double      contact_force; ///< magnitude of forces between struts (N)
   };
 
   /** An irregular cell with a bar in it, between two plates. */
@@ -54,7 +54,7 @@ namespace
              run.equations.reporting().strut_contact->contacts(
                run.equations.strut_contact_results(run.results),
                run.state))
-          step.of_contact += contact.force.norm();
+          step.contact_force += contact.force.norm();
         steps.push_back(step);
       });
       return steps;
@@ -123,16 +123,19 @@ namespace
       one   = TurnedCrush(dimension, Quaternion()).run(),
       other = TurnedCrush(dimension, exponential(rotation_vector)).run();
     ASSERT_EQ(one.size(), other.size());
-    double force = 0, contact = 0, of_force = 0, of_contact = 0, of_tip = 0;
+    double force = 0, contact = 0, force_difference = 0, contact_difference = 0,
+           tip_difference = 0;
     for (std::size_t i = 0; i < one.size(); ++i)
       {
-        force    = std::max(force, one[i].force.norm());
-        contact  = std::max(contact, one[i].of_contact);
-        of_force = std::max(of_force, (one[i].force - other[i].force).norm());
-        of_contact =
-          std::max(of_contact,
-                   std::abs(one[i].of_contact - other[i].of_contact));
-        of_tip = std::max(of_tip, (one[i].tip - other[i].tip).norm());
+        force   = std::max(force, one[i].force.norm());
+        contact = std::max(contact, one[i].contact_force);
+        force_difference =
+          std::max(force_difference, (one[i].force - other[i].force).norm());
+        contact_difference =
+          std::max(contact_difference,
+                   std::abs(one[i].contact_force - other[i].contact_force));
+        tip_difference =
+          std::max(tip_difference, (one[i].tip - other[i].tip).norm());
       }
     // The bar is touched, and gives way.
     EXPECT_GT(contact, 0.01 * force);
@@ -140,15 +143,15 @@ namespace
     // hundred thousand times that of the cell.
     constexpr double allowed = 1e-9;
     table.row(name + ": force on the plate / largest",
-              of_force / force,
+              force_difference / force,
               0,
               allowed);
     table.row(name + ": forces between struts / largest",
-              of_contact / contact,
+              contact_difference / contact,
               0,
               allowed);
     table.row(name + ": displacement of the bar / strut length",
-              of_tip / 0.02,
+              tip_difference / 0.02,
               0,
               allowed);
   }

@@ -52,15 +52,15 @@ TEST(ContactStatics, RingBetweenPlatesFlattens)
   // the angle, so that half the height is sqrt(EI / P) times the integral of
   // sqrt(sin), and flattening begins where the quarter is as long as the
   // integral of 1 / sqrt(sin).
-  const double of_height = 1.1981402347, of_length = 2.6220575543;
+  const double height_constant = 1.1981402347, length_constant = 2.6220575543;
   SceneRun     run(quarter_ring_under_plate().time(0.6, 0.02));
-  const double flat = std::pow(of_length / (std::acos(0.)), 2);
+  const double flat = std::pow(length_constant / (std::acos(0.)), 2);
   std::vector<std::pair<double, double>> path;
   run.run(
     [&] { path.emplace_back(run.state.time, 2 * pressure_on(run, 0)[1]); });
   ComparisonTable table("Ring between two rigid plates: load P R^2 / EI, "
                         "inextensible elastica with a flat part");
-  const double    flat_at = 1 - of_height / std::sqrt(flat);
+  const double    flat_at = 1 - height_constant / std::sqrt(flat);
   bool            is_flat = false;
   for (const auto &[down, load] : path)
     if (down > flat_at && std::fmod(down + 1e-9, 0.1) < 1e-8)
@@ -70,7 +70,7 @@ TEST(ContactStatics, RingBetweenPlatesFlattens)
         // (t / R)^2 / 12.
         table.relative(label("half approach / R", down),
                        load,
-                       std::pow(of_height / (1 - down), 2),
+                       std::pow(height_constant / (1 - down), 2),
                        2e-3);
       }
   EXPECT_TRUE(is_flat);

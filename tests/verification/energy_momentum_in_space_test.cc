@@ -40,19 +40,21 @@ namespace
     const SpaceMomenta start = meter();
     SpaceDrift         drift;
     run.run([&] {
-      const SpaceMomenta now   = meter();
-      const auto         raise = [](double &largest, const double value) {
+      const SpaceMomenta now    = meter();
+      const auto update_largest = [](double &largest, const double value) {
         largest = std::max(largest, value);
       };
-      raise(drift.energy, std::abs(run.balance()) / run.initial_balance);
-      raise(drift.linear,
-            (now.linear - start.linear).norm() / start.linear.norm());
-      raise(drift.angular,
-            (now.angular - start.angular).norm() / start.angular.norm());
-      raise(drift.turn,
-            rotation_vector(run.state.rotations[0] *
-                            conjugate(run.state.rotations[1]))
-              .norm());
+      update_largest(drift.energy,
+                     std::abs(run.balance()) / run.initial_balance);
+      update_largest(drift.linear,
+                     (now.linear - start.linear).norm() / start.linear.norm());
+      update_largest(drift.angular,
+                     (now.angular - start.angular).norm() /
+                       start.angular.norm());
+      update_largest(drift.turn,
+                     rotation_vector(run.state.rotations[0] *
+                                     conjugate(run.state.rotations[1]))
+                       .norm());
     });
     return drift;
   }

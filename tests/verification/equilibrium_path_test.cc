@@ -224,7 +224,7 @@ namespace
       {
         // Between two points, by a cubic in the tip's angle.
         const double angle = row.degrees / 180 * pi;
-        const auto   value = [&](const auto &of_point) {
+        const auto   value = [&](const auto &point_value) {
           std::vector<FollowedPath::Point> near = path.points;
           std::sort(near.begin(),
                     near.end(),
@@ -235,7 +235,7 @@ namespace
           double sum = 0;
           for (unsigned int i = 0; i < 4; ++i)
             {
-              double weight = of_point(near[i]);
+              double weight = point_value(near[i]);
               for (unsigned int j = 0; j < 4; ++j)
                 if (j != i)
                   weight *= (angle - std::abs(near[j].motions[1][5])) /

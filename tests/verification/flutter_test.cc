@@ -107,7 +107,7 @@ namespace
     return moment_A * shear_B - moment_B * shear_A;
   }
 
-  /** By secants. */
+  /** Solves by secants. */
   template <class T>
   T root_near(const std::function<T(T)> &of, T before, T at)
   {

@@ -116,7 +116,7 @@ namespace
     return outcome;
   }
 
-  /** With the elements that a tolerance asks for. */
+  /** The run with the elements chosen for a tolerance. */
   GradedOutcome chosen_outcome(SceneText text, const double tolerance)
   {
     const Scene scene =
@@ -197,11 +197,12 @@ TEST(GradedLattice, OrdersThatDifferMeetATolerance)
                              error));
       EXPECT_LT(outcome.estimate, tolerance);
       EXPECT_LT(error, tolerance);
-      const auto as_good = std::find_if(uniform.begin(),
-                                        uniform.end(),
-                                        [&](const GradedOutcome &of_one) {
-                                          return of_one.estimate <= tolerance;
-                                        });
+      const auto as_good =
+        std::find_if(uniform.begin(),
+                     uniform.end(),
+                     [&](const GradedOutcome &candidate) {
+                       return candidate.estimate <= tolerance;
+                     });
       ASSERT_TRUE(as_good != uniform.end());
       EXPECT_LT(outcome.unknowns, 0.85 * as_good->unknowns);
     }
@@ -238,8 +239,8 @@ TEST(GradedLattice, AStayGetsElementsOfItsOwn)
       EXPECT_GT(outcome.divisions.back().n_elements, 1u);
       // Against equal elements that are as exact, if any are.
       unsigned int least = 0;
-      for (const auto &[of_equal, unknowns] : uniform)
-        if (of_equal <= error && (least == 0 || unknowns < least))
+      for (const auto &[uniform_error, unknowns] : uniform)
+        if (uniform_error <= error && (least == 0 || unknowns < least))
           least = unknowns;
       if (least > 0)
         {

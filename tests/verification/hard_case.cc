@@ -106,9 +106,9 @@ namespace auxfem
           course.n_motions_before = course.motions.size();
         }
 
-        void begin(const Equations &of_run) override
+        void begin(const Equations &run_equations) override
         {
-          equations = &of_run;
+          equations = &run_equations;
         }
 
         void start(const Solution &solution) override

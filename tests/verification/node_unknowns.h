@@ -9,7 +9,7 @@ namespace auxfem
 {
   namespace testing_support
   {
-    /** Where an unknown lies. */
+    /** Component and node of an unknown. */
     struct NodeUnknown
     {
       unsigned int     component; ///< 0, 1: displacement, 2: rotation

@@ -45,7 +45,7 @@ TEST(RigidBodies3d, ASpinAboutAPrincipalAxisStaysEven)
       rates[axis] = 10;
       SceneRun run(free_body(vector(0.3, 0.4, 0.5), rates, 0.01, 1));
       run.run();
-      const SpaceVector velocity = of_part(run, *run.state.velocity, 3);
+      const SpaceVector velocity = part_vector(run, *run.state.velocity, 3);
       table.row(label("error of the rates, axis", axis),
                 (velocity - rates).norm(),
                 0,
@@ -79,7 +79,7 @@ namespace
     TopErrors         errors;
     run.run([&] {
       const double      angle = precession * run.state.time;
-      const SpaceVector W     = of_part(run, *run.state.velocity, 3),
+      const SpaceVector W     = part_vector(run, *run.state.velocity, 3),
                         expected =
                           vector(3 * std::cos(angle), 3 * std::sin(angle), 8);
       errors.rates = std::max(errors.rates, (W - expected).norm());
@@ -180,14 +180,14 @@ namespace
     HeavyTopErrors errors;
     EXPECT_NEAR(run.state.energies.kinetic(), 5435.696790866, 1e-8);
     run.run([&] {
-      const SpaceVector W = of_part(run, *run.state.velocity, 3);
+      const SpaceVector W = part_vector(run, *run.state.velocity, 3);
       errors.spin         = std::max(errors.spin, std::abs(W[1] - 150));
       errors.energy       = std::max(errors.energy, std::abs(run.balance()));
       for (const TopState &state : top_reference)
         if (std::abs(run.state.time - state.time) < 1e-9)
           {
             const SpaceVector centre =
-              vector(0, 1, 0) + of_part(run, run.state.displacement, 0);
+              vector(0, 1, 0) + part_vector(run, run.state.displacement, 0);
             errors.centre.push_back((centre - state.centre).norm());
             errors.rates.push_back(
               std::hypot(W[0] - state.rate_1, W[2] - state.rate_3));

@@ -43,10 +43,10 @@ namespace auxfem
     }
 
     /** Three unknowns of rigid part @p part from component @p first on. */
-    inline SpaceVector of_part(const SceneRun    &run,
-                               const Vector      &vector,
-                               const unsigned int first,
-                               const unsigned int part = 0)
+    inline SpaceVector part_vector(const SceneRun    &run,
+                                   const Vector      &vector,
+                                   const unsigned int first,
+                                   const unsigned int part = 0)
     {
       SpaceVector result;
       for (unsigned int c = 0; c < 3; ++c)

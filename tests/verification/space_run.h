@@ -32,7 +32,7 @@ namespace auxfem
           {motion(joint, 0), motion(joint, 1), motion(joint, 2)});
       }
 
-      /** Where a joint is now. */
+      /** Present position of a joint (m). */
       SpaceVector position(const unsigned int joint) const
       {
         return lattice.joints[joint] + displacement(joint);

@@ -217,7 +217,7 @@ TEST(StabilityOfMotions, RigidPartsNearlySingular)
 
 TEST(StabilityOfMotions, EndsThatMeet)
 {
-  // They come nearer than what the watch of connectors lets pass.
+  // The ends come nearer than the watch of connectors allows.
   const Course passing = go_through(ends_that_pass());
   double       nearest = 0.1;
   for (const auto &motions : passing.motions)

@@ -70,13 +70,13 @@ namespace
     for (unsigned int p = 1; p <= 4; ++p)
       {
         const std::string order = std::to_string(p);
-        const Resolved    of_order =
+        const Resolved    mesh_study =
           p == 4 ? of_order_4 : Resolved{scene, p == 3 ? "1, 2, 3" : "2, 3, 4"};
         const double rate =
-          observed(study_of(of_order.scene,
+          observed(study_of(mesh_study.scene,
                             {"Study/Time steps=none",
                              "Study/Orders=" + order,
-                             "Study/Refinements=" + of_order.refinements}),
+                             "Study/Refinements=" + mesh_study.refinements}),
                    "order",
                    order);
         table.row({order, formatted("%.2f", rate), std::to_string(2 * p)});

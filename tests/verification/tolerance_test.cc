@@ -121,15 +121,15 @@ namespace
                                 const AllMotions *const other = nullptr) const
     {
       const State &state = states.at(i);
-      const auto   mean  = [&](const std::vector<int> &of_rows) {
+      const auto   mean  = [&](const std::vector<int> &row_numbers) {
         double sum = 0;
-        for (const int row : of_rows)
+        for (const int row : row_numbers)
           {
             const double value = state.displacement[row] -
               (other != nullptr ? other->states.at(i).displacement[row] : 0.);
             sum += value * value;
           }
-        return std::sqrt(sum / of_rows.size());
+        return std::sqrt(sum / row_numbers.size());
       };
       if (state.rotations.empty())
         return {{mean(rows.free_translations), mean(rows.free_rotations)}};
@@ -221,7 +221,7 @@ namespace
         }
   }
 
-  /** By Newmark's method to 1e-5, by Runge-Kutta schemes to 10^-@p tightest. */
+  /** Checks Newmark's method to 1e-5, Runge-Kutta schemes to 10^-@p tightest. */
   void expect_tolerances_kept_by_all(const std::string &name,
                                      const SceneText   &scene,
                                      const std::string &probe,
