@@ -53,8 +53,7 @@ int main(int argc, char *argv[])
     }
 
   auto mpi_watch = std::make_unique<Stopwatch>(start.mpi);
-  // The libraries get no options: PETSc would complain of those it does not
-  // know.
+  // The libraries get no options: PETSc would complain about unknown ones.
   int                                      n_arguments = 1;
   dealii::Utilities::MPI::MPI_InitFinalize mpi(n_arguments,
                                                argv,
@@ -63,7 +62,7 @@ int main(int argc, char *argv[])
   start.cpu = cpu_seconds();
   flush_denormals_to_zero();
 
-  // A file that may not grow is a failed write, not the end without a word.
+  // At the limit of a file's size a write fails instead of ending the process.
   std::signal(SIGXFSZ, SIG_IGN);
   std::atexit(report_exit_by_library);
   is_computing        = true;

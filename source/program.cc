@@ -46,14 +46,14 @@ namespace auxfem
         return name.empty() ? "" : " " + name;
       }
 
-      /** The files are in the lines above. */
+      /** The lines above name the files. */
       std::string make_positionals(const CLI::App *) const override
       {
         return "";
       }
     };
 
-    /** The options, and what they leave in a CommandLine. */
+    /** The options, which fill a CommandLine. */
     class Options
     {
     public:

@@ -52,7 +52,7 @@ namespace auxfem
       return {"Time/End time"};
     }
 
-    /** Whether the results until now are the same with another value. */
+    /** Whether the results so far do not depend on the changed value. */
     bool may_change(const std::string &path, const Scene &scene)
     {
       const std::vector<std::string> ends = ends_of(scene);
@@ -147,7 +147,7 @@ namespace auxfem
 
   namespace
   {
-    /** Reports what a large scene takes before the run takes it. */
+    /** Reports the memory of a large scene before the run allocates it. */
     void report_size(const Scene &scene, const MPI_Comm communicator)
     {
       const std::string text = size_text(scene);

@@ -16,7 +16,7 @@ namespace auxfem
   /**
    * Wall seconds since the operating system started this process, to 10 ms: at
    * the first line of main() the time that loading deal.II and its two hundred
-   * libraries took. 0 where the system does not tell (proc(5)).
+   * libraries took. 0 where the system does not provide it (proc(5)).
    */
   double seconds_since_process_start();
 

@@ -118,7 +118,7 @@ namespace
     EXPECT_EQ(run.exit_code, 0);
     EXPECT_EQ(run.errors, "");
 
-    // Free text has no range; what it may be is said in its sentence.
+    // Free text has no range; its description names the allowed values.
     const Words        free_text = {"set Title",
                                     "set Constants",
                                     "set Joints",

@@ -148,7 +148,7 @@ namespace
 #ifdef AUXFEM_SANITIZERS
     GTEST_SKIP() << "The address sanitizer takes all addresses there are.";
 #endif
-    // Whatever a former run has left stays until there is something new.
+    // Files of a former run stay until new ones replace them.
     write("scene.prm", data_text("star.prm"));
     const Words into_folder = {"scene.prm", "--output", "out"};
     ASSERT_EQ(start_auxfem(into_folder).exit_code, 0);
@@ -211,8 +211,8 @@ namespace
   TEST_F(FailedRun, StepAtItsFloorInDynamics)
   {
     write("scene.prm", data_text("star.prm"));
-    // From 0.081 ms on, where a step ends, one iteration is too few for any: 19
-    // us are left to the end of the step, and a quarter of them is too short.
+    // From 0.081 ms on, where a step ends, one iteration never suffices: 19 us
+    // remain to the end of the step, and a quarter of them is too short.
     expect_failure(
       run_auxfem({"scene.prm",
                   "--output",

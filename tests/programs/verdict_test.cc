@@ -45,8 +45,8 @@ namespace
                                          "--set",
                                          "Output/Graphics=false"});
     EXPECT_EQ(run.exit_code, 0) << run.errors;
-    // Its dashpots turn; a lattice at rest, which the watch looks at, is
-    // symmetric.
+    // Turning dashpots make the matrix unsymmetric; the watch checks a lattice
+    // at rest, whose matrix is symmetric.
     expect_contains(summary("linear_solver"), {"unsymmetric"});
   }
 

@@ -31,7 +31,7 @@ namespace
 
   SceneText arc_scene(const unsigned int order, const unsigned int refinements)
   {
-    // RotationOwner left, the arc bulges to the right of its chord.
+    // The arc turns left, so it bulges to the right of its chord.
     SceneText scene =
       static_frame("0 0; " + text(std::sin(1)) + " " + text(1 - std::cos(1)),
                    "0 1 " + text(std::cos(0.5) - 1));

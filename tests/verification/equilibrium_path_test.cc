@@ -11,9 +11,9 @@
 using namespace auxfem;
 using namespace auxfem::testing_support;
 
-// Singular points of published problems, found by Analysis = static path, which
-// is not told where they are. References: closed forms, and the exact rod
-// equation by shooting.
+// Singular points of published problems, found by Analysis = static path
+// without a guess. References: closed forms, and the exact rod equation by
+// shooting.
 
 namespace
 {

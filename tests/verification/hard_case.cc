@@ -25,8 +25,8 @@ namespace auxfem
                                                       "esdirk",
                                                       "energy-momentum"};
 
-      /** Beyond, a run is not to be called sound; the phase of vibrations,
-       * which no watch looks at, has a part in it. */
+      /** Largest error of a sound run. It includes the phase error of
+       * vibrations, which no watch checks. */
       constexpr double wrong = 0.1;
 
       /** Measures the momenta of @p state, which must stay where it is; those

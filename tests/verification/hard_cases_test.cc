@@ -171,8 +171,7 @@ TEST(HardCases, ConnectorsMillionTimesAsStiff)
 
 TEST(HardCases, DashpotsThatLock)
 {
-  // Connectors no more than hold their length; what is left is round-off of
-  // rates times C.
+  // Connectors keep their length, except for round-off of rates times C.
   const double    EA = 70e9 * 1.6e-7, C = 1e10;
   ComparisonTable table(
     "Dashpots of 1e10 N s/m, shortening of the lattice (m)");
@@ -320,8 +319,8 @@ TEST(HardCases, RigidTurnsGiveNoForce)
 TEST(HardCases, LatticeHeldAtOneJointTurnsAlong)
 {
   // One joint is turned two and a half times in steps of 18 deg; equilibrium is
-  // a rigid turn of all, found from a start that is bent at that joint. There
-  // is no force to compare residuals with.
+  // a rigid turn of the lattice. Iterations start from a shape bent at that
+  // joint. There is no force to compare residuals with.
   const double turns = 2.5;
   SceneRun     run(star_scene(),
                small_star(0, 1) +
@@ -416,8 +415,8 @@ TEST(HardCases, LinearStaticsWithDashpotsFactorizesAtKinksOnly)
                small_star(1e-4) +
                  Overrides{"Effects/Large rotation=off", "Time/Scheme=static"});
   run.run([] {});
-  // The first step, also that after the kink of the load, has no rates to look
-  // back on; all others have the same.
+  // The first step, and that after the kink of the load, has no earlier rates;
+  // the other steps share a factorization.
   EXPECT_EQ(run.work().factorizations, 4u);
   // The second of two iterations refines weak parts beside stiff ones.
   EXPECT_LE(run.work().iterations, 2 * run.scene.time.n_steps());

@@ -80,7 +80,7 @@ TEST(RigidAndElastic, ClampedPlateIsAMomentArm)
       EXPECT_NEAR(turn, tip[2], 1e-12);
       EXPECT_GT(tip[2], 0.3);
 
-      // Where the far joint has come to, seen from the tip.
+      // Displaced position of the far joint from the tip.
       const double x = is_linear ? 0.2
                                  : 0.2 * std::cos(turn) - 0.3 * std::sin(turn),
                    y = is_linear ? 0.3
@@ -206,7 +206,7 @@ TEST(RigidAndElastic, AnElasticStrutCarriesTheWeightOfARigidPart)
     .time(1, 0.25);
   SceneRun run(scene.str());
   run.run();
-  // The plate's middle, where it has come to.
+  // Displaced position of the plate's middle.
   const double x = (1 + run.motion(1, 0) + 1.4 + run.motion(2, 0)) / 2;
   EXPECT_LT(run.motion(1, rotation_z), -0.2);
   ComparisonTable table("Rigid plate of 8 N on a cantilever: its support");
