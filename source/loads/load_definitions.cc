@@ -294,7 +294,7 @@ namespace auxfem
                        });
   }
 
-  std::vector<TimeFunction> GravityDefinition::courses() const
+  std::vector<TimeFunction> GravityDefinition::varying_components() const
   {
     std::vector<TimeFunction> all;
     for (const TimeFunction &along : acceleration)

@@ -68,8 +68,9 @@ namespace auxfem
               "The lattice asks for " + std::to_string(n_cells[d]) +
               " cells along " + direction +
               ", but this cell cannot be repeated along " + direction + ". " +
-              (cell.why_no_period[d].empty() ? std::string()
-                                             : cell.why_no_period[d] + " ") +
+              (cell.no_period_reasons[d].empty()
+                 ? std::string()
+                 : cell.no_period_reasons[d] + " ") +
               "Set the number of cells along " + direction + " to 1.");
         }
     }

@@ -116,7 +116,7 @@ namespace auxfem
       const double      distance = values[layer_distance];
       const std::string columns  = values[columns_at];
       if (distance > 0)
-        return std::make_shared<GivenCell>(
+        return std::make_shared<PrebuiltCell>(
           extrude(cell->build(), distance, columns, values.context.path));
       if (columns != columns_at.default_value)
         values.refuse(columns_at,

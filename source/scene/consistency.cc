@@ -287,8 +287,7 @@ namespace auxfem
                              name,
                              " needs inertia. Set Time/Scheme "
                              "= newmark and leave Effects/Inertia = auto"));
-      if (scene.discretization.tolerance &&
-          !is_of_small_motions(scene.analysis))
+      if (scene.discretization.tolerance && !is_linearized(scene.analysis))
         mistakes.add(message(scene,
                              "Discretization/Order = auto: with Analysis = ",
                              name,

@@ -140,7 +140,7 @@ namespace auxfem
     void set_discretization(ParameterValues &values, Scene &scene)
     {
       scene.discretization =
-        read_discretization(values, is_of_small_motions(scene.analysis));
+        read_discretization(values, is_linearized(scene.analysis));
     }
 
     void add_load(ParameterValues &values, Scene &scene)

@@ -24,7 +24,7 @@ namespace auxfem
         add(load.components);
       for (const LineLoadDefinition &load : plan.scene.line_loads)
         add(load.components);
-      add(plan.scene.gravity.courses());
+      add(plan.scene.gravity.varying_components());
       return functions;
     }
 
@@ -63,7 +63,7 @@ namespace auxfem
             ++after;
           for (std::size_t i = first; i < after; ++i)
             if (events[i].kind == Kind::jump ||
-                after - first <= most_kinks_of_pulses)
+                after - first <= max_pulse_kinks)
               result.push_back(events[i]);
         }
       return result;
@@ -382,7 +382,7 @@ namespace auxfem
       if (!motion.last_time())
         return {};
       const std::size_t n = motion.events(0, end_time).size();
-      if (n <= most_kinks_of_pulses)
+      if (n <= max_pulse_kinks)
         return {};
       std::ostringstream note;
       note << motion.origin() << " has a corner at " << n

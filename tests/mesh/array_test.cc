@@ -209,9 +209,9 @@ TEST(Array, RoundOffOfCellCentresDoesNotSplitJoints)
 
 TEST(Array, RefusesToRepeatWithoutPeriod)
 {
-  UnitCell cell         = square();
-  cell.period[1]        = 0;
-  cell.why_no_period[1] = "It has a roof.";
+  UnitCell cell             = square();
+  cell.period[1]            = 0;
+  cell.no_period_reasons[1] = "It has a roof.";
   const auto message = input_error_of([&]() { make_array(cell, {{1, 3, 1}}); });
   EXPECT_TRUE(contains(message, "3 cells along y")) << message;
   EXPECT_TRUE(contains(message, "It has a roof.")) << message;

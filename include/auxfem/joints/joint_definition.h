@@ -22,18 +22,17 @@ namespace auxfem
     std::string joints; ///< joint set
     std::string struts; ///< strut set whose ends are released there
     Type        type = Type::hinge;
-    /** K' (N m/rad) between a released strut and what it turns against. */
+    /** Rotational stiffness K' of a released strut end (N m/rad). */
     double stiffness = 0;
     /** Unit vector of a revolute hinge's axis at rest. */
     dealii::Tensor<1, 3> axis;
-    std::string          path;
+    std::string          path; ///< for messages
   };
 
-  /** `Joints`. */
+  /** Schema of `Joints`. */
   SubsectionSchema joints_schema();
 
-  /** The values of one such subsection. Throws InputError if they contradict
-   * each other. */
+  /** Reads `Joints/NAME`. Throws InputError if values contradict each other. */
   JointDefinition read_joint(ParameterValues &values);
 } // namespace auxfem
 

@@ -7,10 +7,8 @@
 
 namespace auxfem
 {
-  /**
-   * Magnitudes of a function next to a kink or jump, which tell these from
-   * round-off.
-   */
+  /** Magnitudes of a function near a time, to distinguish kinks and jumps from
+   * round-off. */
   struct FunctionSize
   {
     double value     = 0; ///< greatest absolute value
@@ -18,7 +16,7 @@ namespace auxfem
     double curvature = 0; ///< greatest absolute second derivative
   };
 
-  /** A function jumps so often that steps cannot end at each jump. */
+  /** Thrown if a function jumps so often that steps cannot end at each jump. */
   struct TooManyJumps
   {
     double n; ///< estimate of the number of jumps
@@ -29,29 +27,31 @@ namespace auxfem
    * 2, at begin < t < end (s), sorted. Times closer than time_resolution() to
    * either end count as being there.
    *
-   * The search compares the branches at about a thousand times, at more if the
-   * branches change often, and bisects each change to neighbouring numbers. It
-   * misses branches that begin and end between two of these times, and kinks of
-   * functions without branches. Throws TooManyJumps for more than ten thousand
-   * jumps.
+   * The search samples the branches at about a thousand times, or more if they
+   * change often, and bisects each change to neighbouring numbers. It misses
+   * branches between two samples, and kinks of functions without branches.
+   * Throws TooManyJumps for more than ten thousand jumps.
    */
   std::vector<TimeEvent> find_events(const BranchedFunction &function,
                                      double                  begin,
                                      double                  end,
                                      unsigned int            derivatives);
 
-  /** Whether limits of a function from both sides differ by more than
-   * round-off and @p error. */
+  /** @name Whether both one-sided limits differ by more than round-off and
+   * @p error */
+  ///@{
+  /** Limits of the value. */
   bool
   is_jump(double before, double after, const FunctionSize &size, double error);
 
-  /** Whether slopes on both sides differ by more than that. */
+  /** Limits of the first derivative. */
   bool
   is_kink(double before, double after, const FunctionSize &size, double error);
 
-  /** Whether second derivatives on both sides differ by more than that. */
+  /** Limits of the second derivative. */
   bool
   is_bend(double before, double after, const FunctionSize &size, double error);
+  ///@}
 } // namespace auxfem
 
 #endif

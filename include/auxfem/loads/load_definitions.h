@@ -14,22 +14,19 @@
 
 /**
  * @file
- * Parameters that come once for each axis or component of motion and load, and
- * functions of time.
+ * Supports, masses, loads, gravity and initial velocities of the parameter
+ * file.
  */
 namespace auxfem
 {
-  /** Whether component @p c of motion and load is there in the plane. */
+  /** Whether planar scenes have the component @p c of motion and load. */
   constexpr bool is_in_plane(const unsigned int c)
   {
     return c < 2 || c == rotation_z;
   }
 
-  /**
-   * @p parameter for component @p c: its name followed by the axis, its sentence
-   * (without full stop) by the direction and, where it is so, that it needs
-   * space.
-   */
+  /** The @p parameter of component @p c: appends the axis to its name, the
+   * direction to its sentence, which has no full stop. */
   template <class Typed>
   Typed for_component(Typed parameter, const unsigned int c)
   {
@@ -42,7 +39,7 @@ namespace auxfem
     return parameter;
   }
 
-  /** @p parameter for the axes x, y, z; see for_component(). */
+  /** The @p parameter for the axes x, y, z; see for_component(). */
   template <class Typed>
   std::array<Typed, 3> for_axes(const Typed &parameter)
   {
@@ -51,10 +48,8 @@ namespace auxfem
              for_component(parameter, 2)}};
   }
 
-  /**
-   * @p translation along x, y, z and @p rotation about them; see
-   * for_component().
-   */
+  /** Parameters for @p translation along x, y, z and @p rotation about them; see
+   * for_component(). */
   template <class Typed>
   std::array<Typed, n_motion_components>
   for_components(const Typed &translation, const Typed &rotation)
@@ -67,10 +62,8 @@ namespace auxfem
              for_component(rotation, 5)}};
   }
 
-  /**
-   * The function of time in @p parameter. The file name of a table becomes an
-   * absolute one in @p values.
-   */
+  /** Reads the function of time in @p parameter. Makes the file name of a table
+   * absolute in @p values. */
   TimeFunction read_time_function(ParameterValues      &values,
                                   const TimeExpression &parameter);
 
@@ -79,17 +72,17 @@ namespace auxfem
   {
     std::string name;
     std::string joints; ///< joint set
-    /** Which components are prescribed, and their course (m, rad). */
+    /** Prescribed components, and their time histories (m, rad). */
     std::array<bool, n_motion_components>         fixed = {};
     std::array<TimeFunction, n_motion_components> motion;
-    std::string                                   path;
+    std::string                                   path; ///< for messages
   };
 
-  /** `Supports`. */
+  /** Schema of `Supports`. */
   SubsectionSchema supports_schema();
 
-  /** The values of one such subsection. Throws InputError if they contradict
-   * each other. */
+  /** Reads `Supports/NAME`. Throws InputError if values contradict each other.
+   */
   SupportDefinition read_support(ParameterValues &values);
 
   /** `Masses/NAME`: a point mass on every joint of a set. */
@@ -98,17 +91,16 @@ namespace auxfem
     std::string name;
     std::string joints;
     double      mass = 0; ///< kg
-    /** About axes along x, y, z at rest (kg m2); in the plane the last alone.
-     */
+    /** Moments of inertia about x, y, z at rest (kg m2); planar scenes use the
+     * last only. */
     dealii::Tensor<1, 3> rotary_inertia;
-    std::string          path;
+    std::string          path; ///< for messages
   };
 
-  /** `Masses`. */
+  /** Schema of `Masses`. */
   SubsectionSchema masses_schema();
 
-  /** The values of one such subsection. Throws InputError if they contradict
-   * each other. */
+  /** Reads `Masses/NAME`. Throws InputError if values contradict each other. */
   MassDefinition read_mass(ParameterValues &values);
 
   /**
@@ -116,13 +108,12 @@ namespace auxfem
    */
   struct JointLoadDefinition
   {
-    std::string name;
-    std::string joints;
-    /** N, N m. */
-    std::array<TimeFunction, n_motion_components> components;
-    /** Whether force and moment turn with the joint; else they are dead. */
+    std::string                                   name;
+    std::string                                   joints;
+    std::array<TimeFunction, n_motion_components> components; ///< N, N m
+    /** Whether force and moment turn with the joint (follower loads). */
     bool        follows_joint = false;
-    std::string path;
+    std::string path; ///< for messages
   };
 
   /**
@@ -134,14 +125,13 @@ namespace auxfem
     std::string                 name;
     std::string                 struts;
     std::array<TimeFunction, 3> components; ///< q_x, q_y, q_z (N/m)
-    std::string                 path;
+    std::string                 path;       ///< for messages
   };
 
-  /** `Loads`. */
+  /** Schema of `Loads`. */
   SubsectionSchema loads_schema();
 
-  /** The values of one such subsection. Throws InputError if they contradict
-   * each other. */
+  /** Reads `Loads/NAME`. Throws InputError if values contradict each other. */
   std::variant<JointLoadDefinition, LineLoadDefinition>
   read_load(ParameterValues &values);
 
@@ -150,33 +140,32 @@ namespace auxfem
   {
     std::array<TimeFunction, 3> acceleration; ///< along x, y, z (m/s2)
 
-    /** Whether there is none at any time. */
+    /** Whether the acceleration is zero at all times. */
     bool is_zero() const;
 
-    /** Those components that change in time. */
-    std::vector<TimeFunction> courses() const;
+    /** Components that change in time. */
+    std::vector<TimeFunction> varying_components() const;
   };
 
-  /** `Gravity`. */
+  /** Schema of `Gravity`. */
   SubsectionSchema gravity_schema();
 
-  /** Its values. */
+  /** Reads `Gravity`. */
   GravityDefinition read_gravity(ParameterValues &values);
 
   /** `Initial velocities/NAME`: velocity of a set of joints at t = 0. */
   struct InitialVelocityDefinition
   {
-    std::string name;
-    std::string joints;
-    /** m/s, rad/s */
-    std::array<double, n_motion_components> velocity = {};
-    std::string                             path;
+    std::string                             name;
+    std::string                             joints;
+    std::array<double, n_motion_components> velocity = {}; ///< m/s, rad/s
+    std::string                             path;          ///< for messages
   };
 
-  /** `Initial velocities`. */
+  /** Schema of `Initial velocities`. */
   SubsectionSchema initial_velocities_schema();
 
-  /** The values of one such subsection. Throws InputError if they contradict
+  /** Reads `Initial velocities/NAME`. Throws InputError if values contradict
    * each other. */
   InitialVelocityDefinition read_initial_velocity(ParameterValues &values);
 } // namespace auxfem

@@ -8,17 +8,17 @@
 
 namespace auxfem
 {
-  /** A function of time (s) with the branches that its formula takes. */
+  /** A function of time (s) that also tells the branches its formula takes. */
   using BranchedFunction = std::function<Expression::BranchedValue(double)>;
 
   /**
    * Limit of @p function at @p t (s) from one side: the value at the nearest
-   * time with the branches of that side, and the value at t where both agree to
+   * time with the branches of that side, or the value at t if both agree to
    * round-off.
    */
   double limit(const BranchedFunction &function, double t, TimeSide side);
 
-  /** Limits of value and derivatives, with bounds for what they are off. */
+  /** Limits of value and derivatives, with error bounds. */
   struct JetEstimate
   {
     Jet    jet;
@@ -28,12 +28,11 @@ namespace auxfem
 
   /**
    * Limits of @p function and its derivatives at @p t (s) from one side, by
-   * differences of seven values on that side. Their interval is doubled from
-   * time_resolution() on as long as the estimates approach each other; it ends
-   * where other branches begin. First derivatives are good to about 1e-12 of
-   * their size, second ones to 1e-9; both are infinite where differences grow
-   * without bound. If another branch begins nearby on that side, but not at t,
-   * the other side may serve.
+   * seven-point differences on that side. The interval grows by factors of two
+   * from time_resolution() until the estimates diverge or another branch
+   * begins. Relative errors are about 1e-12 for first and 1e-9 for second
+   * derivatives; derivatives that grow without bound are infinite. If another
+   * branch begins nearby, but not at t, values of the other side are used.
    */
   JetEstimate
   jet_estimate(const BranchedFunction &function, double t, TimeSide side);

@@ -8,19 +8,17 @@
 namespace auxfem
 {
   /**
-   * The cubic spline through given points, with two continuous derivatives. Its
-   * third derivative is continuous at the second point and the last but one,
-   * too ("not a knot"; de Boor, A Practical Guide to Splines, ch. IV): it is of
-   * fourth order up to the ends. Two points are joined by a line, three by a
-   * parabola.
+   * Cubic interpolation spline with not-a-knot end conditions (de Boor, A
+   * Practical Guide to Splines, ch. IV), of fourth order up to the ends. Two
+   * points are joined by a line, three by a parabola.
    */
   class CubicSpline
   {
   public:
-    /** @param abscissas rising, as many as @p values; at least one. */
+    /** @param abscissas in ascending order, as many as @p values, at least one */
     CubicSpline(std::vector<double> abscissas, std::vector<double> values);
 
-    /** Value and derivatives at @p x; beyond the points the last cubic. */
+    /** Value and derivatives at @p x; the end cubics extend beyond the points. */
     Jet operator()(double x) const;
 
   private:

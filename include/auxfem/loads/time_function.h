@@ -22,7 +22,7 @@ namespace auxfem
     double second = 0;
   };
 
-  /** A time at which a function of time or a derivative of it jumps. */
+  /** A time at which a function of time or one of its derivatives jumps. */
   struct TimeEvent
   {
     enum class Kind
@@ -51,9 +51,9 @@ namespace auxfem
   };
 
   /**
-   * Distance (s) below which times around @p t are one, 1e-12 of t or of 1 s:
-   * some thousand units of round-off, because the operands of expressions like
-   * (0.01 * t - 3) carry less digits than the time.
+   * Distance (s) below which two times near @p t are the same: 1e-12 of t or
+   * of 1 s. This is thousands of round-offs, because operands of expressions
+   * such as (0.01 * t - 3) have fewer digits than t.
    */
   inline double time_resolution(const double t)
   {
@@ -63,14 +63,14 @@ namespace auxfem
 
   class TimeHistory;
 
-  /** What a table is between its rows. */
+  /** Interpolation between the rows of a table. */
   enum class TableKind
   {
     linear,
     smooth
   };
 
-  /** How far a smooth table leaves the range of two neighbouring rows. */
+  /** Distance by which a spline leaves the range of two neighbouring rows. */
   struct Overshoot
   {
     double begin, end; ///< times of the rows (s)
@@ -80,32 +80,22 @@ namespace auxfem
   /** The parts of `SCALE * smooth table: FILE, COLUMN`. */
   struct TableText
   {
-    std::string prefix; ///< all before the file name, as the user wrote it
+    std::string prefix; ///< text before the file name, as the user wrote it
     std::string scale;  ///< factor of the values; empty for one
     TableKind   kind;
-    std::string file; ///< file name, maybe a column
+    std::string file; ///< file name, maybe followed by a column
   };
 
-  /** Nothing if @p text has not this form. */
+  /** Splits a reference to a table; nothing if @p text is none. */
   std::optional<TableText> table_text(const std::string &text);
 
   /**
-   * A number that depends on time: an expression in `t` (muParser syntax, with
-   * the scene's constants and `pi`), or `table: file.csv` (`table: file.csv, 3`
-   * takes the third column; the first column is time in s; constant outside of
-   * the rows). Straight lines join the rows of a table, a CubicSpline those of
-   * `smooth table: file.csv`. `2 kN * table: file.csv` scales the values; the
-   * scale is a number with or without unit, or an expression of constants.
-   * Cheap to copy: copies share the parsed function.
-   *
-   * Besides muParser's own functions there are `if(condition, then, else)`,
-   * `pow`, `floor` and `ceil`; `log` is the natural logarithm.
-   *
-   * In a table cells are separated by commas, semicolons or white space; a row
-   * without any number before the first row of numbers is a header; what
-   * follows `#` and empty rows are skipped. In a linear table two rows at one
-   * time are a jump: the values just before and just after it, of which the
-   * latter is the value at that time.
+   * A scalar function of time: an expression in `t` (see Expression) or a
+   * table, `2 kN * smooth table: file.csv, 3`. The table's first column is time
+   * (s), the second (or the named) one the value. Lines join the rows, or a
+   * CubicSpline those of a smooth table; values are constant outside of them.
+   * Two rows of a linear table at one time are a jump; the value at that time
+   * is the second one. Copies share the parsed function.
    */
   class TimeFunction
   {
@@ -146,60 +136,54 @@ namespace auxfem
     double value_after(double t) const;
 
     /**
-     * The times (s) at which the value or one of its first @p derivatives
-     * derivatives, 1 or 2, jumps, sorted, of those between @p begin and @p end;
-     * either end is excluded, as is what is closer to it than
-     * time_resolution(). The same on all ranks.
+     * Sorted times (s) between @p begin and @p end at which the value or one of
+     * the first @p derivatives derivatives (1 or 2) jumps; without times closer
+     * to either end than time_resolution(). The same on all ranks.
      *
-     * Roots of numbers that touch zero count as kinks, as sqrt((t - 1)^2) has
-     * one. Where the function or its slope is infinite there is an event too.
-     * Single times at which the value is another one, as in `t == 1`, are none.
+     * Roots that touch zero count as kinks, such as sqrt((t - 1)^2). Infinite
+     * values or slopes are events, too; isolated values, as of `t == 1`, are
+     * not.
      */
     std::vector<TimeEvent>
     events(double begin, double end, unsigned int derivatives = 1) const;
 
     /**
-     * Last time (s) of a table, from which on its last value is held; none for
+     * Last time (s) of a table, whose last value holds from then on; none for
      * expressions.
      */
     std::optional<double> last_time() const;
 
-    /**
-     * The interval between two rows of a smooth table in which the spline
-     * leaves the range of both rows most, if it does so by more than a
-     * hundredth of the range of the table.
-     */
+    /** Largest overshoot of a smooth table, if it exceeds a hundredth of the
+     * range of its values. */
     std::optional<Overshoot> overshoot() const;
 
-    /** Path and text of the parameter; empty for the constant zero. */
+    /** Path and text of the parameter, for messages; empty for the constant
+     * zero. */
     const std::string &origin() const;
 
-    /**
-     * Limits of value, first and second time derivative at @p t (s) from one
-     * side, exact. Throws ComputationError if one is not finite.
-     */
+    /** One-sided limits of value, first and second derivative at @p t (s).
+     * Throws ComputationError if one is not finite. */
     std::array<double, 3> jet(double t, TimeSide side = TimeSide::after) const;
 
-    /**
-     * True if it is zero at all times by construction: an empty text, `0`, or
-     * an expression without `t` that is zero.
-     */
+    /** Whether the text makes the function zero at all times: it is empty, `0`,
+     * or an expression without `t` that is zero. */
     bool is_zero() const
     {
       return !history;
     }
 
-    /** True if it is the same at all times by construction, as is_zero(). */
+    /** Whether the text makes the function constant, as is_zero(). */
     bool is_constant() const;
 
   private:
-    /** @p result, which is @p what of the function at @p t. */
-    double checked(double result, double t, const std::string &what = "") const;
+    /** Returns @p result, the @p quantity (empty: value) at @p t, if finite. */
+    double
+    checked(double result, double t, const std::string &quantity = "") const;
 
     std::shared_ptr<const TimeHistory> history;
   };
 
-  /** What a TimeFunction consists of: an expression or a table. */
+  /** Implementation of a TimeFunction: an expression or a table. */
   class TimeHistory
   {
   public:
@@ -211,10 +195,8 @@ namespace auxfem
     /** Limit of the value at @p t (s) from one side, finite or not. */
     virtual double limit(double t, TimeSide side) const = 0;
 
-    /**
-     * Limits of the value and its first two derivatives at @p t (s) from one
-     * side, finite or not.
-     */
+    /** Limits of the value and its first two derivatives at @p t (s) from one
+     * side, finite or not. */
     virtual Jet jet(double t, TimeSide side) const = 0;
 
     /**
@@ -224,8 +206,7 @@ namespace auxfem
     virtual std::vector<TimeEvent>
     events(double begin, double end, unsigned int derivatives) const = 0;
 
-    /** Last time (s) it is given for, from which on its value is held; none if
-     * it is given for all. */
+    /** See TimeFunction::last_time(). */
     virtual std::optional<double> last_time() const
     {
       return {};
@@ -237,7 +218,7 @@ namespace auxfem
       return {};
     }
 
-    /** Whether it does not depend on time at all. */
+    /** Whether the value does not depend on time. */
     virtual bool is_constant() const
     {
       return false;
@@ -248,18 +229,18 @@ namespace auxfem
   };
 
   /**
-   * Two columns of a file, linear between rows or a cubic spline through them,
-   * constant outside. Two rows at one time are a jump of a linear table.
-   * @p path is that of the parameter. Throws InputError if there is no such
-   * table, and for a jump of a smooth one.
+   * Reads a table for the parameter @p path. Cells are separated by commas,
+   * semicolons or white space; one row of headings, comments after `#` and
+   * empty rows are skipped. Throws InputError for a missing or wrong table, and
+   * for a jump of a smooth one.
    */
   std::shared_ptr<TimeHistory> make_table_history(const TableText    &table,
                                                   const std::string  &path,
                                                   const SceneContext &context);
 
   /**
-   * The expression in t that the user wrote for the parameter @p path; nullptr
-   * if it is zero at all times. Throws InputError if it is no expression.
+   * Parses the expression in t of the parameter @p path; nullptr if it is zero
+   * at all times. Throws InputError if it is no expression.
    */
   std::shared_ptr<TimeHistory>
   make_expression_history(const std::string  &text,

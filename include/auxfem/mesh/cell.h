@@ -6,7 +6,7 @@
 
 namespace auxfem
 {
-  /** One strut of a unit cell and the strut sets it belongs to. */
+  /** A strut of a unit cell and the strut sets it belongs to. */
   struct UnitStrut
   {
     unsigned int first, second;
@@ -22,7 +22,7 @@ namespace auxfem
   struct NeighbourPair
   {
     unsigned int first; ///< joint of this cell
-    /** 0, 1, 2: the next cell is the one at +x, +y, +z. */
+    /** Direction of the next cell: 0, 1, 2 for +x, +y, +z. */
     unsigned int direction;
     unsigned int second; ///< joint of the next cell
   };
@@ -35,8 +35,8 @@ namespace auxfem
   };
 
   /**
-   * One unit cell about its own centre. Repeated with its period, joints that
-   * coincide with those of a neighbour become one.
+   * A unit cell about its own centre. make_array() repeats it with its period
+   * and merges joints that coincide with those of a neighbour.
    */
   struct UnitCell
   {
@@ -48,61 +48,53 @@ namespace auxfem
     /** Struts to the next cell, made wherever that neighbour exists. */
     std::vector<StrutsAcross> struts_across;
 
-    /** Pairs of joints offered for connectors, by name. */
+    /** Joint pairs that connectors may link, by name. */
     std::map<std::string, std::vector<std::pair<unsigned int, unsigned int>>>
       pairs;
 
-    /**
-     * Pairs for connectors between a cell and the next one, by name; made
-     * wherever that neighbour exists.
-     */
+    /** Joint pairs of a cell and the next one, by name; made wherever that
+     * neighbour exists. */
     std::map<std::string, std::vector<NeighbourPair>> pairs_across;
 
-    /**
-     * Distances between cell centres along x, y, z (m); 0: cannot be repeated
-     * that way.
-     */
+    /** Distances between cell centres along x, y, z (m); 0 if the cell cannot
+     * be repeated along that axis. */
     dealii::Tensor<1, 3> period;
 
-    /**
-     * For a direction without period, the reason as a sentence to be shown to
-     * the user; may be empty.
-     */
-    std::array<std::string, 3> why_no_period;
+    /** Sentence that tells the user why a direction has no period; may be
+     * empty. */
+    std::array<std::string, 3> no_period_reasons;
 
     /**
      * Joints through which cells meet, by side (`left`, `right`, `bottom`,
-     * `top`, `back`, `front`); on the array's boundary they form the set of
-     * that name. Empty: the sets are the joints on the faces of the bounding
-     * box, except where joint_sets has a set of that name.
+     * `top`, `back`, `front`). On the array's boundary they form the set of
+     * that name. A cell without ports gets these sets from the faces of the
+     * bounding box, unless joint_sets has a set of that name.
      */
     std::map<std::string, std::vector<unsigned int>> ports;
 
     /** Further named joints, collected over all cells, e.g. `tips`. */
     std::map<std::string, std::vector<unsigned int>> joint_sets;
 
-    /** Sentences for the user on how the cell was made. */
+    /** Sentences that tell the user how the cell was made. */
     std::vector<std::string> notes;
   };
 
-  /** A kind of unit cell: parameters to joints and struts. */
+  /** A kind of unit cell, made from parameters of the scene. Its constructor
+   * refuses impossible shapes. */
   class Cell
   {
   public:
     virtual ~Cell() = default;
 
-    /**
-     * Builds the unit cell. The constructor has already refused impossible
-     * shapes.
-     */
+    /** Builds the unit cell. */
     virtual UnitCell build() const = 0;
   };
 
-  /** A cell whose joints and struts are known already. */
-  class GivenCell : public Cell
+  /** A Cell that holds a finished UnitCell. */
+  class PrebuiltCell : public Cell
   {
   public:
-    explicit GivenCell(const UnitCell &cell) : cell(cell)
+    explicit PrebuiltCell(const UnitCell &cell) : cell(cell)
     {}
 
     UnitCell build() const override
@@ -114,37 +106,33 @@ namespace auxfem
     UnitCell cell;
   };
 
-  /** All kinds of cells the program knows (mesh/cells/register.cc). */
+  /** All kinds of cells the program knows (mesh/cells/cell_table.cc). */
   const Registry<Cell> &cell_registry();
 
   /**
-   * Repeats @p cell @p n_cells times along x, y, z; cell (i, j, k) has its
+   * Repeats @p cell @p n_cells times along x, y, z. Cell (i, j, k) has its
    * centre at (i, j, k) times the period and the number i + nx * (j + ny * k).
-   * Joints of different cells that lie closer than 1e-8 of the cell's size
-   * become one, and of struts or pairs that then coincide the first is kept.
-   * Joints of one and the same cell are never merged.
+   * Struts and pairs across two cells have the number of the first one.
    *
-   * A strut across two cells has the number of the first one.
+   * Joints of different cells that lie closer than 1e-8 of the cell's size
+   * become one; joints of the same cell are never merged. The first of several
+   * coincident struts or pairs remains, and pairs whose joints have become one
+   * are dropped, so that a pair set may be empty.
    *
    * Fills the joint sets `all`, `bottom`, `top`, `left`, `right` (in space also
-   * `back`, `front`) and those of the cell, the strut sets `all` and those of
-   * the cell, and the pair sets. A pair across two cells has the number of the
-   * first one, and is left out where its joints have become one: a set of such
-   * pairs may be empty.
-   * Throws InputError if a number of cells is zero or a direction without
-   * period is repeated.
+   * `back`, `front`), the strut set `all`, and the sets of the cell. Throws
+   * InputError if a number of cells is zero or a direction without period is
+   * repeated.
    */
   Lattice make_array(const UnitCell                    &cell,
                      const std::array<unsigned int, 3> &n_cells);
 
   /**
-   * Gives a planar @p cell the period @p distance (m) along z and straight
-   * struts between equal joints of neighbouring layers, in the strut set
-   * `columns`. They stand at the joints of the cell's sets and sides named by
-   * @p columns, several joined by `+`, or at `all`.
-   *
-   * Throws InputError naming @p path if the cell is not planar or has no joints
-   * of that name.
+   * Stacks a planar @p cell in layers: gives it the period @p distance (m)
+   * along z and straight struts between equal joints of neighbouring layers
+   * (strut set `columns`). @p columns names their joints: sets and sides of the
+   * cell joined by `+`, or `all`. Throws InputError naming @p path if the cell
+   * is not planar or has no joints of that name.
    */
   UnitCell extrude(UnitCell           cell,
                    double             distance,

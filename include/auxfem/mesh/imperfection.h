@@ -9,36 +9,39 @@
 
 namespace auxfem
 {
-  /** How far the geometry of a lattice is off the designed one. */
+  /** Offsets of joints and strut middles of a lattice from the designed
+   * geometry (m). */
   struct GeometryOffsets
   {
-    /** None, for the joints and struts of @p lattice. */
+    /** Zero offsets for the joints and struts of @p lattice. */
     explicit GeometryOffsets(const Lattice &lattice);
 
-    /** Of the joints, and of the middles of the struts (m). */
+    /** Offsets of the joints, and of the middles of the struts (m). */
     std::vector<dealii::Tensor<1, 3>> joints, middles;
 
-    /** That of the middle of a strut that keeps its shape (m). */
+    /** Mean offset of both ends of @p strut (m): that of its middle if the
+     * strut keeps its shape. */
     dealii::Tensor<1, 3> mean_of_ends(const Strut &strut) const
     {
       return (joints[strut.joints[0]] + joints[strut.joints[1]]) / 2;
     }
 
-    /** The largest of all (m). */
+    /** Norm of the largest offset (m). */
     double largest() const;
 
+    /** Adds @p factor times @p others. */
     void add(double factor, const GeometryOffsets &others);
   };
 
   /**
-   * Moves joints and makes arcs of the struts whose middles are moved off their
-   * place, or arcs of another rise. The designed lattice is kept for whoever
-   * selects by position, see Lattice::as_designed.
+   * Moves the joints of @p lattice. Struts whose middles do not follow their
+   * ends become arcs, or arcs of another rise. Lattice::as_designed keeps the
+   * lattice before the change.
    */
   void disturb(const GeometryOffsets &offsets, Lattice &lattice);
 
-  /** `Imperfections/NAME`: by what the stress-free lattice is off the designed
-   * one. */
+  /** `Imperfections/NAME`: a deviation of the stress-free lattice from the
+   * designed one. */
   struct ImperfectionDefinition
   {
     enum class Type
@@ -51,20 +54,21 @@ namespace auxfem
     std::string name;
     std::string path; ///< for messages
     Type        type = Type::random;
-    /** Of random ones the standard deviation of each coordinate, of modes and
-     * results the largest displacement (m). */
+    /** Type::random: standard deviation of each coordinate; modes and results:
+     * largest displacement (m). */
     double       amplitude = 0;
-    std::string  joints; ///< random ones, as written
+    std::string  joints; ///< Type::random: joint selection as written
     unsigned int seed = 0;
-    /** By expressions in x, y, z (m). */
+    /** Type::expression: expressions in x, y, z (m). */
     std::array<std::string, 3> displacement;
-    unsigned int               mode = 1; ///< from 1 on
-    std::string                folder;   ///< of a result
+    unsigned int               mode = 1; ///< number of the mode, from 1 on
+    std::string                folder;   ///< Type::result: folder of the run
   };
 
+  /** Schema of `Imperfections`. */
   SubsectionSchema imperfections_schema();
 
-  /** The values of one such subsection. */
+  /** Reads one subsection `Imperfections/NAME`. */
   ImperfectionDefinition read_imperfection(const ParameterValues &values);
 } // namespace auxfem
 

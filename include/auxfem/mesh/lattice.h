@@ -15,7 +15,7 @@
 
 namespace auxfem
 {
-  /** Many lists of indices, one behind the other in memory. */
+  /** Many lists of indices, stored one behind the other (compressed rows). */
   class IndexLists
   {
   public:
@@ -23,15 +23,15 @@ namespace auxfem
 
     /**
      * @param n_lists number of lists
-     * @param for_each_entry calls what it is given with the number of a list
-     * and an index for it, for each entry; the same each time
+     * @param for_each_entry takes a function and calls it with a list number
+     * and an index for each entry, in the same order each time
      */
     template <class ForEachEntry>
     IndexLists(const std::size_t n_lists, const ForEachEntry &for_each_entry)
       : first(n_lists + 2, 0)
     {
-      // Counted one place ahead, so that places are the first ones when all
-      // are filled.
+      // Counts are shifted by one list: filling then moves each start to its
+      // final position.
       for_each_entry(
         [this](const std::size_t list, unsigned int) { ++first[list + 2]; });
       std::partial_sum(first.begin(), first.end(), first.begin());
@@ -41,7 +41,7 @@ namespace auxfem
       });
     }
 
-    /** A list, in the order in which it was given. */
+    /** The list number @p list, in the order of its entries. */
     dealii::ArrayView<const unsigned int>
     operator[](const std::size_t list) const
     {
@@ -52,21 +52,18 @@ namespace auxfem
     std::vector<unsigned int> first, entries;
   };
 
-  /**
-   * The joint or strut number @p text stands for: digits only, blanks around
-   * them allowed; nothing for any other text and for numbers too large to be
-   * an index.
-   */
+  /** Joint or strut number written in @p text: digits, maybe with blanks around
+   * them. Nothing for any other text or a number too large for an index. */
   std::optional<unsigned int> read_index(const std::string &text);
 
   /**
-   * Number of components of motion and load at a joint: three displacements or
-   * forces along x, y, z, three rotations or moments about them. In the plane
-   * only 0, 1 and 5 are used.
+   * Number of components of motion and load at a joint: displacements or forces
+   * along x, y, z, then rotations or moments about them. Planar scenes use 0, 1
+   * and 5 only.
    */
   constexpr unsigned int n_motion_components = 6;
 
-  /** The component of rotation and moment that there is in the plane. */
+  /** The only component of rotation and moment in the plane. */
   constexpr unsigned int rotation_z = 5;
 
   /** The first component of rotation and moment. */
@@ -93,9 +90,9 @@ namespace auxfem
     double sagitta = 0;
 
     /**
-     * Unit normal of the plane an arc lies in. Not parallel to the chord, but
-     * need not be perpendicular to it: the arc rises along normal x chord
-     * whatever the angle between them. Without meaning for a straight strut.
+     * Unit normal of an arc's plane. It must not be parallel to the chord, but
+     * need not be perpendicular to it: the arc rises along normal x chord.
+     * Unused by straight struts.
      */
     dealii::Tensor<1, 3> normal = dealii::Point<3>(0, 0, 1);
 
@@ -103,54 +100,48 @@ namespace auxfem
     unsigned int cell = 0;
 
     /**
-     * Index into the scene's sections; filled from the strut sets. A rigid
-     * strut may have none (invalid_index); it has the thickness of its section.
+     * Index into the scene's sections, filled from the strut sets. A rigid
+     * strut takes its thickness from the section and may have none
+     * (invalid_index).
      */
     unsigned int section = 0;
 
     /** Index into Lattice::rigid_parts; invalid_index for an elastic strut. */
     unsigned int rigid_part = invalid_index;
 
-    /** Whether the strut belongs to a rigid part, so is no finite element. */
+    /** Whether the strut belongs to a rigid part and has no finite elements. */
     bool is_rigid() const
     {
       return rigid_part != invalid_index;
     }
   };
 
-  /**
-   * Joints that move as one rigid body, and the rigid struts it is made of, if
-   * any.
-   */
+  /** Joints that move as one rigid body, and its rigid struts, if any. */
   struct RigidPart
   {
     /**
-     * At least two. The first two are the base, chosen far apart; the positions
-     * of all others are given relative to them.
+     * At least two joints. The first two, chosen far apart, are the base that
+     * the positions of all others are relative to.
      */
     std::vector<unsigned int> joints;
 
     /** Rigid struts of the part. */
     std::vector<unsigned int> struts;
 
-    /** Whether elastic struts at its joints are clamped to it, not hinged. */
+    /** Whether elastic struts are clamped to the part, not hinged. */
     bool clamps_struts = false;
 
     double mass = 0; ///< kg
 
-    /** At rest (m). */
+    /** Position at rest (m). */
     dealii::Point<3> centre_of_mass;
 
-    /**
-     * Tensor of inertia about the centre of mass (kg m2), in the global frame
-     * at rest. The plane needs its last entry alone.
-     */
+    /** Inertia tensor about the centre of mass (kg m2), in the global frame at
+     * rest. Planar scenes use its last entry only. */
     dealii::Tensor<2, 3> rotary_inertia;
 
-    /**
-     * In space: whether the part has a rotation of its own. Else it is a bar:
-     * all of it lies on one line, about which it has no rotation.
-     */
+    /** In space: whether the part has a rotation of its own. A part without one
+     * is a bar: all of it lies on one line. */
     bool has_rotation = false;
 
     /** Index into the scene's rigid part definitions. */
@@ -164,16 +155,15 @@ namespace auxfem
   struct JointPair
   {
     unsigned int first;
-    /** invalid_index: the ground. */
-    unsigned int second;
+    unsigned int second; ///< invalid_index: the ground
     /** Number of the unit cell the pair belongs to, for output. */
     unsigned int cell = 0;
   };
 
   /**
-   * The structure as a graph in space: joints, struts between them, pairs of
-   * joints meant for connectors, and named sets of all three. Plain data, made
-   * by a cell generator; knows nothing of finite elements.
+   * The structure as a graph in space: joints, struts, joint pairs for
+   * connectors, and named sets of all three. Plain data without finite
+   * elements, made by make_array().
    */
   struct Lattice
   {
@@ -183,8 +173,8 @@ namespace auxfem
     /** Positions at rest (m). */
     std::vector<dealii::Point<3>> joints;
 
-    /** The last joints are points of reference of rigid plates: they belong to
-     * no set but their own, and have no part in the size of the lattice. */
+    /** Number of rigid plates. The last joints are their reference points: they
+     * belong to no other set and do not count for the lattice's size. */
     unsigned int n_plates = 0;
 
     std::vector<Strut> struts;
@@ -198,44 +188,40 @@ namespace auxfem
     /** Sorted strut indices by set name; `all`, `edges`, `stubs`, ... */
     std::map<std::string, std::vector<unsigned int>> strut_sets;
 
-    /**
-     * Pairs offered by the cell for connectors, e.g. `in-cell`, `rod`. A set of
-     * pairs across neighbouring cells is empty where there are none.
-     */
+    /** Joint pairs for connectors by set name, e.g. `in-cell`, `rod`. A set of
+     * pairs across neighbouring cells may be empty. */
     std::map<std::string, std::vector<JointPair>> pair_sets;
 
     /** Number of unit cells. */
     unsigned int n_cells = 1;
 
-    /** Sentences for the user on how the cell was made. */
+    /** Sentences that tell the user how the cell was made. */
     std::vector<std::string> notes;
 
-    /** The same without its imperfections, for whoever selects by position;
-     * nullptr: there are none. */
+    /** The lattice before imperfections, for selections by position; nullptr
+     * without imperfections. */
     std::shared_ptr<const Lattice> as_designed;
 
-    /** Number of joints without those of plates. */
+    /** Number of joints other than those of plates. */
     unsigned int n_structural_joints() const
     {
       return joints.size() - n_plates;
     }
 
-    /** Joint of a plate, in the order of the scene. */
+    /** Reference joint of plate number @p plate, in the order of the scene. */
     unsigned int joint_of_plate(const unsigned int plate) const
     {
       return n_structural_joints() + plate;
     }
 
-    /** Number of struts that are no part of a rigid body. */
+    /** Number of struts that belong to no rigid part. */
     unsigned int n_elastic_struts() const;
 
     /** Length of a strut along its axis (m), the arc length for an arc. */
     double length(const Strut &strut) const;
 
-    /**
-     * Points on the undeformed axis of @p strut (m) with weights of sum 1 that
-     * stand for something spread evenly along it, up to its second moments.
-     */
+    /** Quadrature points on the undeformed axis of @p strut (m) with weights of
+     * sum 1, for quantities spread evenly along it. */
     std::vector<std::pair<dealii::Point<3>, double>>
     even_points(const Strut &strut) const;
 

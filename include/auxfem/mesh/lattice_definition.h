@@ -10,28 +10,22 @@
 
 namespace auxfem
 {
-  /** The joints of a group that has to name some. */
+  /** Parameter `Joints` where it must be given. */
   inline const Text set_of_joints = {"Joints", "", "Set of joints.", true};
 
-  /**
-   * `Sets/NAME`: the user's own set of joints or struts, resolved on the
-   * lattice.
-   */
+  /** `Sets/NAME`: the user's own set of joints or struts. */
   struct SetDefinition
   {
     std::string name;
-    /**
-     * `joints: ...` or `struts: ...` as written; see mesh/sets.h for the
-     * grammar.
-     */
+    /** `joints: ...` or `struts: ...` as written; grammar in mesh/sets.h. */
     std::string selection;
     std::string path; ///< for messages
   };
 
-  /** `Sets`. */
+  /** Schema of `Sets`. */
   SubsectionSchema sets_schema();
 
-  /** The values of one such subsection. */
+  /** Reads one entry `Sets/NAME`. */
   SetDefinition read_set(ParameterValues &values);
 
   /** `Lattice`: the array of unit cells. */
@@ -39,15 +33,14 @@ namespace auxfem
   {
     std::shared_ptr<const Cell> cell;
     std::array<unsigned int, 3> n_cells = {{1, 1, 1}};
-    /** Nothing is wrong with struts that pass through each other. */
+    /** Whether struts may pass through each other. */
     bool struts_may_cross = false;
   };
 
-  /** `Lattice`. */
+  /** Schema of `Lattice`. */
   SubsectionSchema lattice_schema();
 
-  /** The values of one such subsection. Throws InputError if they contradict
-   * each other. */
+  /** Reads `Lattice`. Throws InputError if values contradict each other. */
   LatticeDefinition read_lattice(ParameterValues &values);
 } // namespace auxfem
 

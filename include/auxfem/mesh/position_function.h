@@ -11,27 +11,26 @@
 
 namespace auxfem
 {
-  /**
-   * A position for messages, `(x, y) m` in the plane (@p dimension 2) and
-   * `(x, y, z) m` in space.
-   */
+  /** Text of a position for messages: `(x, y) m` for @p dimension 2, otherwise
+   * `(x, y, z) m`. */
   std::string position_text(const dealii::Point<3> &position,
                             unsigned int            dimension);
 
-  /** Lowest and highest coordinates of all joints of @p lattice (m). */
+  /** Lowest and highest coordinates of the joints of @p lattice without plates
+   * (m). */
   std::array<dealii::Point<3>, 2> bounding_box(const Lattice &lattice);
 
   /**
-   * A number that depends on a position: an Expression of `x`, `y`, `z` (m) and
-   * the bounding box of the joints as `xmin`, `xmax`, ....
+   * A scalar function of position: an Expression in `x`, `y`, `z` (m) and the
+   * bounds `xmin`, `xmax`, ... of the lattice's joints.
    */
   class PositionFunction
   {
   public:
     /**
      * Throws InputError naming @p path and @p text if it cannot be parsed.
-     * @param noun what the text is called in messages, e.g. `condition`
-     * @param hint sentence that ends these
+     * @param noun name of the text in messages, e.g. `condition`
+     * @param hint last sentence of these messages
      */
     PositionFunction(const std::string  &text,
                      const std::string  &noun,
@@ -41,7 +40,7 @@ namespace auxfem
                      const std::string  &path);
     ~PositionFunction();
 
-    /** Throws InputError if it is not a number. */
+    /** Value at @p position (m). Throws InputError if it is not a number. */
     double value_at(const dealii::Point<3> &position);
 
   private:
@@ -49,10 +48,8 @@ namespace auxfem
     std::unique_ptr<Implementation> implementation;
   };
 
-  /**
-   * Whether @p text is a condition and no name or list: it compares, has
-   * brackets or a logical operator.
-   */
+  /** Whether @p text is a condition, not a name or list: it has a comparison,
+   * brackets or a logical operator. */
   bool is_condition(const std::string &text);
 
   /** A condition on a position: true where a PositionFunction is not zero. */
@@ -65,7 +62,8 @@ namespace auxfem
               const SceneContext &context,
               const std::string  &path);
 
-    /** Throws InputError if the value at @p position is not a number. */
+    /** Whether the condition holds at @p position (m). Throws InputError if its
+     * value is not a number. */
     bool holds_at(const dealii::Point<3> &position)
     {
       return function.value_at(position) != 0.;

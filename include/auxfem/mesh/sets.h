@@ -7,29 +7,29 @@
 namespace auxfem
 {
   /**
-   * Joints named by @p text: the name of a joint set; several names joined by
-   * `+`; numbers `3, 5, 7`; `nearest: x, y` or `nearest: x, y, z` (the joint
-   * next to a point, z = 0 if left out, lengths with or without unit words); or
-   * a condition in x, y, z (m) with xmin, xmax, ymin, ymax, zmin, zmax (and the
-   * scene's constants), e.g. `y > ymax - 1e-6 && x < 0.02`.
-   * Throws InputError naming @p path: unknown set (with the nearest known names), no such joint
-   * number, empty result.
+   * Joints named by @p text in one of four forms:
+   * - names of joint sets joined by `+`;
+   * - numbers, `3, 5, 7`;
+   * - `nearest: x, y` or `nearest: x, y, z`, the joint nearest to a point;
+   *   lengths with or without units, z = 0 by default;
+   * - a condition in x, y, z, xmin, xmax, ... (m) and the scene's constants,
+   *   e.g. `y > ymax - 1e-6 && x < 0.02`.
+   *
+   * Throws InputError naming @p path for an unknown set or number and for an
+   * empty selection.
    */
   std::vector<unsigned int> select_joints(const Lattice      &lattice,
                                           const std::string  &text,
                                           const SceneContext &context,
                                           const std::string  &path);
 
-  /**
-   * As select_joints(), for struts; conditions are tested at the strut's
-   * middle.
-   */
+  /** As select_joints(), for struts; positions are those of strut middles. */
   std::vector<unsigned int> select_struts(const Lattice      &lattice,
                                           const std::string  &text,
                                           const SceneContext &context,
                                           const std::string  &path);
 
-  /** @name What the parameter `Joints` or `Struts` of @p definition names. */
+  /** @name Joints or struts selected by `Joints` or `Struts` of @p definition. */
   ///@{
   template <class Definition>
   std::vector<unsigned int> joints_of(const Definition   &definition,
@@ -55,9 +55,9 @@ namespace auxfem
   ///@}
 
   /**
-   * Connector pairs named by `between`: a pair set of the cell, `3 5; 7 9`, or
-   * `ground: JOINTS`. Throws InputError naming @p path: unknown pairs (with the
-   * nearest known names), no such joint number, a pair set without pairs.
+   * Connector pairs named by @p text: a pair set of the cell, `3 5; 7 9`, or
+   * `ground: JOINTS`. Throws InputError naming @p path for an unknown set or
+   * joint number and for a pair set without pairs.
    */
   std::vector<JointPair> select_pairs(const Lattice      &lattice,
                                       const std::string  &text,

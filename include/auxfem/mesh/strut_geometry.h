@@ -9,38 +9,35 @@
 
 namespace auxfem
 {
-  /** A circular arc over a chord; see Strut for the two. */
+  /** Shape of a circular arc over a chord, see Strut. */
   struct Arc
   {
     double               sagitta; ///< m
     dealii::Tensor<1, 3> normal;  ///< unit vector
   };
 
-  /**
-   * Unit vector to the left of the direction @p along, seen against @p normal;
-   * neither has to be of length one, but they cannot be parallel.
-   */
+  /** Unit vector to the left of the direction @p along, seen against
+   * @p normal. Both may have any length, but must not be parallel. */
   dealii::Tensor<1, 3> left_of(const dealii::Tensor<1, 3> &along,
                                const dealii::Tensor<1, 3> &normal);
 
   /**
-   * From the middle of the @p chord (m) to the middle of the arc (m). Tells
-   * arcs between the same joints apart: it is the same whichever joint comes
-   * first. The zero vector without sagitta.
+   * Vector from the middle of the @p chord to the middle of the arc (m). It
+   * distinguishes arcs between the same joints, as it does not depend on their
+   * order.
    */
   dealii::Tensor<1, 3> rise_of_arc(const dealii::Tensor<1, 3> &chord,
                                    double                      sagitta,
                                    const dealii::Tensor<1, 3> &normal);
 
   /**
-   * The arc over @p chord that leads through a point @p there, both counted
-   * from its start (m). In planes parallel to x-y its normal is z, elsewhere
-   * the largest component of the normal is positive. The sagitta is zero for a
-   * point on the chord. Nothing for a point on the chord's line outside of it,
-   * or at its ends: no arc leads there.
+   * The arc over @p chord through @p point, both relative to the arc's start
+   * (m). The largest component of its normal is positive: z in planes parallel
+   * to x-y. A point on the chord gives sagitta zero. Nothing if the point lies
+   * at an end of the chord or on its extension.
    */
   std::optional<Arc> arc_through(const dealii::Tensor<1, 3> &chord,
-                                 const dealii::Tensor<1, 3> &there);
+                                 const dealii::Tensor<1, 3> &point);
 
   /** A straight line from one point to another (m). */
   struct Segment
@@ -48,10 +45,8 @@ namespace auxfem
     dealii::Point<3> begin, end;
   };
 
-  /**
-   * Where two segments in the plane z = 0 meet, as fractions of both; nothing
-   * if they do not or are parallel.
-   */
+  /** Intersection of two segments in the plane z = 0, as fractions of both
+   * lengths; nothing if they do not meet or are parallel. */
   std::optional<std::array<double, 2>> meeting_point(const Segment &one,
                                                      const Segment &other);
 

@@ -12,13 +12,13 @@
 
 namespace auxfem
 {
-  /** The elements that a strut is divided into, all equally long. */
+  /** Division of a strut into elements of equal length. */
   struct StrutDivision
   {
-    unsigned int order; ///< polynomial
+    unsigned int order; ///< polynomial order
     unsigned int n_elements;
 
-    /** Nodes that are the strut's own, between its joints. */
+    /** Number of nodes between the joints. */
     unsigned int n_inner_nodes() const
     {
       return order * n_elements - 1;
@@ -29,7 +29,7 @@ namespace auxfem
       return order == other.order && n_elements == other.n_elements;
     }
 
-    /** By order, then by number. */
+    /** Compares orders, then numbers of elements. */
     bool operator<(const StrutDivision &other) const
     {
       return std::tie(order, n_elements) <
@@ -37,8 +37,8 @@ namespace auxfem
     }
   };
 
-  /** Where an element lies: on which strut, and between which fractions of its
-   * length. */
+  /** Position of an element: its strut and the fractions of the strut's length
+   * at which it begins and ends. */
   struct StrutInterval
   {
     unsigned int strut;
@@ -51,8 +51,7 @@ namespace auxfem
       return begin + (end - begin) * (1 + xi) / 2;
     }
 
-    /** Number of the element along its strut: all elements of a strut are
-     * equally long. */
+    /** Number of the element along its strut. */
     unsigned int number() const
     {
       return std::lround(begin / (end - begin));
@@ -75,36 +74,36 @@ namespace auxfem
     return node == 0 ? 0 : (node == 1 ? order : node - 1);
   }
 
-  /** How the struts of a lattice are divided into elements and among the ranks:
-   * the same on every rank. */
+  /** Division of the struts of a lattice into elements and among the ranks; the
+   * same on every rank. */
   struct StrutPartition
   {
     /**
-     * Gives each strut of @p lattice to one of the ranks of @p communicator.
+     * Assigns each strut of @p lattice to a rank of @p communicator.
      *
-     * @param divisions by strut; those of rigid ones mean nothing
+     * @param divisions by strut; those of rigid struts are unused
      */
     StrutPartition(const Lattice             &lattice,
                    std::vector<StrutDivision> divisions,
                    MPI_Comm                   communicator);
 
     std::vector<StrutDivision> divisions; ///< by strut
-    std::vector<unsigned int>  ranks;     ///< by strut, rigid ones included
+    std::vector<unsigned int>  ranks;     ///< by strut, rigid struts included
   };
 
   /**
-   * Rank of every strut: METIS on the graph of unit cells that meet at a joint,
-   * or of struts where each rank has fewer than a hundred cells. All zero for
-   * one rank. Throws InputError if there are more ranks than struts.
+   * Rank of every strut. METIS partitions the graph of unit cells that meet at
+   * a joint, or that of struts if a rank would have fewer than a hundred cells.
+   * Throws InputError if there are more ranks than struts.
    */
   std::vector<unsigned int> partition_struts(const Lattice &lattice,
                                              unsigned int   n_ranks);
 
   /**
-   * The finite-element mesh of struts: a line on which strut s is the chain of
-   * cells from s to s + 1, sharing no vertex with any other (deal.II lines may
-   * not branch; joints are made by the numbering of unknowns instead). Where
-   * the strut lies in space is told by Lattice::axis().
+   * The finite-element mesh of the struts. Strut s is the chain of cells from s
+   * to s + 1 on a line; struts share no vertices, because deal.II lines cannot
+   * branch. The numbering of unknowns connects them at joints, and
+   * Lattice::axis() maps them to space.
    */
   class StrutMesh
   {
@@ -118,7 +117,7 @@ namespace auxfem
     StrutMesh(const std::vector<StrutDivision> &divisions,
               const std::vector<unsigned int>  &struts);
 
-    /** The mesh, without levels if there are no struts. */
+    /** The mesh; it has no levels if there are no struts. */
     const dealii::Triangulation<1> &triangulation() const
     {
       return mesh;
@@ -128,7 +127,7 @@ namespace auxfem
     StrutInterval
     interval(const dealii::Triangulation<1>::cell_iterator &cell) const;
 
-    /** Those of all active cells in their order. */
+    /** Positions of all active cells in their order. */
     std::vector<StrutInterval> intervals() const;
 
   private:

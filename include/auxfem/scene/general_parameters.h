@@ -18,7 +18,7 @@ namespace auxfem
     off
   };
 
-  /** `Effects`: what is simulated. */
+  /** `Effects`: physical effects to be simulated. */
   struct EffectSwitches
   {
     Switch large_rotation      = Switch::automatic;
@@ -30,112 +30,104 @@ namespace auxfem
     Switch gravity             = Switch::automatic;
     Switch hinges              = Switch::automatic;
     Switch contact             = Switch::automatic;
-    /** Relative change of the answer that may be given away. */
+    /** Relative change of the result that leaving out an effect may make. */
     double tolerance = 1e-3;
   };
 
-  /** `Effects`. */
+  /** Schema of `Effects`. */
   SubsectionSchema effects_schema();
 
-  /** The values of that subsection. */
+  /** Reads `Effects`. */
   EffectSwitches read_effects(ParameterValues &values);
 
-  /** `Analysis`: what is computed of a scene. */
+  /** `Analysis`: kind of computation. */
   enum class Analysis
   {
-    simulation,  ///< the scene, as its time scheme does
-    static_path, ///< equilibria by arc length
-    modes,       ///< natural frequencies and modes
-    buckling,    ///< factors of the loads at which the lattice buckles
-    /** Steady vibrations under harmonic loads. */
-    frequency_response,
-    study ///< many simulations with other parameters
+    simulation,         ///< time steps by the time scheme
+    static_path,        ///< equilibria by arc length
+    modes,              ///< natural frequencies and modes
+    buckling,           ///< load factors at which the lattice buckles
+    frequency_response, ///< steady vibrations under harmonic loads
+    study               ///< many simulations with other parameters
   };
 
-  /** Whether it looks at small motions about one state: modes, buckling,
-   * frequency response. */
-  constexpr bool is_of_small_motions(const Analysis analysis)
+  /** Whether @p analysis is linearized about one state. */
+  constexpr bool is_linearized(const Analysis analysis)
   {
     return analysis == Analysis::modes || analysis == Analysis::buckling ||
       analysis == Analysis::frequency_response;
   }
 
-  /** The top level of the parameter file, outside all subsections. */
+  /** Schema of the top level of the parameter file. */
   SubsectionSchema general_schema();
 
-  /** `Title`. */
+  /** Reads `Title`. */
   std::string read_title(const ParameterValues &values);
 
-  /** The word for @p analysis, e.g. `static path`. */
+  /** Name of @p analysis in the parameter file, e.g. `static path`. */
   std::string name_of(Analysis analysis);
 
-  /** `Analysis`. */
+  /** Reads `Analysis`. */
   Analysis read_analysis(const ParameterValues &values);
 
   /**
-   * `Constants`: names and values. Throws InputError for one that is not
-   * understood, has a meaning already or is given twice.
+   * Reads the names and values of `Constants`. Throws InputError for one that
+   * is not understood, has a meaning already or is given twice.
    */
   std::vector<std::pair<std::string, double>>
   read_constants(const ParameterValues &values);
 
-  /** The word for @p model, e.g. `reduced cell`. */
+  /** Name of @p model in the parameter file, e.g. `reduced cell`. */
   std::string name_of(Model model);
 
-  /**
-   * The model that the top level of the file asks for; nothing if its word is
-   * none, which check_subsection() reports.
-   */
+  /** `Model` at the top level of the file; nothing for an unknown name, which
+   * check_subsection() reports. */
   std::optional<Model> model_of(const ParameterSubsection &root);
 
-  /** As model_of(), the dimension of space. */
+  /** `Dimension`, as model_of(). */
   std::optional<unsigned int> dimension_of(const ParameterSubsection &root);
 
-  /**
-   * `Probes/NAME`: a set of joints or rigid parts whose mean motion goes to
-   * history.csv.
-   */
+  /** `Probes/NAME`: joints or rigid parts whose mean motion is written to
+   * history.csv. */
   struct ProbeDefinition
   {
     std::string name;
-    /**
-     * Name of a joint set or a joint selection (see mesh/sets.h), or
-     * `rigid: STRUTS` or `rigid: STRUTS @ JOINTS` for the rigid parts of
-     * struts.
-     */
+    /** A joint selection (mesh/sets.h), or `rigid: STRUTS` or
+     * `rigid: STRUTS @ JOINTS` for the rigid parts of struts. */
     std::string selection;
-    std::string path;
+    std::string path; ///< for messages
   };
 
-  /** `Probes`. */
+  /** Schema of `Probes`. */
   SubsectionSchema probes_schema();
 
-  /** One of them. */
+  /** Reads one entry `Probes/NAME`. */
   ProbeDefinition read_probe(ParameterValues &values);
 
-  /** `Output`. */
+  /** `Output`: files of a run. */
   struct OutputParameters
   {
     std::string directory = "output";
-    double      graphics_interval =
-      0; ///< s between .vtu files; 0: start and end only
-    bool         graphics         = true;
-    unsigned int history_interval = 1;  ///< steps between rows of history.csv
-    std::optional<double> row_interval; ///< in place of it (s)
-    /** Of a run, at equal numbers of steps; 0: there are none. */
+    /** Time between .vtu files (s); 0: at start and end only. */
+    double       graphics_interval = 0;
+    bool         graphics          = true;
+    unsigned int history_interval  = 1; ///< steps between rows of history.csv
+    /** Time between rows of history.csv (s), instead of history_interval. */
+    std::optional<double> row_interval;
+    /** Number of checkpoints, after equal numbers of steps. */
     unsigned int checkpoints = 20;
     unsigned int segments    = 8; ///< straight pieces an element is drawn with
     /** Whether history.csv has the strains between opposite sides. */
     bool effective_strains = false;
-    /** Whether results that are not to be used are a failure. */
+    /** Whether a verdict against the results makes the exit code a failure. */
     bool                         verdict_fails = true;
     std::vector<ProbeDefinition> probes;
   };
 
-  /** `Output`. */
+  /** Schema of `Output`. */
   SubsectionSchema output_schema();
 
-  /** The values of that subsection; the probes are another one. */
+  /** Reads `Output`, without the probes. */
   OutputParameters read_output(ParameterValues &values);
 } // namespace auxfem
 

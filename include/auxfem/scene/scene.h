@@ -22,18 +22,17 @@
 
 namespace auxfem
 {
-  /** Everything the user asked for, checked value by value, SI throughout. */
+  /** Contents of a parameter file, checked, in SI units. */
   struct Scene
   {
     std::string title;
     Analysis    analysis = Analysis::simulation;
-    /** With Model::reduced_cell; its connector is the one in `connectors`. */
+    /** Cell of Model::reduced_cell; `connectors` has its connector. */
     std::optional<ReducedCellDefinition> reduced_cell;
     /** Model, dimension of space, directory of the file, constants. */
     SceneContext context;
     std::string  file;
-    /** All files it was read from: `file` with those it includes, tables, the
-     * mesh file. */
+    /** All files read: `file` with its includes, tables, the mesh file. */
     std::vector<std::string>               input_files;
     LatticeDefinition                      lattice;
     std::vector<SetDefinition>             sets;
@@ -48,8 +47,8 @@ namespace auxfem
     std::vector<LineLoadDefinition>        line_loads;
     std::vector<InitialVelocityDefinition> initial_velocities;
     GravityDefinition                      gravity;
-    /** What holds, moves and loads their joints is among `supports`, `masses`
-     * and `initial_velocities`. */
+    /** Plates; their supports, masses and initial velocities are also among
+     * those of the scene. */
     std::vector<PlateDefinition> plates;
     ContactParameters            contact;
     EffectSwitches               effects;
@@ -62,47 +61,41 @@ namespace auxfem
     PathDefinition               path;
     FrequencyResponseDefinition  frequency_response;
     StudyDefinition              study;
-    /** All parameters with the values used, in .prm syntax, for parameters.prm.
-     */
+    /** Contents of parameters.prm: all parameters with the values used. */
     std::string all_parameters;
   };
 
   /**
-   * Reads @p file, applies @p overrides (`Subsection/Parameter=value`), and
-   * checks it. All mistakes found are reported in one InputError, each with
-   * file, line or parameter path, the value found, what is allowed and what to
-   * do.
+   * Reads @p file, applies @p overrides (`Subsection/Parameter=value`) and
+   * checks the scene. One InputError reports all mistakes, each with its place,
+   * the value, the allowed values and advice.
    */
   Scene read_scene(const std::string              &file,
                    const std::vector<std::string> &overrides = {});
 
-  /** As read_scene(), from text already in memory; @p name stands for the file in messages. */
+  /** As read_scene(), from @p text; messages call the file @p name. */
   Scene read_scene_from_text(const std::string              &text,
                              const std::string              &name,
                              const std::vector<std::string> &overrides = {});
 
-  /** A subsection of the parameter file and the place of its values. */
+  /** A subsection of the parameter file and the function that reads it. */
   struct SceneSubsection
   {
     SubsectionSchema schema;
 
-    /**
-     * Puts the values of one such subsection into the scene. Throws InputError
-     * if they contradict each other.
-     */
+    /** Puts the values of one such subsection into the scene. Throws InputError
+     * if they contradict each other. */
     void (*read)(ParameterValues &values, Scene &scene);
   };
 
   /** All subsections, in the order in which they are read and described. */
   const std::vector<SceneSubsection> &scene_subsections();
 
-  /** Their schemas, for the reference. */
+  /** Schemas of scene_subsections(). */
   std::vector<SubsectionSchema> scene_schemas();
 
-  /**
-   * Adds the subsections of the file that no schema allows, and those that
-   * serve other models than @p model, to @p mistakes.
-   */
+  /** Adds unknown subsections of the file, and those that @p model does not
+   * use, to @p mistakes. */
   void check_subsection_names(const ParameterSubsection &root,
                               Model                      model,
                               Mistakes                  &mistakes);

@@ -9,15 +9,15 @@
 
 namespace auxfem
 {
-  /** Kinks that follow each other as those of a pulse or two may do. */
-  constexpr std::size_t most_kinks_of_pulses = 8;
+  /** Largest number of kinks in close succession that count as pulses, not as
+   * samples of a measured function: those of two trapezoids. */
+  constexpr std::size_t max_pulse_kinks = 8;
 
-  /** A time at which a step has to end. */
+  /** A time at which a step must end. */
   struct StepEnd
   {
-    /** What of the lattice's motion jumps there; each includes those before.
-     * Without inertia accelerations stand for loads, velocities for supports
-     * that jump. */
+    /** Highest-ranking part of the motion that jumps there. In statics,
+     * `accelerations` means that loads jump, `velocities` that supports do. */
     enum class Jump
     {
       none,
@@ -30,72 +30,66 @@ namespace auxfem
   };
 
   /**
-   * The times of a run up to its end, rising, at which loads and motions of
-   * supports have kinks or jump, so that a step has to end there: the time
-   * schemes take forces and motions for smooth over a step. With inertia also
-   * those at which accelerations of supports jump, without it t = 0 if anything
-   * begins suddenly.
+   * The times of a run at which a step must end, in ascending order, because
+   * time schemes take loads and motions for smooth within a step:
+   * - kinks and jumps of loads and of support motions;
+   * - in dynamics, jumps of support accelerations;
+   * - in statics, t = 0 if anything begins suddenly;
+   * - the times of `Time/Events`.
    *
-   * More than eight kinks of a load, without inertia of a motion too, that
-   * follow each other within a time step are left out: such a function, a
-   * measured one, say, is sampled by the steps. Fewer, as those of a pulse, are
-   * not; jumps never are, nor what strikes. The times of `Time/Events` are
-   * among them.
+   * Steps sample functions with many kinks, such as measured ones: more than
+   * max_pulse_kinks kinks, each within a time step of the one before, are
+   * dropped. Jumps and, in dynamics, kinks of support motions always count.
    */
   std::vector<StepEnd> step_ends(const RunPlan &plan);
 
-  /** Those of a plan, as its steps ask for them. */
+  /** The step_ends() of a plan, for queries by its steps. */
   class StepEnds
   {
   public:
     explicit StepEnds(const RunPlan &plan);
 
-    /** Where a step from @p time (s) ends at the latest: at the next of them,
-     * if that comes before @p end_of_scene_step. */
+    /** Latest end of a step from @p time (s): the next step end or
+     * @p end_of_scene_step. */
     double next(double time, double end_of_scene_step) const;
 
-    /** What jumps at @p time (s), if it is one of them. */
+    /** The jump at @p time (s); none if no step must end there. */
     std::optional<StepEnd::Jump> jump_at(double time) const;
 
-    /** Where a step that begins at @p time (s) takes the functions of time. */
+    /** Time (s) at which a step that begins at @p time evaluates functions of
+     * time, if it begins at an event. */
     std::optional<double> event_at_begin(double time) const;
 
-    /** Where one that ends there does. */
+    /** The same for a step that ends at @p time, as a limit from before. */
     std::optional<TimeLimit> event_at_end(double time) const;
 
   private:
     using Iterator = std::vector<StepEnd>::const_iterator;
 
-    /** Those at @p time (s), which is one time for a step. */
+    /** Range of step ends within the tolerance around @p time (s). */
     std::pair<Iterator, Iterator> at(double time) const;
 
-    const double               near;
+    const double               tolerance; ///< s
     const std::vector<StepEnd> ends;
   };
 
-  /** Times that are closer (s) are one to the steps. */
+  /** Distance (s) below which two times are the same for the steps. */
   double nearness_of_step_ends(const TimeParameters &time);
 
   /** All functions of time that act on the lattice. */
   std::vector<TimeFunction> functions_of_time(const RunPlan &plan);
 
   /**
-   * What the user should know of loads and motions of supports: tables that end
-   * before the run, with the time from which on their last value is held,
-   * splines that overshoot, tables of motions that strike at many rows, and
-   * functions that the steps do not resolve, with the step in which most is
-   * missed. Of the latter, such as change by more than a quarter of their
-   * largest value between what the ends of a step show; looked for at up to 64
-   * times a step, 2^18 in all, and at kinks and jumps, in runs of fewer than
-   * 2^18 steps.
+   * Notes to the user on loads and support motions: tables that end before the
+   * run, splines that overshoot, motions with many velocity jumps, and
+   * functions that the steps do not resolve. The last are those that change
+   * within a step by more than a quarter of their largest value; only runs of
+   * fewer than 2^18 steps are searched for them.
    */
   std::vector<std::string> time_function_notes(const RunPlan &plan);
 
-  /**
-   * The loads and motions of supports that are not zero at @p time (s), with
-   * their values, in words, e.g. `Loads/press/Force x: '-40 * t' = -4.9`; three
-   * at most.
-   */
+  /** Text of up to three loads and support motions that are not zero at @p time
+   * (s), e.g. `Loads/press/Force x: '-40 * t' = -4.9`. */
   std::string load_values_text(const RunPlan &plan, double time);
 } // namespace auxfem
 

@@ -10,8 +10,8 @@
 
 namespace auxfem
 {
-  /** A number, a time history or a field that the runs of a study are compared
-   * by. */
+  /** `Quantities/NAME`: a number, a time history or a field by which a study
+   * compares its runs. */
   struct QuantityDefinition
   {
     enum class Measure
@@ -29,17 +29,17 @@ namespace auxfem
 
     std::string name;
     Measure     measure = Measure::history;
-    /** Of history.csv; one, but a history may be that of a vector, and a norm
-     * has none. */
+    /** Columns of history.csv: one; several for the history of a vector; none
+     * for norms. */
     std::vector<std::string> columns;
-    /** Of Measure::at_time and of norms (s); none is the end. */
+    /** Time (s) of Measure::at_time and of norms; none: the end. */
     std::optional<double> time;
-    /** What it should be, a function of time, where that is known. */
+    /** Exact value as a function of time, where it is known. */
     std::optional<TimeFunction> exact;
     /** `Quantities/NAME`, for messages. */
     std::string path;
 
-    /** Whether it is a norm of what all struts do. */
+    /** Whether it is a norm over all struts. */
     bool is_field() const
     {
       return measure == Measure::energy_norm ||
@@ -52,25 +52,26 @@ namespace auxfem
     }
   };
 
-  /** `Quantities`. */
+  /** Schema of `Quantities`. */
   SubsectionSchema quantities_schema();
 
   /**
-   * One of them: `history top.ux, top.uy`, `top.uy at 5 ms`, `maximum of
-   * top.uy`, `time of minimum of top.uy`, `integral of base.ry`; ` =
-   * EXPRESSION` after it is the exact value; `energy norm at 5 ms`, `total
-   * energy norm at end`. Throws InputError for what is none of these.
+   * Reads one entry `Quantities/NAME`: `history top.ux, top.uy`, `top.uy at
+   * 5 ms`, `maximum of top.uy`, `time of minimum of top.uy`, `integral of
+   * base.ry`, each maybe with an exact value, ` = EXPRESSION`; or `energy norm
+   * at 5 ms`, `total energy norm at end`. Throws InputError for anything else.
    */
   QuantityDefinition read_quantity(ParameterValues &values);
 
-  /** `Study`: a scene computed again and again with other parameters. */
+  /** `Study`: many runs of a scene with other parameters. */
   struct StudyDefinition
   {
-    /** What is asked, see study/study_kind.h. */
+    /** Kind of study, see study/study_kind.h. */
     std::string kind;
 
-    /** @name Values of a parameter to be tried
-     * Empty: that of the scene; nothing: some that follow from it. */
+    /** @name Parameter values to be compared
+     * An empty list means the value of the scene, no list (auto) values derived
+     * from it. */
     ///@{
     std::optional<std::vector<unsigned int>> orders;
     std::optional<std::vector<unsigned int>> refinements;
@@ -82,26 +83,24 @@ namespace auxfem
 
     /** Whether mesh and time step are refined together, not each alone. */
     bool together = false;
-    /** Whether the limit of ever finer runs is extrapolated from two of them.
-     */
+    /** Whether the reference is extrapolated from two runs (Richardson). */
     bool extrapolates = false;
-    /** Of every simulation whose time is compared. */
+    /** Number of repetitions of each timed run. */
     unsigned int repetitions = 1;
-    /** Relative change of a quantity that an effect has to make to be called
-     * for. */
+    /** Relative change of a quantity above which an effect is needed. */
     double tolerance = 0.01;
 
     std::vector<QuantityDefinition> quantities;
 
-    /** Whether the exact values of all quantities are known, so that no run is
-     * needed as a reference. */
+    /** Whether the exact values of all quantities are known, so that no
+     * reference run is needed. */
     bool is_exact() const;
   };
 
-  /** `Study`. */
+  /** Schema of `Study`. */
   SubsectionSchema study_schema();
 
-  /** The values of that subsection; the quantities are another one. */
+  /** Reads `Study`, without the quantities. */
   StudyDefinition read_study(ParameterValues &values);
 } // namespace auxfem
 

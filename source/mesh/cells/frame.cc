@@ -310,8 +310,8 @@ namespace auxfem
                     }},
                    values.context.dimension,
                    cell);
-      cell.why_no_period.fill("A frame has no neighbour cells.");
-      return std::make_unique<GivenCell>(cell);
+      cell.no_period_reasons.fill("A frame has no neighbour cells.");
+      return std::make_unique<PrebuiltCell>(cell);
     }
   } // namespace
 

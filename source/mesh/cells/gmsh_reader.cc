@@ -347,7 +347,7 @@ namespace auxfem
     return mesh_of_curves(file, PrivateFolder(), seconds);
   }
 
-  bool gmsh_reads(const std::string &ending)
+  bool gmsh_can_read(const std::string &ending)
   {
     return beginnings.count(ending) > 0;
   }

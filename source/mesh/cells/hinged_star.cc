@@ -177,9 +177,9 @@ namespace auxfem
         cell.ports["bottom"] = {rod_foot};
         cell.ports["top"]    = {n};
 
-        cell.period[0]        = 2. * shape.half_width + shape.column_gap;
-        cell.period[1]        = 2. * shape.half_height + shape.cell_gap;
-        cell.why_no_period[2] = "It is planar and has no Layer distance.";
+        cell.period[0]            = 2. * shape.half_width + shape.column_gap;
+        cell.period[1]            = 2. * shape.half_height + shape.cell_gap;
+        cell.no_period_reasons[2] = "It is planar and has no Layer distance.";
         return cell;
       }
 

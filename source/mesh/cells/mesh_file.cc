@@ -74,7 +74,7 @@ namespace auxfem
         add_joint_sets();
         cell.notes = mesh.notes;
         merge();
-        cell.why_no_period.fill("A mesh file has no neighbour cells.");
+        cell.no_period_reasons.fill("A mesh file has no neighbour cells.");
         return std::move(cell);
       }
 
@@ -300,7 +300,7 @@ namespace auxfem
         return read_msh(content);
       if (ending == ".inp")
         return read_abaqus(content);
-      if (gmsh_reads(ending))
+      if (gmsh_can_read(ending))
         return read_with_gmsh(content, ending, values[time_limit]);
       if (!is_script)
         refuse_file(
@@ -334,13 +334,15 @@ namespace auxfem
         }
       catch (const MeshMistake &mistake)
         {
-          refuse_file(
-            values,
-            (gmsh_reads(ending) || ending == ".geo" ? "gmsh cannot read " + file
-               : ending == ".inp"                   ? "cannot read " + file
-                                  : "the mesh file " + file + " is damaged") +
-              ":\n  " + mistake.text + "\nCorrect the file" +
-              (ending == ".inp" ? "." : ", or write it anew with gmsh."));
+          refuse_file(values,
+                      (gmsh_can_read(ending) || ending == ".geo"
+                         ? "gmsh cannot read " + file
+                         : ending == ".inp"
+                         ? "cannot read " + file
+                         : "the mesh file " + file + " is damaged") +
+                        ":\n  " + mistake.text + "\nCorrect the file" +
+                        (ending == ".inp" ? "."
+                                          : ", or write it anew with gmsh."));
         }
       if (mesh.lines.empty())
         refuse_file(
@@ -361,7 +363,7 @@ namespace auxfem
                  absolute_file(values[file_entry], values.context));
       values.files.push_back(values[file_entry]);
       const LineMesh mesh = read_lines(file, values);
-      return std::make_unique<GivenCell>(
+      return std::make_unique<PrebuiltCell>(
         MeshToCell(mesh, file, values).build());
     }
   } // namespace

@@ -144,7 +144,7 @@ namespace auxfem
          "54.74 deg (tan(theta0) > sqrt(2))",
          ""},
         values.context);
-      return std::make_unique<GivenCell>(build_space_star(length, angle));
+      return std::make_unique<PrebuiltCell>(build_space_star(length, angle));
     }
   } // namespace
 

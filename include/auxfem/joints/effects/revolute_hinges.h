@@ -11,18 +11,18 @@
 
 namespace auxfem
 {
-
-  /** Of a hinge: @p base, @p end are local rotations of which the second turns against the
-   * first; base of -1: against the ground. */
+  /** A revolute hinge in space, by local unknowns. */
   struct RevoluteHinge
   {
+    /** Rotation unknowns of the base (-1: ground) and of the strut end that
+     * turns against it. */
     std::array<int, 3> base, end;
     std::array<int, 2> multipliers;
     SpaceVector        axis; ///< unit vector
   };
 
-  /** Revolute hinges in space.
-   * @param length by which their constraints become lengths (m). */
+  /** Makes the constraints of revolute hinges in space.
+   * @param length scales them to lengths (m) */
   std::unique_ptr<Constraints>
   make_revolute_hinges(const DofNumbering               &numbering,
                        bool                              large_rotation,

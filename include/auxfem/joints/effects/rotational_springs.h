@@ -10,31 +10,28 @@
 
 namespace auxfem
 {
-
-  /** Between two local rotations, the first -1: between the ground and the
-   * second. */
+  /** A linear rotational spring at a joint: M = K' (phi_2 - phi_1). */
   struct RotationalSpring
   {
-    std::array<int, 2> unknowns;
+    std::array<int, 2> unknowns;  ///< local rotations; first of -1: ground
     double             stiffness; ///< N m/rad
   };
 
-  /** Linear springs between two rotations of one joint: M = K' (phi_2 - phi_1).
-   */
+  /** Makes the effect of linear rotational springs. */
   std::unique_ptr<Effect>
   make_rotational_springs(const DofNumbering           &numbering,
                           std::vector<RotationalSpring> springs);
 
-  /** Between two of DofNumbering::spatial_rotations(), the first -1: between
-   * the ground and the second. */
+  /** A spring between two large rotations in space, numbered as in
+   * DofNumbering::rotations(). */
   struct SpaceSpring
   {
-    int          first, second;
-    double       stiffness; ///< N m/rad
-    unsigned int number;    ///< among those of all ranks
+    int          first, second; ///< first of -1: ground
+    double       stiffness;     ///< N m/rad
+    unsigned int number;        ///< among the springs of all ranks
   };
 
-  /** Springs between two large rotations in space. */
+  /** Makes the effect of springs between large rotations in space. */
   std::unique_ptr<Effect>
   make_space_springs(const DofNumbering             &numbering,
                      const std::vector<SpaceSpring> &springs);

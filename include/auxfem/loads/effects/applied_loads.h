@@ -10,7 +10,6 @@
 
 namespace auxfem
 {
-
   /** A fixed distribution over local unknowns times a function of time. */
   struct AppliedLoad
   {
@@ -20,15 +19,14 @@ namespace auxfem
       double weight;
     };
     TimeFunction        time_history;
-    EnergyEntry         work; ///< keeps its work; loads may share it
+    EnergyEntry         work; ///< ledger entry of its work; may be shared
     std::vector<Weight> weights;
   };
 
   /**
-   * Dead loads. Joint forces, line loads and gravity all take this form.
-   * @param raised_from_zero the first step raises the loads from nothing, even
-   *   if they have a value at t = 0 (statics from rest); else they act from the
-   *   start.
+   * Makes the effect of dead loads: joint forces, line loads and gravity.
+   * @param raised_from_zero whether the first step ramps the loads up from zero
+   *   (statics from rest) even if their value at t = 0 is not zero
    */
   std::unique_ptr<Effect>
   make_applied_loads(const DofNumbering             &numbering,

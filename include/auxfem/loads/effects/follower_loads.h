@@ -12,18 +12,17 @@
 
 namespace auxfem
 {
-
-  /** A force and a moment that turn with their joint. */
+  /** A force and a moment that turn with their joints. */
   struct FollowerLoad
   {
     std::array<TimeFunction, n_motion_components> components; ///< N, N m
     EnergyEntry                                   work;
-    /** That have a rotation and are kept on this rank. */
+    /** Joints with a rotation on this rank. */
     std::vector<unsigned int> joints;
   };
 
-  /** Loads that turn with their joints.
-   * @param raised_from_zero as for make_applied_loads(). */
+  /** Makes the effect of follower loads.
+   * @param raised_from_zero as for make_applied_loads() */
   std::unique_ptr<Effect>
   make_follower_loads(const Lattice                   &lattice,
                       const DofNumbering              &numbering,

@@ -17,28 +17,26 @@ namespace auxfem
     double mass;
   };
 
-  /** Masses and rotary inertias on joints. */
+  /** Makes the effect of masses on joints. */
   std::unique_ptr<Effect> make_point_masses(const DofNumbering    &numbering,
                                             std::vector<PointMass> masses);
 
-  /** Inertia (kg m2, global frame at rest) on one of
-   * DofNumbering::spatial_rotations(). */
+  /** Inertia tensor (kg m2, global frame at rest) on a spatial rotation of
+   * DofNumbering::rotations(). */
   struct RotaryMass
   {
     int         rotation;
     SpaceTensor inertia;
   };
 
-  /**
-   * Rotary inertia at nodes in space: Euler's equations with their gyroscopic
-   * terms, which are left out if rotations are small.
-   */
+  /** Makes the effect of rotary inertia in space: Euler's equations, without
+   * gyroscopic terms if rotations are small. */
   std::unique_ptr<Effect> make_rotary_masses(const DofNumbering &numbering,
                                              bool                large_rotation,
                                              std::vector<RotaryMass> masses);
 
-  /** Inertia of rigid parts in natural coordinates. Those of @p bodies with a
-   * rotation of their own are left out. */
+  /** Makes the effect of inertia of rigid parts in natural coordinates; those
+   * with a rotation of their own are not included. */
   std::unique_ptr<Effect> make_rigid_part_inertia(const RigidBodies &bodies);
 } // namespace auxfem
 

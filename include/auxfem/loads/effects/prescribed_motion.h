@@ -7,28 +7,24 @@
 
 namespace auxfem
 {
-  /**
-   * Displacement, and in dynamics velocity and acceleration, of prescribed
-   * unknowns of evaluation.to at its time.
-   */
+  /** Sets displacement, and in dynamics velocity and acceleration, of the
+   * prescribed unknowns of evaluation.to. */
   void prescribe_motion(const LatticeModel &model,
                         const Evaluation   &evaluation);
 
-  /** Whether that leaves nothing to iterations: rotations about some axes alone
-   * move in stages with these. */
+  /** Whether prescribe_motion() sets all prescribed unknowns. In stages, Newton
+   * iterations move rotations that are prescribed about some axes only. */
   bool prescribes_all(const LatticeModel &model, const Evaluation &evaluation);
 
-  /**
-   * Gives unknowns that supports hold still the velocities in @p before that
-   * they have in @p after, a state at the same time: nothing strikes them.
-   */
+  /** Copies velocities of unmoved prescribed unknowns from @p after to
+   * @p before, states at the same time, so that no impulse acts on them. */
   void hold_still(const LatticeModel &model, const State &after, State &before);
 
   /**
-   * By what velocities of prescribed unknowns in @p after exceed those in
-   * @p before, a state at the same time, into the owned prescribed rows of
-   * @p jumps; of large rotations in space as spins. Returns the largest over
-   * all ranks. Collective.
+   * Writes the velocity jumps of prescribed unknowns from @p before to
+   * @p after, states at the same time, to the owned prescribed rows of
+   * @p jumps; those of large rotations in space are spatial spins. Returns the
+   * largest jump over all ranks. Collective.
    */
   double find_velocity_jumps(const LatticeModel &model,
                              const State        &before,
@@ -36,42 +32,39 @@ namespace auxfem
                              double             *jumps);
 
   /**
-   * Right-hand side of an increment at evaluation.to into @p right_side
-   * (n_owned entries): minus the residual in free rows, in prescribed rows what
-   * is missing to the prescribed displacement or rotation.
+   * Writes the right-hand side of an increment at evaluation.to to
+   * @p right_side (n_owned entries): minus the residual in free rows, the
+   * missing displacement or rotation in prescribed rows.
    */
   void find_right_side(const LatticeModel &model,
                        const Evaluation   &evaluation,
                        double             *right_side);
 
   /**
-   * Derivative of what supports prescribe at evaluation.to by time_of_loads(),
-   * into their owned rows of @p derivative; of large rotations in space spins.
+   * Writes the derivative of prescribed motions by time_of_loads() at
+   * evaluation.to to their owned rows of @p derivative; that of large rotations
+   * in space is a spin.
    */
   void find_motion_derivative(const LatticeModel &model,
                               const Evaluation   &evaluation,
                               double             *derivative);
 
   /**
-   * How far the work of supports in a step with inertia may be off (J): what
-   * the mean of forces times the way leaves out where forces change evenly over
-   * the step and positions are cubic. Collective.
+   * Error bound (J) of the work of supports in a dynamic step: the part that
+   * mean force times displacement misses if forces are linear and positions
+   * cubic in time. Collective.
    */
   double support_work_error(const LatticeModel &model, const Evaluation &step);
 
-  /** Whether nothing that supports prescribe ever moves. */
+  /** Whether no support ever moves. */
   bool supports_are_at_rest(const LatticeModel &model);
 
-  /**
-   * Keeps account of the work of supports that move; they have no forces
-   * besides the residual. nullptr if all are at rest.
-   */
+  /** Makes the effect that accounts the work of moved supports; it has no
+   * forces. nullptr if all supports are at rest. */
   std::unique_ptr<Effect> make_support_work(const LatticeModel &model);
 
-  /**
-   * Loads in free rows (N, N m) and motions of supports in prescribed ones, of
-   * local unknowns, by which both grow with the load factor at evaluation.to.
-   */
+  /** Derivative by the load factor at evaluation.to: of loads in free rows (N,
+   * N m), of support motions in prescribed ones. */
   Vector load_direction(const Equations  &equations,
                         const Evaluation &evaluation);
 } // namespace auxfem

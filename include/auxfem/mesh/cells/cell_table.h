@@ -5,28 +5,23 @@
 
 namespace auxfem
 {
-  /** The symmetric star cell (mesh/cells/star.cc). */
+  /** Symmetric star cell (mesh/cells/star.cc). */
   RegistryEntry<Cell> star_cell_entry();
 
-  /**
-   * The star cell with free widths, notches and stubs
-   * (mesh/cells/general_star.cc).
-   */
+  /** Star cell with free widths, notches and stubs (mesh/cells/star.cc). */
   RegistryEntry<Cell> general_star_cell_entry();
 
-  /**
-   * The cell of bars, rigid parts and a rod of Shokri Rad, Mohsenizadeh and
-   * Ahmad (mesh/cells/hinged_star.cc).
-   */
+  /** Cell of bars, rigid parts and a rod by Shokri Rad, Mohsenizadeh and Ahmad
+   * (mesh/cells/hinged_star.cc). */
   RegistryEntry<Cell> hinged_star_cell_entry();
 
-  /** The symmetric star cell in space (mesh/cells/space_star.cc). */
+  /** Symmetric star cell in space (mesh/cells/space_star.cc). */
   RegistryEntry<Cell> space_star_cell_entry();
 
   /** Joints and struts given one by one (mesh/cells/frame.cc). */
   RegistryEntry<Cell> frame_cell_entry();
 
-  /** Line elements of a file that gmsh reads (mesh/cells/mesh_file.cc). */
+  /** Line elements of a mesh file (mesh/cells/mesh_file.cc). */
   RegistryEntry<Cell> mesh_file_cell_entry();
 } // namespace auxfem
 

@@ -10,48 +10,48 @@
 
 namespace auxfem
 {
-  /** Limits of a process and, one by one, of those that it starts. */
+  /** Limits of a process and of each process that it starts. */
   struct ProcessLimits
   {
-    /** Time on the clock, and computing time (s). */
+    /** Wall time, and CPU time (s). */
     double seconds = std::numeric_limits<double>::infinity();
     /** Memory beyond that of this process (bytes); 0: no limit. */
     std::size_t memory = 0;
   };
 
   /**
-   * Runs @p action in a copy of this process, mute, and returns what it returns:
-   * a library that crashes, aborts or exits ends the copy only. It must neither
-   * throw nor call MPI. The copy and all that it has started end with this
-   * process, with @p action, or after the time of @p limits. Throws
-   * CrashedProcess if the copy has not come to an end, std::bad_alloc if none
-   * can be made.
+   * Runs @p action in a silent copy of this process and returns its result, so
+   * that a library that crashes or exits ends the copy only. @p action must
+   * neither throw nor call MPI. The copy and its children end with @p action,
+   * with this process, or at the limits. Throws CrashedProcess if @p action
+   * does not complete, std::bad_alloc if the copy cannot be made.
    */
   std::string
   run_in_separate_process(const std::function<std::string()> &action,
                           const ProcessLimits                &limits = {});
 
-  /** How a process has ended that run_in_separate_process() has started. */
+  /** Failure of an action in run_in_separate_process(). */
   struct CrashedProcess
   {
-    std::string how; ///< e.g. `Segmentation fault`, `no end after 30 s`
+    std::string reason; ///< e.g. `Segmentation fault`, `no end after 30 s`
     bool        is_out_of_time = false;
   };
 
   /**
-   * Has gmsh run the script @p file, which may do all that the user may, and
-   * mesh its curves. gmsh runs in a process of its own, which ends with this
-   * one, and together with all that it has started after @p seconds.
-   * Throws MeshMistake for what gmsh does not understand or complete.
+   * Runs the script @p file in gmsh and meshes its curves. A script may do all
+   * that the user may. gmsh runs in a separate process, which ends with this
+   * one
+   * or after @p seconds, with its children. Throws MeshMistake if gmsh does not
+   * understand or complete the script.
    */
   LineMesh run_gmsh_script(const std::string &file, double seconds);
 
   /** Whether read_with_gmsh() reads files with this @p ending. */
-  bool gmsh_reads(const std::string &ending);
+  bool gmsh_can_read(const std::string &ending);
 
   /**
-   * Mesh in @p content of a file with the @p ending of a format for which gmsh
-   * has a reader that runs nothing, e.g. `.vtk`. Limits and errors as in
+   * Reads the mesh in @p content by gmsh's reader for the file @p ending, e.g.
+   * `.vtk`; such readers run no commands. Limits and errors as in
    * run_gmsh_script().
    */
   LineMesh read_with_gmsh(const std::string &content,

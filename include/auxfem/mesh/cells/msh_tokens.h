@@ -8,8 +8,8 @@
 namespace auxfem
 {
   /**
-   * Words and numbers of a file in gmsh's format MSH. Numbers may be binary;
-   * all that is no number as expected throws MeshMistake.
+   * Tokenizer for gmsh's format MSH: words and text or binary numbers. Anything
+   * but the expected number throws MeshMistake.
    */
   class MshTokens
   {
@@ -18,7 +18,7 @@ namespace auxfem
     explicit MshTokens(const std::string &content) : content(content)
     {}
 
-    /** Whether numbers are read as they lie in memory. */
+    /** Whether numbers are binary. */
     bool is_binary = false;
 
     /** The next word; empty at the end of the file. */
@@ -26,39 +26,35 @@ namespace auxfem
 
     void skip_line();
 
-    /** Goes on behind the next @p text; whether there is one. */
+    /** Moves behind the next @p text; false if there is none. */
     bool skip_to_end_of(const std::string &text);
 
     /** The next text in double quotes. */
     std::string quoted();
 
-    /** An integer of 4 bytes where the file is binary. */
-    long long integer(const std::string &what);
+    /** @name Next number
+     * @p noun names it in messages. A count is refused if the rest of the file
+     * has fewer bytes. */
+    ///@{
+    long long integer(const std::string &noun);      ///< 4 bytes if binary
+    long long long_integer(const std::string &noun); ///< 8 bytes if binary
+    long long count(const std::string &noun);        ///< 4 bytes if binary
+    long long long_count(const std::string &noun);   ///< 8 bytes if binary
+    double    real(const std::string &noun);         ///< finite
+    ///@}
 
-    /** An integer of 8 bytes where the file is binary. */
-    long long long_integer(const std::string &what);
-
-    /** An integer that counts things of at least one byte each. */
-    long long count(const std::string &what);
-
-    /** A long integer that counts things of at least one byte each. */
-    long long long_count(const std::string &what);
-
-    /** A finite number. */
-    double real(const std::string &what);
-
-    /** Throws MeshMistake: @p what is wrong at the present line or byte. */
-    [[noreturn]] void fail(const std::string &what) const;
+    /** Throws MeshMistake with @p problem and the present line or byte. */
+    [[noreturn]] void fail(const std::string &problem) const;
 
   private:
     void      skip_blanks();
-    long long checked_count(long long n, const std::string &what) const;
+    long long checked_count(long long n, const std::string &noun) const;
 
     template <class Number>
-    Number bytes(const std::string &what);
+    Number bytes(const std::string &noun);
 
     template <class Number>
-    Number number(const std::string &what, const std::string &kind);
+    Number number(const std::string &noun, const std::string &kind);
 
     const std::string &content;
     std::size_t        position = 0;

@@ -8,32 +8,31 @@
 
 namespace auxfem
 {
-  /** The opening angle of a symmetric star cell and what follows from it. */
+  /** Opening angle of a symmetric star cell and lengths that follow from it. */
   struct OpeningAngle
   {
     std::string cell;             ///< name of the cell, for messages
     double      value;            ///< theta0 (rad)
     double      strut_length;     ///< L (m)
     double      vertex_distance;  ///< b, centre to re-entrant vertices (m)
-    std::string distance_formula; ///< b in formula signs
-    std::string lower_limit;      ///< of theta0, where b = 0, in words
-    /** Advice for smaller angles, a sentence after a blank; may be empty. */
+    std::string distance_formula; ///< formula of b, for messages
+    std::string lower_limit;      ///< theta0 at which b = 0, for messages
+    /** Sentence on smaller angles, after a blank; may be empty. */
     std::string advice;
   };
 
   /**
-   * Throws InputError naming the cell and the inequality that fails unless the
-   * re-entrant vertices of a star stay apart (b > 0) and the angle is at most
-   * 90 deg.
+   * Throws InputError, naming the cell and the violated inequality, unless the
+   * re-entrant vertices stay apart (b > 0) and the angle is at most 90 deg.
    */
   void check_opening_angle(const OpeningAngle &angle,
                            const SceneContext &context);
 
   /**
-   * Measures (m) of a planar star about its centre, symmetric to both axes:
-   * tips at (+-half_width, +-half_height), re-entrant vertices at
-   * (+-(half_width - side_depth), 0) and (0, +-(half_height - top_depth)),
-   * stubs from these outwards along the axes.
+   * Dimensions (m) of a planar star, symmetric to both axes. Tips lie at
+   * (+-half_width, +-half_height), re-entrant vertices at
+   * (+-(half_width - side_depth), 0) and (0, +-(half_height - top_depth)).
+   * Stubs lead outwards from these along the axes.
    */
   struct StarShape
   {
@@ -46,24 +45,21 @@ namespace auxfem
   };
 
   /**
-   * Builds the cell of @p shape, which must have notches that do not cross.
+   * Builds the cell of @p shape; its notches must not cross.
    *
-   * Joints: 0..3 the tips, counterclockwise from the upper right one; 4..7 the
-   * re-entrant vertices right, top, left, bottom; then, in that order, the stub
-   * ends. Struts: 8 `edges`, each tip to the two vertices next to it; the
-   * `stubs`. Joint sets `tips`, `notches`. The ports are the stub ends, or the
-   * vertices where there are no stubs.
-   *
-   * Pairs: `in-cell` (upper to lower vertex), `in-cell x` (left to right
-   * vertex), `rod` (upper vertex to the lower port, which is the upper stub end
-   * of the cell below or stands on the foundation).
-   *
-   * The period is the distance between opposite ports. There is none along a
-   * direction in which the tips would reach past those of the next cell.
+   * - Joints: 0..3 the tips, counterclockwise from the upper right one; 4..7
+   * the re-entrant vertices right, top, left, bottom; then the stub ends in
+   * that order. Joint sets `tips`, `notches`.
+   * - Struts: 8 `edges` from each tip to the two vertices next to it; `stubs`.
+   * - Ports: the stub ends, or the vertices where there are no stubs.
+   * - Pairs: `in-cell` (upper to lower vertex), `in-cell x` (left to right
+   *   vertex), `rod` (upper vertex to lower port).
+   * - Period: the distance of opposite ports; none along a direction in which
+   *   the tips would reach past those of the next cell.
    */
   UnitCell build_star(const StarShape &shape);
 
-  /** A star as a cell. @p shape has been checked by the caller. */
+  /** Makes a Cell of @p shape, which the caller has checked. */
   std::unique_ptr<Cell> make_star_cell(const StarShape &shape);
 } // namespace auxfem
 
