@@ -11,24 +11,22 @@ namespace auxfem
   {
     using Index3 = std::array<unsigned int, 3>;
 
-    /** Numbers of what links two joints, whatever the order of these. */
+    /** Numbers of struts or pairs by their two joints, in either order. */
     class LinkNumbers
     {
     public:
-      /**
-       * A number added between joints @p a and @p b for which @p is_sought
-       * holds; invalid_index if there is none.
-       */
-      template <class IsSought>
+      /** A number between joints @p a and @p b that satisfies @p matches;
+       * invalid_index if there is none. */
+      template <class Matches>
       unsigned int find(const unsigned int a,
                         const unsigned int b,
-                        const IsSought    &is_sought) const
+                        const Matches     &matches) const
       {
         const auto [low, high] = std::minmax(a, b);
         if (low >= first.size())
           return invalid_index;
         for (unsigned int l = first[low]; l != invalid_index; l = links[l].next)
-          if (links[l].high == high && is_sought(links[l].number))
+          if (links[l].high == high && matches(links[l].number))
             return links[l].number;
         return invalid_index;
       }
@@ -48,10 +46,10 @@ namespace auxfem
       {
         unsigned int high;
         unsigned int number;
-        unsigned int next; ///< of the same lower joint
+        unsigned int next; ///< next link of the same lower joint
       };
 
-      std::vector<unsigned int> first; ///< by lower joint
+      std::vector<unsigned int> first; ///< first link, by lower joint
       std::vector<Link>         links;
     };
 
@@ -77,13 +75,13 @@ namespace auxfem
 
     void sort_and_unite(std::vector<unsigned int> &indices)
     {
-      // Most are, and those of large lattices are long.
+      // Most sets are sorted already, and may be long.
       if (!std::is_sorted(indices.begin(), indices.end()))
         std::sort(indices.begin(), indices.end());
       indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
     }
 
-    /** Makes the array cell by cell. */
+    /** Builds the array cell by cell. */
     class ArrayBuilder
     {
     public:
@@ -118,7 +116,7 @@ namespace auxfem
       }
 
     private:
-      /** Those across cells may stay empty. */
+      /** Creates all sets, as some may stay empty. */
       void create_sets()
       {
         for (const auto &port : cell.ports)
@@ -172,27 +170,27 @@ namespace auxfem
                                global.end());
       }
 
-      /**
-       * The lattice's joint where joint @p j of the cell @p at lies, if there is
-       * one already and no other of this cell is the same; else invalid_index.
-       */
+      /** The lattice joint of an earlier cell that joint @p j of the cell @p at
+       * coincides with, unless another joint of this cell has it already;
+       * otherwise invalid_index. */
       unsigned int joint_of_earlier_cell(const unsigned int j,
                                          const Index3      &at) const
       {
         unsigned int index = invalid_index;
         for (const EarlierJoint &earlier : earlier_joints[j])
           {
-            // Below zero it wraps round to more than there are.
+            // Negative indices wrap round and fail the test below.
             Index3 other = at;
             for (unsigned int d = 0; d < 3; ++d)
               other[d] += earlier.offset[d];
             if (other[0] >= n_cells[0] || other[1] >= n_cells[1] ||
                 other[2] >= n_cells[2])
               continue;
-            const unsigned int found =
+            const unsigned int candidate =
               joint_of_cell(number_of(other), earlier.joint);
-            if (std::find(global.begin(), global.end(), found) == global.end())
-              index = std::min(index, found);
+            if (std::find(global.begin(), global.end(), candidate) ==
+                global.end())
+              index = std::min(index, candidate);
           }
         return index;
       }
@@ -251,7 +249,7 @@ namespace auxfem
                            strut.normal);
       }
 
-      /** Needs all cells, as add_pairs_across(). */
+      /** Needs all cells, because a cell's neighbours are made after it. */
       void add_struts_across()
       {
         for (const auto &[set, ends] : cell.struts_across)
@@ -283,7 +281,7 @@ namespace auxfem
         pairs.push_back(pair);
       }
 
-      /** Needs all cells: the next one of a cell is made after it. */
+      /** Needs all cells, as add_struts_across(). */
       void add_pairs_across()
       {
         for (const auto &[name, members] : cell.pairs_across)
@@ -291,7 +289,8 @@ namespace auxfem
             add_pair(name, pair);
       }
 
-      /** Those of @p members, cell by cell, whose joints are not one. */
+      /** Pairs of @p members in all cells, without those whose joints are
+       * merged. */
       std::vector<JointPair>
       pairs_of_neighbours(const std::vector<NeighbourPair> &members) const
       {
@@ -374,10 +373,10 @@ namespace auxfem
       const Index3   &n_cells;
       const double    tolerance; ///< for positions (m)
       const std::vector<std::vector<EarlierJoint>> earlier_joints; ///< by joint
-      /** In which each strut of the cell is. */
+      /** Sets of each strut of the cell. */
       std::vector<std::vector<std::vector<unsigned int> *>> sets_of_struts;
       Lattice                                               lattice;
-      unsigned int              number = 0; ///< of the cell in work
+      unsigned int              number = 0; ///< of the current cell
       std::vector<unsigned int> global; ///< lattice joint of each cell joint
       std::vector<unsigned int> joints_of_cells; ///< the same, of all cells
       LinkNumbers               strut_numbers;

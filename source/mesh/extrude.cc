@@ -36,7 +36,7 @@ namespace auxfem
       return joints;
     }
 
-    /** Joints by the names that a user may give. */
+    /** Joints by their set names in the parameter file. */
     std::map<std::string, Indices> named_joints(const UnitCell &cell)
     {
       std::map<std::string, Indices> sets = cell.joint_sets;
@@ -95,7 +95,7 @@ namespace auxfem
     if (!is_planar(cell))
       throw InputError(path +
                        "/Layer distance: only planar cells can be stacked in "
-                       "layers, and this one extends along z. Remove Layer "
+                       "layers, but this cell extends along z. Remove Layer "
                        "distance.");
     StrutsAcross across;
     across.set = "columns";
@@ -103,8 +103,8 @@ namespace auxfem
       across.ends.push_back({joint, 2, joint});
     if (across.ends.empty())
       throw InputError(path + "/Interlayer joints: \"" + columns +
-                       "\" names no joints. Name those at which columns are "
-                       "to stand.");
+                       "\" names no joints. Name the joints that columns "
+                       "connect.");
     cell.struts_across.push_back(across);
     cell.period[2] = distance;
     // Without ports the sides come from the bounding box.

@@ -12,7 +12,8 @@ namespace auxfem
       return lattice.joints[strut.joints[1]] - lattice.joints[strut.joints[0]];
     }
 
-    /** Of @p strut, whose middle moves by @p bow (m) against its ends. */
+    /** Bends @p strut of the former @p rise (m): its middle moves by @p bow (m)
+     * relative to its ends. */
     void bend(const dealii::Tensor<1, 3> &rise,
               const dealii::Tensor<1, 3> &bow,
               const Lattice              &lattice,
@@ -21,7 +22,7 @@ namespace auxfem
       const dealii::Tensor<1, 3> chord = chord_of(lattice, strut),
                                  along = chord / chord.norm();
       const dealii::Tensor<1, 3> bent  = rise + bow;
-      // Along the strut a middle has nowhere to go.
+      // An offset of the middle along the strut does not bend it.
       const auto arc =
         arc_through(chord, chord / 2 + (bent - (bent * along) * along));
       if (!arc)
@@ -58,14 +59,14 @@ namespace auxfem
     const auto designed = std::make_shared<const Lattice>(lattice);
     for (std::size_t i = 0; i < lattice.joints.size(); ++i)
       lattice.joints[i] += offsets.joints[i];
-    // Less is the round-off of positions.
-    const double least = 1e-12 * offsets.largest();
+    // Smaller offsets are round-off of positions.
+    const double smallest_bow = 1e-12 * offsets.largest();
     for (std::size_t i = 0; i < lattice.struts.size(); ++i)
       {
         Strut                     &strut = lattice.struts[i];
         const dealii::Tensor<1, 3> bow =
           offsets.middles[i] - offsets.mean_of_ends(strut);
-        if (bow.norm() > least)
+        if (bow.norm() > smallest_bow)
           bend(rise_of_arc(chord_of(*designed, strut),
                            strut.sagitta,
                            strut.normal),
@@ -82,7 +83,7 @@ namespace auxfem
       "Type",
       "random",
       {"random", "expression", "buckling mode", "result"},
-      "What the stress-free lattice is off the designed one by."};
+      "Kind of deviation of the stress-free lattice."};
     const Quantity deviation = {
       "Standard deviation",
       "",
@@ -91,12 +92,12 @@ namespace auxfem
       "Standard deviation of each coordinate of a joint."};
     const Text                disturbed_joints = {"Joints",
                                                   "all",
-                                                  "Set of joints that are off their place."};
+                                                  "Set of joints that are displaced."};
     const Integer             seed             = {"Seed",
                                                   1,
                                                   0,
                                                   2147483647,
-                                                  "Another number makes another lattice."};
+                                                  "Seed of the random numbers."};
     const std::array<Text, 3> disturbances     = {
           {{"Displacement x",
             "0",
@@ -112,19 +113,19 @@ namespace auxfem
       "",
       "m",
       Range::any(),
-      "Largest displacement; negative: to the other side."};
+      "Largest displacement; negative: in the opposite direction."};
     const Integer mode_number = {
       "Mode",
       1,
       1,
       1000,
-      "Number of the buckling mode, by linear theory, under the loads of "
-      "Modes/Time of the loads; 1 for the lowest factor."};
+      "Number of the linear buckling mode under the loads of Modes/Time of the "
+      "loads; 1 for the lowest factor."};
     const Text result_folder = {
       "Folder",
       "",
-      "Output folder of a run of the same lattice with the same mesh, whose last "
-      "checkpoint has the displacements.",
+      "Output folder of a run of the same lattice and mesh; its last checkpoint "
+      "has the displacements.",
       true};
   } // namespace
 
@@ -133,25 +134,23 @@ namespace auxfem
     return {
       "Imperfections",
       SubsectionSchema::Form::named_groups,
-      "Deviations of the stress-free lattice from the designed one, which "
-      "add up. Sets and positions in this file mean the designed lattice.",
+      "Deviations of the stress-free lattice from the designed one; several add "
+      "up. Sets and positions refer to the designed lattice.",
       {imperfection_type},
       "Type",
       {{"random",
-        "Joints are off their place by normally distributed distances, "
-        "with struts that keep their shape.",
+        "Normally distributed displacements of joints; struts keep their shape.",
         {deviation, disturbed_joints, seed}},
        {"expression",
-        "Joints are displaced by expressions, as are the middles of "
-        "struts, which become arcs.",
+        "Displacements of joints and strut middles by expressions; struts become "
+        "arcs.",
         {disturbances[0], disturbances[1], disturbances[2]}},
        {"buckling mode",
-        "Joints and the middles of struts are displaced by a buckling "
-        "mode of the designed lattice.",
+        "Displacements of joints and strut middles by a buckling mode of the "
+        "designed lattice.",
         {largest_offset, mode_number}},
        {"result",
-        "Joints and the middles of struts are displaced as at the end of "
-        "another run.",
+        "Displacements of joints and strut middles at the end of another run.",
         {largest_offset, result_folder}}}};
   }
 

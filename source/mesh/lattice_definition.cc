@@ -27,16 +27,16 @@ namespace auxfem
     }
 
     template <class Map>
-    std::string listed(const std::string &what, const Map &map)
+    std::string listed(const std::string &heading, const Map &map)
     {
       std::string names;
       for (const auto &item : map)
         names += (names.empty() ? "" : ", ") + item.first;
-      return names.empty() ? "" : " " + what + ": " + names + ".";
+      return names.empty() ? "" : " " + heading + ": " + names + ".";
     }
 
-    /** The sets and pairs that a cell of the kind @p entry offers. */
-    std::string offers(const RegistryEntry<Cell> &entry)
+    /** Sentences on the sets and pairs of a cell of the kind @p entry. */
+    std::string set_names(const RegistryEntry<Cell> &entry)
     {
       for (const Parameter &parameter : entry.parameters)
         if (parameter.required)
@@ -65,7 +65,8 @@ namespace auxfem
     {
       std::vector<SubsectionVariant> variants = variants_of(cell_registry());
       for (SubsectionVariant &variant : variants)
-        variant.sentence += offers(find_entry(cell_registry(), variant.name));
+        variant.sentence +=
+          set_names(find_entry(cell_registry(), variant.name));
       return variants;
     }
 
@@ -83,43 +84,41 @@ namespace auxfem
                              1,
                              1,
                              100000,
-                             "Number of unit cells or layers along z; more "
-                             "than 1 only with Dimension = 3."};
+                             "Number of unit cells or layers along z; above 1 "
+                             "only with Dimension = 3."};
 
     const Quantity layer_distance = {
       "Layer distance",
       "0 m",
       "m",
       Range::non_negative(),
-      "Distance of the layers of a planar cell along z, joined by straight "
-      "struts (set \"columns\"); 0: not repeated along z. Only with "
-      "Dimension = 3."};
+      "Distance of layers of a planar cell along z, joined by straight struts "
+      "(set \"columns\"); 0: one layer. Only with Dimension = 3."};
 
-    const Text columns_at = {
+    const Text interlayer_joints = {
       "Interlayer joints",
       "all",
-      "Joints of the cell at which these struts stand: sets of joints or sides "
-      "of the cell joined by +, or all; only with a Layer distance."};
+      "Joints of the cell that these struts connect: sets of joints or sides of "
+      "the cell joined by +, or all. Only with a Layer distance."};
 
     const Boolean struts_may_cross = {
       "Struts may cross",
       false,
-      "Whether struts may pass through each other, as those that lie side by "
-      "side across the plane may; else the verdict tells when they do."};
+      "Whether struts may pass through each other, e.g. because they lie side by "
+      "side; otherwise the verdict reports it."};
 
-    /** The chosen cell, repeated along z at the layer distance if there is one.
-     */
+    /** Reads the cell, in layers along z if there is a layer distance. */
     std::shared_ptr<const Cell> read_cell(ParameterValues &values)
     {
       std::unique_ptr<Cell> cell =
         find_entry(cell_registry(), values[cell_choice()]).make(values);
       const double      distance = values[layer_distance];
-      const std::string columns  = values[columns_at];
+      const std::string columns  = values[interlayer_joints];
       if (distance > 0)
         return std::make_shared<PrebuiltCell>(
           extrude(cell->build(), distance, columns, values.context.path));
-      if (columns != columns_at.default_value)
-        values.refuse(columns_at,
+      if (columns != interlayer_joints.default_value)
+        values.refuse(interlayer_joints,
                       "there are no layers for columns to join. Remove "
                       "it or give a Layer distance");
       return cell;
@@ -130,21 +129,21 @@ namespace auxfem
 
   SubsectionSchema lattice_schema()
   {
-    return {"Lattice",
-            SubsectionSchema::Form::fixed,
-            "The array of unit cells. Besides the sets of the cell there are "
-            "the joint sets all, left, right, bottom, top, in space also back "
-            "and front, and the strut sets all and, with a Layer distance, "
-            "columns.",
-            {cell_choice(),
-             cells_x,
-             cells_y,
-             cells_z,
-             layer_distance,
-             columns_at,
-             struts_may_cross},
-            "Cell",
-            cell_variants()};
+    return {
+      "Lattice",
+      SubsectionSchema::Form::fixed,
+      "Array of unit cells. In addition to the sets of the cell it has the "
+      "joint sets all, left, right, bottom, top, in space back and front, "
+      "and the strut sets all and, with a Layer distance, columns.",
+      {cell_choice(),
+       cells_x,
+       cells_y,
+       cells_z,
+       layer_distance,
+       interlayer_joints,
+       struts_may_cross},
+      "Cell",
+      cell_variants()};
   }
 
 

@@ -40,7 +40,7 @@ namespace auxfem
       /** Indices of all joints at @p position. */
       std::vector<unsigned int> find(const dealii::Point<3> &position) const
       {
-        std::vector<unsigned int> found;
+        std::vector<unsigned int> matches;
         const Key                 low  = key_of(position, -tolerance);
         const Key                 high = key_of(position, tolerance);
         for (auto x = low[0]; x <= high[0]; ++x)
@@ -52,9 +52,9 @@ namespace auxfem
                   continue;
                 for (const unsigned int joint : bucket->second)
                   if (joints[joint].distance(position) <= tolerance)
-                    found.push_back(joint);
+                    matches.push_back(joint);
               }
-        return found;
+        return matches;
       }
 
     private:
@@ -145,8 +145,8 @@ namespace auxfem
   {
     using Indices = std::vector<unsigned int>;
 
-    /** The first of some items, and how many more there are. */
-    std::string first_of(const std::vector<std::string> &items)
+    /** Lists the first items and the number of the others. */
+    std::string shortened_list(const std::vector<std::string> &items)
     {
       std::string text;
       for (std::size_t i = 0; i < std::min(n_listed, items.size()); ++i)
@@ -156,7 +156,7 @@ namespace auxfem
         : text + "; and " + std::to_string(items.size() - n_listed) + " more";
     }
 
-    /** For each joint the first one within @p distance, itself if none. */
+    /** For each joint the first joint within @p distance, maybe itself. */
     Indices first_joints_within(const double                         distance,
                                 const std::vector<dealii::Point<3>> &joints)
     {
@@ -176,7 +176,7 @@ namespace auxfem
           for (auto other = tree.qbegin(index::intersects(box));
                other != tree.qend();
                ++other)
-            // Only earlier joints that stay can take this one.
+            // A joint cannot be merged with one that is itself merged.
             if (*other < first[j] && first[*other] == *other &&
                 joints[j].distance(joints[*other]) <= distance)
               first[j] = *other;
@@ -184,7 +184,7 @@ namespace auxfem
       return first;
     }
 
-    /** One merger of one cell. */
+    /** Merges joints of one cell. */
     class JointMerger
     {
     public:
@@ -205,23 +205,23 @@ namespace auxfem
     private:
       void renumber_joints(const Indices &first)
       {
-        std::vector<dealii::Point<3>> kept;
+        std::vector<dealii::Point<3>> remaining;
         for (unsigned int j = 0; j < first.size(); ++j)
           {
             if (first[j] == j)
               {
-                new_joint.push_back(kept.size());
-                kept.push_back(cell.joints[j]);
+                new_joint.push_back(remaining.size());
+                remaining.push_back(cell.joints[j]);
               }
             else
               new_joint.push_back(new_joint[first[j]]);
           }
-        cell.joints = kept;
+        cell.joints = remaining;
       }
 
       void renumber_struts()
       {
-        std::vector<UnitStrut>   kept;
+        std::vector<UnitStrut>   remaining;
         std::vector<std::string> without_length, repeated;
         for (unsigned int s = 0; s < cell.struts.size(); ++s)
           {
@@ -230,24 +230,24 @@ namespace auxfem
             strut.second    = new_joint[strut.second];
             if (strut.first == strut.second)
               without_length.push_back(names.strut(s));
-            else if (!joins_earlier(strut, kept))
-              kept.push_back(strut);
+            else if (!unite_with_equal(strut, remaining))
+              remaining.push_back(strut);
             else
               repeated.push_back(names.strut(s));
           }
-        cell.struts = kept;
-        add_note("have no length after the merger and are left out",
+        cell.struts = remaining;
+        add_note("Struts without length after the merger are removed",
                  without_length);
-        add_note("repeat another strut after the merger and are one with it",
+        add_note("Struts that repeat another one after the merger are united "
+                 "with it",
                  repeated);
       }
 
-      void add_note(const std::string              &what,
+      void add_note(const std::string              &event,
                     const std::vector<std::string> &struts)
       {
         if (!struts.empty())
-          cell.notes.push_back("Struts that " + what + ": " + first_of(struts) +
-                               ".");
+          cell.notes.push_back(event + ": " + shortened_list(struts) + ".");
       }
 
       dealii::Tensor<1, 3> rise(const UnitStrut &strut) const
@@ -257,19 +257,21 @@ namespace auxfem
                            strut.normal);
       }
 
-      /** Adds @p strut to the sets of an equal one of @p kept, if any. */
-      bool joins_earlier(const UnitStrut &strut, std::vector<UnitStrut> &kept)
+      /** Adds the sets of @p strut to those of an equal strut among
+       * @p remaining; false if there is none. */
+      bool unite_with_equal(const UnitStrut        &strut,
+                            std::vector<UnitStrut> &remaining)
       {
-        Indices &between =
+        Indices &candidates =
           struts_of_joints[std::minmax(strut.first, strut.second)];
-        for (const unsigned int other : between)
-          if ((rise(kept[other]) - rise(strut)).norm() <= distance)
+        for (const unsigned int other : candidates)
+          if ((rise(remaining[other]) - rise(strut)).norm() <= distance)
             {
-              auto &sets = kept[other].sets;
+              auto &sets = remaining[other].sets;
               sets.insert(sets.end(), strut.sets.begin(), strut.sets.end());
               return true;
             }
-        between.push_back(kept.size());
+        candidates.push_back(remaining.size());
         return false;
       }
 
@@ -297,8 +299,8 @@ namespace auxfem
       "0 m",
       "m",
       Range::non_negative(),
-      "Joints nearer than this to one with a smaller number become one with it; "
-      "struts without length or between the same joints then go. 0: none."};
+      "Each joint is merged with the first one nearer than this; struts without "
+      "length are then removed, repeated struts united. 0: no joints."};
     return parameter;
   }
 
@@ -320,17 +322,18 @@ namespace auxfem
     if (distance > 0)
       {
         cell.notes.push_back("Lattice/" + merge_distance().name +
-                             " makes one: " + first_of(pairs) + ".");
+                             " merges joints: " + shortened_list(pairs) + ".");
         JointMerger(distance, names, cell).merge(first);
         if (cell.struts.empty())
-          throw InputError("Lattice/" + merge_distance().name +
-                           ": no strut is longer than this distance. Take "
-                           "one below the length of the shortest strut.");
+          throw InputError(
+            "Lattice/" + merge_distance().name +
+            ": no strut is longer than this distance. Give "
+            "a distance below the length of the shortest strut.");
       }
     else
       cell.notes.push_back(
-        "Joints lie at one place and are not connected by it: " +
-        first_of(pairs) + ". If they are meant to be one, set Lattice/" +
+        "Joints lie at the same place but are not connected: " +
+        shortened_list(pairs) + ". To merge them, set Lattice/" +
         merge_distance().name + ", e.g. to a thousandth of a strut's length.");
   }
 } // namespace auxfem

@@ -83,9 +83,9 @@ namespace auxfem
     [[noreturn]] void fail(const std::string &problem) const
     {
       throw InputError(path + ": the " + noun + " \"" + text +
-                       "\" cannot be used: " + problem + "\nKnown in " + noun +
-                       "s are also x, y, z (m)." + (hint.empty() ? "" : " ") +
-                       hint);
+                       "\" cannot be used: " + problem + "\nA " + noun +
+                       " may also use x, y, z (m)." +
+                       (hint.empty() ? "" : " ") + hint);
     }
 
     const std::string text, noun, hint, path;

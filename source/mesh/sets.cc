@@ -39,7 +39,7 @@ namespace auxfem
       return "\"" + text + "\"";
     }
 
-    /** The first names only: a scene may define more than fit on a screen. */
+    /** Lists the first names only, because a scene may define very many. */
     std::string list_of(const std::vector<std::string> &names)
     {
       const std::size_t limit = 20;
@@ -49,26 +49,24 @@ namespace auxfem
       return names.size() > limit ? text + ", ..." : text;
     }
 
-    /**
-     * Selects things that have a number, a position and named sets: joints, or
-     * struts at their middles.
-     */
+    /** Selects items with numbers, positions and named sets: joints, or struts
+     * at their middles. */
     class Selector
     {
     public:
-      /** Position of a thing by its number (m). */
+      /** Position of an item by its number (m). */
       using Positions = std::function<dealii::Point<3>(unsigned int)>;
 
       Selector(const std::string                    &noun,
                const std::map<std::string, Indices> &sets,
-               const unsigned int                    n_things,
+               const unsigned int                    n_items,
                const Positions                      &position_of,
                const Lattice                        &lattice,
                const SceneContext                   &context,
                const std::string                    &path)
         : noun(noun)
         , sets(sets)
-        , n_things(n_things)
+        , n_items(n_items)
         , position_of(position_of)
         , lattice(lattice)
         , context(context)
@@ -98,7 +96,7 @@ namespace auxfem
         if (text.find(':') != std::string::npos && !is_condition(text))
           return nearest(text);
         if (is_condition(text))
-          return where(text);
+          return matches(text);
         Indices result;
         for (const std::string &piece : split_string_list(text, ','))
           {
@@ -132,11 +130,11 @@ namespace auxfem
           throw InputError(path + ": " + quoted(word) + " in " + quoted(text) +
                            " is not the number of a " + noun + ". " +
                            allowed());
-        if (*index >= n_things)
+        if (*index >= n_items)
           throw InputError(path + ": there is no " + noun + " " + trim(word) +
-                           ". The lattice has " + std::to_string(n_things) +
+                           ". The lattice has " + std::to_string(n_items) +
                            " " + noun + "s, numbered from 0 to " +
-                           std::to_string(n_things - 1) + ".");
+                           std::to_string(n_items - 1) + ".");
         return *index;
       }
 
@@ -157,11 +155,12 @@ namespace auxfem
         return result;
       }
 
-      Indices where(const std::string &text) const
+      /** Items for which the condition @p text holds. */
+      Indices matches(const std::string &text) const
       {
         Condition condition(text, lattice, context, path);
         Indices   result;
-        for (unsigned int i = 0; i < n_things; ++i)
+        for (unsigned int i = 0; i < n_items; ++i)
           if (condition.holds_at(position_of(i)))
             result.push_back(i);
         return result;
@@ -177,29 +176,30 @@ namespace auxfem
         const dealii::Point<3> position =
           read_position(text.substr(colon + 1), text);
         refuse_far(position, text);
-        unsigned int found    = 0;
+        unsigned int closest  = 0;
         double       shortest = std::numeric_limits<double>::max();
-        for (unsigned int i = 0; i < n_things; ++i)
+        for (unsigned int i = 0; i < n_items; ++i)
           if (const double distance = position.distance_square(position_of(i));
               distance < shortest)
             {
               shortest = distance;
-              found    = i;
+              closest  = i;
             }
-        return {found};
+        return {closest};
       }
 
-      /** Millimetres taken for metres find the wrong joint, and no mistake. */
+      /** Refuses a far position: millimetres without unit would silently select
+       * a wrong joint. */
       void refuse_far(const dealii::Point<3> &position,
                       const std::string      &text) const
       {
-        constexpr double     largest = 10; // of the size of the lattice
-        const auto           box     = bounding_box(lattice);
+        constexpr double     largest_distance = 10; // sizes of the lattice
+        const auto           box              = bounding_box(lattice);
         dealii::Tensor<1, 3> away;
         for (unsigned int d = 0; d < 3; ++d)
           away[d] =
             std::max({box[0][d] - position[d], position[d] - box[1][d], 0.});
-        if (!(away.norm() <= largest * (box[1] - box[0]).norm()))
+        if (!(away.norm() <= largest_distance * (box[1] - box[0]).norm()))
           throw InputError(path + ": " + quoted(text) +
                            " lies far from the lattice. " + extent() +
                            " Positions are in m unless a unit is given.");
@@ -254,7 +254,7 @@ namespace auxfem
 
       const std::string                     noun;
       const std::map<std::string, Indices> &sets;
-      const unsigned int                    n_things;
+      const unsigned int                    n_items;
       const Positions                       position_of;
       const Lattice                        &lattice;
       const SceneContext                   &context;
@@ -301,7 +301,7 @@ namespace auxfem
       return pairs;
     }
 
-    /** Only pairs across neighbouring cells can be missing. */
+    /** Refuses an empty pair set, which only pairs across cells can be. */
     [[noreturn]] void refuse_without_pairs(const Lattice      &lattice,
                                            const std::string  &name,
                                            const SceneContext &context,

@@ -12,7 +12,7 @@ namespace auxfem
 {
   namespace
   {
-    /** The one that is the largest without its sign. */
+    /** Component of largest absolute value. */
     double largest_component(const dealii::Tensor<1, 3> &vector)
     {
       double largest = 0.;
@@ -27,7 +27,7 @@ namespace auxfem
                                const dealii::Tensor<1, 3> &normal)
   {
     const dealii::Tensor<1, 3> left = dealii::cross_product_3d(normal, along);
-    // Two by two: exact where a component is zero, as in the x-y plane.
+    // Nested hypot() is exact if a component is zero, as in the x-y plane.
     const double length = std::hypot(std::hypot(left[0], left[1]), left[2]);
     Assert(length > 0.,
            dealii::ExcMessage("The normal of an arc's plane cannot be parallel "
@@ -44,22 +44,21 @@ namespace auxfem
   }
 
   std::optional<Arc> arc_through(const dealii::Tensor<1, 3> &chord,
-                                 const dealii::Tensor<1, 3> &there)
+                                 const dealii::Tensor<1, 3> &point)
   {
-    // The directions from one end to the point and from there to the other end
-    // differ by half the angle of the arc (inscribed angle), and
-    // sagitta = chord / 2 tan(angle / 4). The sine and one plus the cosine of
-    // this half are here times the product of both distances.
-    const dealii::Tensor<1, 3> back            = chord - there;
-    const double               product         = there.norm() * back.norm();
-    const double               one_plus_cosine = product + there * back;
+    // Inscribed angle: the directions start-point and point-end differ by half
+    // the angle of the arc, and sagitta = chord / 2 tan(angle / 4). Sine and
+    // one plus cosine of this half angle are scaled by both distances.
+    const dealii::Tensor<1, 3> back            = chord - point;
+    const double               product         = point.norm() * back.norm();
+    const double               one_plus_cosine = product + point * back;
     if (one_plus_cosine <= 1e-8 * product)
       return {};
 
-    const dealii::Tensor<1, 3> turn = dealii::cross_product_3d(back, there);
+    const dealii::Tensor<1, 3> turn = dealii::cross_product_3d(back, point);
     if (turn.norm() == 0.)
       return Arc{0., dealii::Point<3>(0, 0, 1)};
-    // Normal and sagitta may change their signs together.
+    // Changing the signs of both normal and sagitta gives the same arc.
     const double sine =
       largest_component(turn) < 0. ? -turn.norm() : turn.norm();
     return Arc{chord.norm() / 2. * sine / one_plus_cosine, turn / sine};
@@ -95,9 +94,8 @@ namespace auxfem
                                b   = other.end - other.begin,
                                gap = other.begin - one.begin;
     const double determinant       = cross(a, b);
-    // Points are known to the round-off of their coordinates. Segments so
-    // nearly parallel that it moves their meeting point by more than this part
-    // of their lengths count as parallel, as those of one straight line.
+    // Segments count as parallel if round-off of coordinates moves their
+    // intersection by more than accuracy_of_places of their lengths.
     const double round_off = std::numeric_limits<double>::epsilon() *
       std::max(largest_coordinate(one), largest_coordinate(other)) *
       (a.norm() + b.norm() + gap.norm());
@@ -122,8 +120,8 @@ namespace auxfem
     const double parallel = aa * bb - ab * ab;
     double s = parallel > 0 ? in_segment((ab * bg - ag * bb) / parallel) : 0;
     double t = bb > 0 ? (ab * s + bg) / bb : 0;
-    // What is nearest to a point beyond the other's ends, or to a point that is
-    // the other, is another one.
+    // If the nearest point of `other` lies beyond its ends, or `other` is a
+    // point, recompute the nearest point of `one`.
     if (t < 0 || t > 1 || bb == 0)
       {
         t = in_segment(t);

@@ -14,10 +14,8 @@ namespace auxfem
 {
   namespace
   {
-    /**
-     * What is given to the ranks as a whole: unit cells, if each rank gets so
-     * many that they can be shared evenly; else struts.
-     */
+    /** Units of partitioning: unit cells if each rank gets many of them,
+     * otherwise struts. */
     struct Pieces
     {
       Pieces(const Lattice &lattice, const unsigned int n_ranks)
@@ -26,8 +24,8 @@ namespace auxfem
         weights.resize(in_cells ? lattice.n_cells : lattice.struts.size());
         for (unsigned int s = 0; s < lattice.struts.size(); ++s)
           {
-            of_strut.push_back(in_cells ? lattice.struts[s].cell : s);
-            ++weights[of_strut.back()];
+            piece_of_strut.push_back(in_cells ? lattice.struts[s].cell : s);
+            ++weights[piece_of_strut.back()];
           }
       }
 
@@ -48,9 +46,9 @@ namespace auxfem
           {
             pieces.clear();
             for (const unsigned int s : struts_at[joint])
-              if (std::find(pieces.begin(), pieces.end(), of_strut[s]) ==
+              if (std::find(pieces.begin(), pieces.end(), piece_of_strut[s]) ==
                   pieces.end())
-                pieces.push_back(of_strut[s]);
+                pieces.push_back(piece_of_strut[s]);
             if (pieces.size() > 1)
               for (const unsigned int a : pieces)
                 for (const unsigned int b : pieces)
@@ -59,8 +57,8 @@ namespace auxfem
         graph.copy_from(entries);
       }
 
-      std::vector<unsigned int> of_strut;
-      std::vector<unsigned int> weights; ///< numbers of struts
+      std::vector<unsigned int> piece_of_strut;
+      std::vector<unsigned int> weights; ///< number of struts, by piece
     };
   } // namespace
 
@@ -94,11 +92,11 @@ namespace auxfem
       }
     catch (const dealii::SparsityTools::ExcMETISError &)
       {
-        // With a graph that is right, METIS fails for want of memory only.
+        // With a valid graph METIS fails only if memory runs out.
         throw std::bad_alloc();
       }
     for (unsigned int s = 0; s < n_struts; ++s)
-      ranks[s] = rank_of_piece[pieces.of_strut[s]];
+      ranks[s] = rank_of_piece[pieces.piece_of_strut[s]];
     return ranks;
   }
 
@@ -117,8 +115,8 @@ namespace auxfem
                        const std::vector<unsigned int>  &struts)
     : divisions(divisions)
   {
-    // Not a mesh in space: in Triangulation<1, 3> deal.II searches all cells
-    // for the next chain once for each of them.
+    // In Triangulation<1, 3> the time to find separate chains would grow with
+    // the square of their number.
     std::vector<dealii::Point<1>>    vertices;
     std::vector<dealii::CellData<1>> cells;
     for (const unsigned int strut : struts)
@@ -142,7 +140,7 @@ namespace auxfem
   StrutInterval
   StrutMesh::interval(const dealii::Triangulation<1>::cell_iterator &cell) const
   {
-    // The number of the strut takes digits of the vertices' places.
+    // Rounding restores the digits that a vertex loses to the strut number.
     const unsigned int strut  = cell->material_id();
     const double       n      = divisions[strut].n_elements;
     const double       number = std::round((cell->vertex(0)[0] - strut) * n);

@@ -27,8 +27,8 @@ namespace auxfem
       "m",
       Range::positive(),
       "Distance w of the corners B, C, E, F from the rod; more than "
-      "L1 cos(theta0). Above L1 the side joints A and D never meet, however the "
-      "bars turn. auto: 1.1 L1.",
+      "L1 cos(theta0). Above L1 the side joints A and D can never meet. "
+      "auto: 1.1 L1.",
       {"auto"}};
 
     const Quantity notch_depth{
@@ -36,18 +36,18 @@ namespace auxfem
       "auto",
       "m",
       Range::positive(),
-      "Depth of the notches in the upper and lower part and length of the stub "
-      "in each; less than L1 sin(theta0). auto: L1 sin(theta0) / 2.",
+      "Depth of the notches in the upper and lower part and length of their "
+      "stubs; less than L1 sin(theta0). auto: L1 sin(theta0) / 2.",
       {"auto"}};
 
-    // Not zero: the corners B, C and F, E of two cells would become one.
+    // A gap of zero would merge the corners B, C and F, E of two cells.
     const Quantity cell_gap{
       "Cell gap",
       "auto",
       "m",
       Range::positive(),
       "Distance g of the lower stub end of a cell from the upper stub end of "
-      "the cell below: how far the lower part can slide down. auto: L1 / 5.",
+      "the cell below: the stroke of the lower part. auto: L1 / 5.",
       {"auto"}};
 
     const Quantity rod_clearance{
@@ -63,11 +63,11 @@ namespace auxfem
       "auto",
       "m",
       Range::positive(),
-      "Distance of the corners of a cell from those of the next one along x. "
+      "Distance of the corners of a cell from those of the next cell along x. "
       "auto: a fifth of the half width.",
       {"auto"}};
 
-    /** Measures of the cell (m). */
+    /** Dimensions of the cell (m). */
     struct HingedStarShape
     {
       double half_width;
@@ -79,7 +79,7 @@ namespace auxfem
       double column_gap;
     };
 
-    /** Joints of the cell in their order, A to F as a to f. */
+    /** Joints of the cell in their order; a to f are A to F. */
     enum Joint : unsigned int
     {
       a,
@@ -152,8 +152,8 @@ namespace auxfem
     }
 
     /**
-     * The cell of Shokri Rad, Mohsenizadeh and Ahmad, Figs. 2 to 4: four bars,
-     * an upper and a lower part of three beams each, and the rod that leads the
+     * Cell of Shokri Rad, Mohsenizadeh and Ahmad, Figs. 2 to 4: four bars, an
+     * upper and a lower part of three beams each, and the rod that carries the
      * connector's force past the lower part.
      */
     class HingedStarCell : public Cell
@@ -189,8 +189,8 @@ namespace auxfem
 
     /**
      * Refuses @p entry if its @p value is not below (@p sign = -1) or above
-     * (@p sign = 1) the @p limit. @p symbols is the limit in formula signs,
-     * @p consequence what would happen, @p advice what to do else.
+     * (@p sign = 1) the @p limit. The message has the formula @p symbols of the
+     * limit, the @p consequence and an alternative @p advice.
      */
     void check_against(const SceneContext &context,
                        const Quantity     &entry,

@@ -23,10 +23,8 @@ namespace auxfem
       "Angle theta0 between an edge and the axis through its re-entrant vertex; "
       "more than 54.74 deg (tan(theta0) > sqrt(2)) and at most 90 deg."};
 
-    /**
-     * Sides in the order of the vertices and stub ends: side i lies on axis
-     * i / 2, at negative coordinates for even i.
-     */
+    /** Sides in the order of vertices and stub ends: side i lies on axis i / 2,
+     * at negative coordinates for even i. */
     constexpr std::array<const char *, 6> space_star_sides = {
       {"left", "right", "bottom", "top", "back", "front"}};
 
@@ -35,7 +33,7 @@ namespace auxfem
     constexpr unsigned int space_star_stub =
       space_star_vertex + space_star_sides.size();
 
-    /** Whether the tip or side of a number lies at positive coordinates. */
+    /** Whether a tip lies at a positive coordinate along @p axis. */
     bool tip_is_positive(const unsigned int tip, const unsigned int axis)
     {
       return (tip >> axis & 1) != 0;
@@ -91,7 +89,7 @@ namespace auxfem
         }
     }
 
-    /** Left to right as in the planar star, top to bottom, back to front. */
+    /** Adds pairs of opposite vertices, named as in the planar star. */
     void add_pairs(UnitCell &cell)
     {
       const unsigned int left = space_star_vertex, right = left + 1,
@@ -104,10 +102,9 @@ namespace auxfem
     }
 
     /**
-     * The star in space. Joints: 8 tips, 6 re-entrant vertices, 6 stub ends
-     * shared with the neighbour cells. Tips of neighbours stay apart by
-     * 2 L (1 - cos(theta0)) > 0 at every angle allowed, so the cell can be
-     * repeated along all three axes.
+     * Joints: 8 tips, 6 re-entrant vertices, 6 stub ends shared with neighbour
+     * cells. Tips of neighbours are 2 L (1 - cos(theta0)) > 0 apart at every
+     * allowed angle, so the cell can be repeated along all axes.
      */
     UnitCell build_space_star(const double length, const double angle)
     {

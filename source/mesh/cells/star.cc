@@ -77,7 +77,7 @@ namespace auxfem
       "m",
       Range::non_negative(),
       "Depth of the notches at the left and right side, L cos(theta0) for "
-      "edges of length L at the angle theta0; less than the half width."};
+      "edges of length L at angle theta0; less than the half width."};
 
     const Quantity top_depth{
       "Top notch depth",
@@ -102,10 +102,8 @@ namespace auxfem
       "Length of the stubs at top and bottom, 0 for none. Several cells along "
       "y need at least the top notch depth."};
 
-    /**
-     * Refuses a notch that reaches the middle: @p symbols is the inequality
-     * extent > depth in formula signs, @p explanation what the depth means.
-     */
+    /** Refuses a notch that reaches the centre. @p symbols is the inequality
+     * extent > depth as a formula, @p explanation the meaning of the depth. */
     void check_notch(const Quantity     &extent_entry,
                      const double        extent,
                      const Quantity     &depth_entry,
@@ -167,8 +165,8 @@ namespace auxfem
   RegistryEntry<Cell> general_star_cell_entry()
   {
     return {"general star",
-            "Star with half width, half height, notch depths and stub lengths "
-            "given one by one, also with edges flatter than 45 deg.",
+            "Star with independent half width, half height, notch depths and "
+            "stub lengths, also with edges flatter than 45 deg.",
             {half_width,
              half_height,
              side_depth,

@@ -80,10 +80,7 @@ namespace auxfem
       StarShape shape;
     };
 
-    /**
-     * Joints, and in ports the one through which each side meets its
-     * neighbour.
-     */
+    /** Adds the joints, stubs, ports and joint sets. */
     void add_joints(UnitCell &cell, const StarShape &shape)
     {
       const double w = shape.half_width;
@@ -122,8 +119,8 @@ namespace auxfem
 
     void add_edges(UnitCell &cell)
     {
-      // Tip i lies between the vertices i and i + 1 up to the order in which
-      // quadrants and sides alternate: 0 between right and top, and so on.
+      // Tip i lies between the vertices i and i + 1: tip 0 between right and
+      // top, and so on.
       for (unsigned int tip = 0; tip < 4; ++tip)
         for (const unsigned int vertex : {tip, (tip + 1) % 4})
           cell.struts.push_back({tip, first_vertex + vertex, 0., {"edges"}});
@@ -131,7 +128,7 @@ namespace auxfem
 
     void set_period(UnitCell &cell, const StarShape &shape)
     {
-      // Equal lengths, up to round-off, let the tips meet and become one joint.
+      // With equal lengths, up to round-off, tips of neighbours are merged.
       const auto overlaps = [](const double depth, const double stub) {
         return depth - stub > 1e-9 * std::max(depth, stub);
       };
