@@ -50,7 +50,7 @@ TEST(MergeJoints, NearJointsBecomeOne)
   ASSERT_EQ(lattice.notes.size(), 3u);
   EXPECT_TRUE(contains(lattice.notes[0], "joint 1 and joint 2 at (0, 1) m"));
   EXPECT_TRUE(contains(lattice.notes[0], "joint 3 and joint 4"));
-  EXPECT_TRUE(contains(lattice.notes[1], "no length")) << lattice.notes[1];
+  EXPECT_TRUE(contains(lattice.notes[1], "without length")) << lattice.notes[1];
   EXPECT_TRUE(contains(lattice.notes[1], "strut 2")) << lattice.notes[1];
   EXPECT_TRUE(contains(lattice.notes[2], "repeat")) << lattice.notes[2];
   EXPECT_TRUE(contains(lattice.notes[2], "strut 4")) << lattice.notes[2];

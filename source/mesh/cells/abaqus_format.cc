@@ -35,7 +35,7 @@ namespace auxfem
       return text;
     }
 
-    /** Cells between commas; an empty one behind the last comma is none. */
+    /** Cells between commas; an empty last cell does not count. */
     std::vector<std::string> cells_of(const std::string &line)
     {
       std::vector<std::string> cells;
@@ -45,8 +45,8 @@ namespace auxfem
       return cells;
     }
 
-    /** Numbers of nodes of the element types that are struts; names of
-     * Abaqus's manual, the last letter H (hybrid) left out. */
+    /** Number of nodes of element types that are struts, without the final
+     * letter H (hybrid) of their names in the Abaqus manual. */
     const std::map<std::string, unsigned int> strut_types = {{"B21", 2},
                                                              {"B22", 3},
                                                              {"B23", 2},
@@ -56,8 +56,8 @@ namespace auxfem
                                                              {"T2D2", 2},
                                                              {"T3D2", 2}};
 
-    /** Keywords that make nodes, elements or sets in other ways than those
-     * read; to pass over them would leave out a part of the frame. */
+    /** Refused keywords: they make nodes, elements or sets in ways that are not
+     * read, so that a part of the frame would be missing. */
     const std::set<std::string> refused_keywords = {"NGEN",
                                                     "NFILL",
                                                     "NCOPY",
@@ -72,16 +72,17 @@ namespace auxfem
                                                      "INSTANCE",
                                                      "ASSEMBLY"};
 
-    /** Members of a set by number, under its name as first written. */
+    /** A set of numbers with its name as first written. */
     struct NumberSet
     {
       std::string           name;
       std::set<std::size_t> members;
     };
 
-    /** Sets by their names in capitals: Abaqus does not tell these apart. */
+    /** Sets by upper-case names, as Abaqus ignores case. */
     using NumberSets = std::map<std::string, NumberSet>;
 
+    /** Reader of one file, line by line. */
     class AbaqusFile
     {
     public:
@@ -118,9 +119,9 @@ namespace auxfem
         return false;
       }
 
-      [[noreturn]] void fail(const std::string &what) const
+      [[noreturn]] void fail(const std::string &problem) const
       {
-        throw MeshMistake{"line " + std::to_string(line) + ": " + what};
+        throw MeshMistake{"line " + std::to_string(line) + ": " + problem};
       }
 
       void begin_keyword(std::string text)
@@ -154,9 +155,9 @@ namespace auxfem
             parameters.count("INSTANCE") > 0)
           fail(
             "*" + keyword +
-            ": parts and instances are not read. Write a flat input file; "
-            "Abaqus/CAE does with \"Do not use parts and assemblies in input "
-            "files\" among the attributes of the model");
+            ": parts and instances are not read. Write a flat input file, in "
+            "Abaqus/CAE by the model attribute \"Do not use parts and "
+            "assemblies in input files\"");
         if (refused_keywords.count(keyword) > 0)
           fail("*" + keyword +
                " is not read. Write every node, element and member of a set "
@@ -167,7 +168,7 @@ namespace auxfem
           begin_block();
         else if (keyword != "HEADING" && keyword != "PREPRINT" &&
                  !begins_with(keyword, "END "))
-          left_out.insert("*" + keyword);
+          skipped.insert("*" + keyword);
       }
 
       void begin_block()
@@ -175,7 +176,7 @@ namespace auxfem
         for (const char *name : {"INPUT", "SYSTEM", "ELSET OFFSET"})
           if (parameters.count(name) > 0)
             fail("*" + keyword + " with " + name +
-                 " is not read. Write it out without");
+                 " is not read. Write the data without it");
         if (keyword == "ELEMENT")
           begin_elements();
         else if (keyword != "NODE" && parameters[keyword].empty())
@@ -201,7 +202,7 @@ namespace auxfem
           fail("elements of type " + type +
                " are not read; those of types B21, B22, B23, B31, B32, B33, "
                "T2D2, T3D2 are");
-        left_out.insert("elements of type " + type);
+        skipped.insert("elements of type " + type);
       }
 
       void read_data(const std::string &text)
@@ -216,14 +217,14 @@ namespace auxfem
           read_members(cells_of(text), element_sets);
       }
 
-      std::size_t number(const std::string &cell, const std::string &what) const
+      std::size_t number(const std::string &cell, const std::string &noun) const
       {
         std::size_t value = 0;
         const auto  answer =
           std::from_chars(cell.data(), cell.data() + cell.size(), value);
         if (answer.ec != std::errc() ||
             answer.ptr != cell.data() + cell.size() || value == 0)
-          fail("'" + cell.substr(0, 30) + "' is found where the " + what +
+          fail("'" + cell.substr(0, 30) + "' is found where the " + noun +
                ", a positive whole number, is expected");
         return value;
       }
@@ -232,7 +233,7 @@ namespace auxfem
       {
         if (cell.empty())
           return 0;
-        // Fortran's exponents of double precision.
+        // Fortran writes exponents of double precision with D.
         std::replace_if(
           cell.begin(),
           cell.end(),
@@ -262,7 +263,7 @@ namespace auxfem
         add_to(node_sets, "NSET", node);
       }
 
-      /** To the set that the keyword names, if it does. */
+      /** Adds @p number to the set that the keyword names, if any. */
       void
       add_to(NumberSets &sets, const std::string &parameter, std::size_t number)
       {
@@ -283,7 +284,7 @@ namespace auxfem
       {
         const std::vector<std::string> cells = cells_of(text);
         const std::size_t element = number(cells[0], "number of an element");
-        // Beams in space may have one more, which turns their section.
+        // Beams in space may have another node that orients their section.
         const bool has_direction =
           cells.size() == 2 + n_nodes && begins_with(type, "B3");
         if (cells.size() != 1 + n_nodes && !has_direction)
@@ -291,7 +292,7 @@ namespace auxfem
                " has " + std::to_string(cells.size() - 1) +
                " nodes; needed are " + std::to_string(n_nodes));
         if (has_direction)
-          left_out.insert("nodes for the direction of sections");
+          skipped.insert("nodes for the direction of sections");
         if (!elements.insert(element).second)
           fail("element " + std::to_string(element) +
                " is given a second time");
@@ -337,9 +338,9 @@ namespace auxfem
                           step  = cells.size() == 3
            ? number(cells[2], "distance")
            : 1;
-        // More than any mesh that fits into memory.
-        constexpr std::size_t most = 100000000;
-        if (last < first || (last - first) / step >= most)
+        // No mesh with more members fits into memory.
+        constexpr std::size_t max_members = 100000000;
+        if (last < first || (last - first) / step >= max_members)
           fail("no set can be generated from " + cells[0] + " to " + cells[1]);
         for (std::size_t member = first; member <= last; member += step)
           set.members.insert(member);
@@ -385,7 +386,8 @@ namespace auxfem
               mesh.notes.push_back(
                 "The node set " + set.name + " has " +
                 std::to_string(set.members.size() - nodes.size()) +
-                " nodes at which no strut ends; the joint set has them not.");
+                " nodes at which no strut ends; they are not in the joint "
+                "set.");
           }
       }
 
@@ -394,15 +396,14 @@ namespace auxfem
         if (!trusses.empty())
           mesh.notes.push_back(
             "Elements of type " + join(trusses) +
-            " carry axial forces alone, but struts are clamped to their "
-            "joints. Make hinges (Joints) of the strut set of that name.");
-        if (!left_out.empty())
+            " carry axial forces only, but struts are clamped to their "
+            "joints. Add hinges (Joints) for the strut set of that name.");
+        if (!skipped.empty())
           mesh.notes.push_back(
-            "The lattice is made of the nodes, elements and sets of the input "
-            "file alone. Not taken over: " +
-            join(left_out) +
-            ". Give what is needed of it in the parameter file: Sections, "
-            "Supports, Loads.");
+            "Only nodes, elements and sets of the input file are read. "
+            "Skipped: " +
+            join(skipped) +
+            ". Give Sections, Supports, Loads in the parameter file.");
       }
 
       std::istringstream                 stream;
@@ -410,12 +411,12 @@ namespace auxfem
       std::string                        keyword;
       std::map<std::string, std::string> parameters;
       std::string                        type;        ///< of elements
-      unsigned int                       n_nodes = 0; ///< 0: passed over
+      unsigned int                       n_nodes = 0; ///< 0: type is skipped
       LineMesh                           mesh;
       std::set<std::size_t>              elements;
       std::map<std::size_t, std::size_t> line_of_element;
       NumberSets                         node_sets, element_sets;
-      std::set<std::string>              trusses, left_out;
+      std::set<std::string>              trusses, skipped;
     };
   } // namespace
 

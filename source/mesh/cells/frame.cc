@@ -19,26 +19,25 @@ namespace auxfem
     const Text joints_entry{
       "Joints",
       "",
-      "Positions `x y` of the joints in m or with units (`0 0; 20 mm 0`), in "
-      "space `x y z` or, for z = 0, `x y`, separated by semicolons; they are "
-      "numbered from 0 in this order.",
+      "Positions `x y` of the joints, in m or with units (`0 0; 20 mm 0`), "
+      "separated by semicolons; in space `x y z` or, for z = 0, `x y`. They are "
+      "numbered from 0.",
       true};
 
     const Text struts_entry{
       "Struts",
       "",
-      "Numbers of the two joints of each strut, separated by semicolons; a "
-      "third number is the rise, in m or with a unit, of a circular arc over its chord, positive "
-      "to the left of the direction from the first to the second joint. In "
-      "space three more numbers may follow, the normal n of the arc's plane: "
-      "the arc then rises along n x chord; without them n is `0 0 1`.",
+      "Numbers of the two joints of each strut, separated by semicolons. A third "
+      "number is the rise of a circular arc over its chord, in m or with a unit, "
+      "positive to the left of the direction from the first to the second joint. "
+      "In space the normal n of the arc's plane may follow, by default `0 0 1`; "
+      "the arc rises along n x chord.",
       true};
 
-    /** The numbers, maybe with units, of one of the entries between semicolons.
-     */
+    /** An entry between semicolons, split into numbers with their units. */
     struct Item
     {
-      std::string              where; ///< beginning of a message about it
+      std::string              where; ///< beginning of messages about it
       std::string              text;
       std::vector<std::string> words;
     };
@@ -63,7 +62,7 @@ namespace auxfem
       return items;
     }
 
-    /** @p meaning of the number, e.g. `number in m`, is for the message. */
+    /** @param meaning of the number for the message, e.g. `number in m` */
     double read_number(const std::string &word,
                        const std::string &unit,
                        const Item        &item,
@@ -166,8 +165,8 @@ namespace auxfem
                "plane. Give a normal perpendicular to the chord."));
     }
 
-    /** Struts by the numbers of their joints, the lower one first. */
-    using StrutsOfJoints =
+    /** Strut numbers by their joints, the lower one first. */
+    using StrutsByJoints =
       std::map<std::pair<unsigned int, unsigned int>, std::vector<std::size_t>>;
 
     std::pair<unsigned int, unsigned int> joints_of(const UnitStrut &strut)
@@ -187,11 +186,11 @@ namespace auxfem
       return difference.norm() <= sqrt_round_off * chord.norm();
     }
 
-    /** @param merged length of struts that merge_joints() leaves out. */
+    /** @param merged length below which merge_joints() removes a strut */
     void check_strut(const double          merged,
                      const UnitStrut      &strut,
                      const UnitCell       &cell,
-                     const StrutsOfJoints &of_joints,
+                     const StrutsByJoints &known_struts,
                      const Item           &item)
     {
       const dealii::Tensor<1, 3> chord = chord_of(strut, cell);
@@ -203,10 +202,10 @@ namespace auxfem
                          "position. Make a ring of two or more arcs.");
       check_normal(strut, chord, item);
 
-      const auto between = of_joints.find(joints_of(strut));
-      if (between == of_joints.end())
+      const auto same_joints = known_struts.find(joints_of(strut));
+      if (same_joints == known_struts.end())
         return;
-      for (const std::size_t other : between->second)
+      for (const std::size_t other : same_joints->second)
         if (are_equal(strut, chord, cell.struts[other], cell))
           throw InputError(item.where + "repeats strut " +
                            std::to_string(other) + ". Remove one of them.");
@@ -225,7 +224,7 @@ namespace auxfem
         (dimension == 3 ? "; 2 3 0.25 0 1 0\"." : "\"."));
     }
 
-    /** The numbers from the fourth on. */
+    /** Reads the numbers from the fourth on, the components of the normal. */
     std::vector<double> read_components(const Item &item)
     {
       std::vector<double> components;
@@ -275,14 +274,14 @@ namespace auxfem
                      const SceneContext &context,
                      UnitCell           &cell)
     {
-      StrutsOfJoints of_joints;
+      StrutsByJoints known_struts;
       for (const Item &item :
            split_items(value, struts_entry.name, "strut", context.path))
         {
           const UnitStrut strut =
             read_strut(item, cell.joints.size(), context.dimension);
-          check_strut(merged, strut, cell, of_joints, item);
-          of_joints[joints_of(strut)].push_back(cell.struts.size());
+          check_strut(merged, strut, cell, known_struts, item);
+          known_struts[joints_of(strut)].push_back(cell.struts.size());
           cell.struts.push_back(strut);
         }
     }
@@ -318,8 +317,7 @@ namespace auxfem
   RegistryEntry<Cell> frame_cell_entry()
   {
     return {"frame",
-            "Free-form frame: joints and straight or circular struts "
-            "given one by one.",
+            "Frame of arbitrary joints and straight or circular struts.",
             {joints_entry, struts_entry, merge_distance()},
             make_frame};
   }

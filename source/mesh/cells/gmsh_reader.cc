@@ -30,7 +30,7 @@ namespace auxfem
   {
     using Clock = std::chrono::steady_clock;
 
-    void leave()
+    void exit_child()
     {
       _exit(1);
     }
@@ -41,13 +41,15 @@ namespace auxfem
         {
           const ssize_t n = write(pipe, text.data() + done, text.size() - done);
           if (n < 0 && errno != EINTR)
-            leave();
+            exit_child();
           done += n < 0 ? 0 : n;
         }
     }
 
-    /** Milliseconds until @p end, as poll() takes them; -1 without end. */
-    int milliseconds_until(const Clock::time_point start, const double seconds)
+    /** Time left of @p seconds since @p start, for poll() (ms); -1 if there is
+     * no limit. */
+    int remaining_milliseconds(const Clock::time_point start,
+                               const double            seconds)
     {
       if (!std::isfinite(seconds))
         return -1;
@@ -57,7 +59,8 @@ namespace auxfem
         std::clamp(std::ceil(1000 * (seconds - passed.count())), 0., longest));
     }
 
-    /** Appends to @p text until the other end closes; whether it did in time. */
+    /** Appends to @p text until the other end closes; false if it does not
+     * within @p seconds. */
     bool read_all(const int pipe, const double seconds, std::string &text)
     {
       const Clock::time_point start = Clock::now();
@@ -65,9 +68,9 @@ namespace auxfem
       while (true)
         {
           pollfd    waiting = {pipe, POLLIN, 0};
-          const int timeout = milliseconds_until(start, seconds);
+          const int timeout = remaining_milliseconds(start, seconds);
           const int ready   = poll(&waiting, 1, timeout);
-          if (ready == 0 && milliseconds_until(start, seconds) == 0)
+          if (ready == 0 && remaining_milliseconds(start, seconds) == 0)
             return false;
           if (ready <= 0)
             continue;
@@ -84,15 +87,15 @@ namespace auxfem
       kill(0, SIGKILL);
     }
 
-    /** Ends this process and all that it starts when @p parent ends. */
-    void end_with(const pid_t parent)
+    /** Makes this process and its children end when @p parent ends. */
+    void end_with_parent(const pid_t parent)
     {
       setpgid(0, 0);
       std::signal(SIGTERM, kill_process_group);
       prctl(PR_SET_PDEATHSIG, SIGTERM);
-      // The parent may have ended before.
+      // The parent may have ended before prctl().
       if (getppid() != parent)
-        leave();
+        exit_child();
     }
 
     /** Address space of this process (bytes). */
@@ -121,30 +124,30 @@ namespace auxfem
         }
     }
 
-    /** Nothing of the copy's end is to be seen or done by what the original has
-     * prepared for its own. */
+    /** Removes signal and exit handlers of the original process and silences
+     * the copy. */
     void prepare_to_crash()
     {
       for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGABRT, SIGILL})
         std::signal(signal, SIG_DFL);
-      // Registered last, called first.
-      std::atexit(leave);
+      // Registered last, this handler runs first and skips the others.
+      std::atexit(exit_child);
       const int nowhere = open("/dev/null", O_RDWR);
       for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
         dup2(nowhere, stream);
     }
 
-    std::string no_end_after(const double seconds)
+    std::string timeout_text(const double seconds)
     {
       std::ostringstream text;
       text << "no end after " << seconds << " s";
       return text.str();
     }
 
-    CrashedProcess how_ended(const int status, const double seconds)
+    CrashedProcess crash_report(const int status, const double seconds)
     {
       if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
-        return {no_end_after(seconds), true};
+        return {timeout_text(seconds), true};
       if (WIFSIGNALED(status))
         return {strsignal(WTERMSIG(status))};
       return {"exit code " + std::to_string(WEXITSTATUS(status))};
@@ -163,7 +166,7 @@ namespace auxfem
     if (child == 0)
       {
         close(ends[0]);
-        end_with(parent);
+        end_with_parent(parent);
         prepare_to_crash();
         set_limits(limits);
         write_all(ends[1], action());
@@ -175,7 +178,7 @@ namespace auxfem
         close(ends[0]);
         throw std::bad_alloc();
       }
-    // The child does the same; whoever comes first.
+    // The child does the same; the group must exist in both before it is used.
     setpgid(child, child);
     std::string text;
     const bool  is_in_time = read_all(ends[0], limits.seconds, text);
@@ -185,12 +188,12 @@ namespace auxfem
       kill(-child, SIGKILL);
     while (waitpid(child, &status, 0) < 0 && errno == EINTR)
       ;
-    // Whatever it has started and not waited for.
+    // Ends children that the process did not wait for.
     kill(-child, SIGKILL);
     if (!is_in_time)
-      throw CrashedProcess{no_end_after(limits.seconds), true};
+      throw CrashedProcess{timeout_text(limits.seconds), true};
     if (status != 0)
-      throw how_ended(status, limits.seconds);
+      throw crash_report(status, limits.seconds);
     return text;
   }
 
@@ -198,16 +201,17 @@ namespace auxfem
   {
     namespace fs = std::filesystem;
 
-    /** Memory that gmsh may take for a mesh of curves (bytes). */
-    constexpr std::size_t most_memory = std::size_t(4) << 30;
+    /** Memory limit of gmsh for a mesh of curves (bytes). */
+    constexpr std::size_t memory_limit = std::size_t(4) << 30;
 
-    /** Formats that gmsh tells by the ending, and how such files begin. */
+    /** Beginnings of files in formats that gmsh recognizes by their ending. */
     const std::map<std::string, std::string> beginnings = {
       {".vtk", "# vtk DataFile"},
       {".unv", "    -1"},
       {".mesh", "MeshVersionFormatted"}};
 
-    /** A new folder that nobody else may use; removed with the object. */
+    /** A temporary folder with access for this user only; removed with the
+     * object. */
     class PrivateFolder
     {
     public:
@@ -215,8 +219,8 @@ namespace auxfem
         : path((fs::temp_directory_path() / "auxfem_XXXXXX").string())
       {
         if (mkdtemp(path.data()) == nullptr)
-          throw MeshMistake{"no temporary folder " + path +
-                            " can be made for its answer"};
+          throw MeshMistake{"cannot make the temporary folder " + path +
+                            " for its mesh"};
       }
 
       ~PrivateFolder()
@@ -237,17 +241,17 @@ namespace auxfem
       std::string path;
     };
 
-    /** The gmsh library between its two calls, mute, its messages kept. */
+    /** Initialized gmsh library that writes messages to a log only. */
     class GmshSession
     {
     public:
       GmshSession()
       {
-        // Without the user's own gmsh settings: a scene must give the same
+        // The user's own gmsh settings are not read: a scene must give the same
         // lattice everywhere.
         gmsh::initialize(0, nullptr, false);
         gmsh::option::setNumber("General.Terminal", 0);
-        // gmsh would else leave its parser by an exception.
+        // By default gmsh leaves its parser by an exception.
         gmsh::option::setNumber("General.AbortOnError", 0);
         gmsh::logger::start();
       }
@@ -261,7 +265,7 @@ namespace auxfem
       GmshSession(const GmshSession &)            = delete;
       GmshSession &operator=(const GmshSession &) = delete;
 
-      /** The first of gmsh's error messages; empty if none. */
+      /** The first three of gmsh's error messages; empty if there are none. */
       std::string errors() const
       {
         const std::string        mark = "Error: ";
@@ -276,7 +280,7 @@ namespace auxfem
       }
     };
 
-    /** Meshes the curves of @p file into @p result; gmsh's errors, or none. */
+    /** Meshes the curves of @p file into @p result; returns gmsh's errors. */
     std::string mesh_curves(const std::string &file, const std::string &result)
     {
       try
@@ -286,13 +290,13 @@ namespace auxfem
           std::vector<std::size_t> nodes;
           std::vector<double>      coordinates, unused;
           gmsh::model::mesh::getNodes(nodes, coordinates, unused);
-          // Where the parser failed, meshing would only add further errors.
+          // After errors of the parser, meshing would only add further ones.
           if (nodes.empty() && session.errors().empty())
             gmsh::model::mesh::generate(1);
           gmsh::option::setNumber("Mesh.MshFileVersion", 4.1);
-          // As text, coordinates would lose their last digit.
+          // Text would lose the last digit of coordinates.
           gmsh::option::setNumber("Mesh.Binary", 1);
-          // Also lines outside of all groups are struts.
+          // Lines outside of all groups are struts, too.
           gmsh::option::setNumber("Mesh.SaveAll", 1);
           gmsh::write(result);
           return session.errors();
@@ -300,7 +304,7 @@ namespace auxfem
       catch (const std::bad_alloc &)
         {
           return "gmsh needs more memory than the " +
-            std::to_string(most_memory >> 30) + " GB that it may take";
+            std::to_string(memory_limit >> 30) + " GB that it may use";
         }
       catch (const std::exception &error)
         {
@@ -322,11 +326,11 @@ namespace auxfem
         {
           errors =
             run_in_separate_process([&]() { return mesh_curves(file, result); },
-                                    {seconds, most_memory});
+                                    {seconds, memory_limit});
         }
       catch (const CrashedProcess &crash)
         {
-          errors = "gmsh has failed: " + crash.how +
+          errors = "gmsh has failed: " + crash.reason +
             (crash.is_out_of_time ? ", the Gmsh time limit" : "");
         }
       if (!errors.empty())
@@ -337,7 +341,7 @@ namespace auxfem
         }
       catch (const UnreadableFile &unreadable)
         {
-          throw MeshMistake{"its answer " + unreadable.reason};
+          throw MeshMistake{"its mesh " + unreadable.reason};
         }
     }
   } // namespace
@@ -359,8 +363,8 @@ namespace auxfem
     const std::string &beginning = beginnings.at(ending);
     if (content.compare(0, beginning.size(), beginning) != 0)
       throw MeshMistake{"the file does not begin with \"" + beginning + "\""};
-    // gmsh runs FILE.opt beside a file, and its readers look at the ending
-    // only.
+    // gmsh would run a script FILE.opt beside the file: it gets a copy in an
+    // empty folder.
     const PrivateFolder folder;
     const std::string   copy = folder.file("mesh" + ending);
     std::ofstream(copy, std::ios::binary) << content;

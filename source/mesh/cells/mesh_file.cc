@@ -22,35 +22,34 @@ namespace auxfem
       "File",
       "",
       "File with line elements, relative to the folder of the parameter file: "
-      "a mesh in gmsh's format .msh (2 or 4.1, text or binary), an input file "
-      "of Abaqus (.inp), .vtk, .unv or .mesh, or a script of gmsh (.geo), whose "
-      "curves are meshed. Lines of two nodes become straight struts, lines of "
-      "three nodes circular arcs through their middle node; physical groups, "
-      "element and node sets become sets of struts and joints, groups without "
-      "name under \"group\" and their number.",
+      "a gmsh mesh .msh (2 or 4.1, text or binary), an Abaqus input file (.inp), "
+      ".vtk, .unv or .mesh, or a gmsh script (.geo), whose curves are meshed. "
+      "Lines of two nodes become straight struts, lines of three nodes circular "
+      "arcs through the middle node. Physical groups, element and node sets "
+      "become sets of struts and joints; a group without name is called "
+      "\"group\" and its number.",
       true};
 
     const Boolean run_script{
       "Run gmsh script",
       false,
-      "Whether gmsh may run the script (.geo). A script can run every command "
-      "and write every file that you can: read it first."};
+      "Whether gmsh may run the script (.geo). A script can run any command with "
+      "your permissions: read it first."};
 
     const Quantity time_limit{
       "Gmsh time limit",
       "30 s",
       "s",
       Range::positive(),
-      "Time after which gmsh is ended, with all that a script has started."};
+      "Time after which gmsh and all processes of a script are ended."};
 
     const Quantity length_unit{"Length unit",
                                "1 m",
                                "m",
                                Range::positive(),
-                               "Length that the number 1 stands for in the "
-                               "file."};
+                               "Length of one unit of the file."};
 
-    /** Makes a unit cell of a mesh. */
+    /** Converts a mesh to a unit cell. */
     class MeshToCell
     {
     public:
@@ -100,10 +99,8 @@ namespace auxfem
         return unit * mesh.positions.at(node);
       }
 
-      /**
-       * In the plane without the round-off of a rotation in space, if it has
-       * any.
-       */
+      /** Position of a node (m); in the plane z must be zero up to the
+       * round-off of a rotation in space. */
       dealii::Point<3> checked_position(const std::size_t node) const
       {
         const dealii::Point<3> p = position(node);
@@ -130,7 +127,7 @@ namespace auxfem
           }
       }
 
-      /** In notes, joints and struts have the numbers of the file, too. */
+      /** Merges joints; the notes also have the file's numbers. */
       void merge()
       {
         std::vector<std::size_t> nodes;
@@ -170,10 +167,8 @@ namespace auxfem
           }
       }
 
-      /**
-       * Makes @p strut an arc where @p line is one. Also refuses lines of which
-       * no strut can be made.
-       */
+      /** Makes @p strut an arc if @p line is curved. Refuses lines that cannot be
+       * a strut. */
       void set_shape(const LineMesh::Line &line, UnitStrut &strut) const
       {
         const dealii::Point<3>     start = checked_position(line.first);
@@ -236,7 +231,7 @@ namespace auxfem
                 throw InputError(where + "the physical group \"" + name +
                                  "\" has node " + std::to_string(node) +
                                  ", at which no line ends. Joints are the "
-                                 "ends of lines: take the point out of the "
+                                 "ends of lines: remove the point from the "
                                  "group or end a line there.");
               cell.joint_sets[name].push_back(joint->second);
             }
@@ -244,7 +239,7 @@ namespace auxfem
 
       const LineMesh &mesh;
       const double    unit;
-      /** Length of struts that merge_joints() leaves out (m). */
+      /** Length below which merge_joints() removes a strut (m). */
       const double                        merged;
       const bool                          is_planar;
       const std::string                   where;
@@ -256,7 +251,7 @@ namespace auxfem
         strut_of_nodes;
     };
 
-    /** Beginning of gmsh's format, whatever the name of the file. */
+    /** Beginning of a file in gmsh's format, which may have any name. */
     const std::string msh_begin = "$MeshFormat";
 
     std::string ending_of(const std::string &file)
@@ -292,7 +287,7 @@ namespace auxfem
                        const std::string     &ending,
                        const ParameterValues &values)
     {
-      // Only this one content is checked and read, even if the file changes.
+      // The file is read once, so that checks and reader see the same content.
       const std::string content   = read_input_file(file);
       const bool        is_script = ending == ".geo";
       if (ending == ".msh" ||
@@ -314,7 +309,7 @@ namespace auxfem
       return run_gmsh_script(file, values[time_limit]);
     }
 
-    /** As read_mesh(), with words for what fails. */
+    /** As read_mesh(), but throws InputError with advice. */
     LineMesh read_lines(const std::string &file, const ParameterValues &values)
     {
       const std::string ending = ending_of(file);
@@ -348,9 +343,9 @@ namespace auxfem
         refuse_file(
           values,
           file +
-            " has no line elements, of which the struts are made.\nMesh the "
-            "curves of the lattice (gmsh -1) and save them: of a model with "
-            "physical groups, gmsh saves only what is in one of them.");
+            " has no line elements, from which struts are made.\nMesh the "
+            "curves of the lattice (gmsh -1) and save them: in a model with "
+            "physical groups, gmsh saves only elements that are in a group.");
       return mesh;
     }
 

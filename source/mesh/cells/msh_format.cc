@@ -12,7 +12,7 @@ namespace auxfem
   {
     constexpr long long line_of_2_nodes = 1, line_of_3_nodes = 8, point = 15;
 
-    /** Numbers of nodes by gmsh's number of the element type. */
+    /** Number of nodes by gmsh's element type. */
     std::optional<unsigned int> n_nodes_of(const long long type)
     {
       static const std::map<long long, unsigned int> known = {
@@ -31,7 +31,7 @@ namespace auxfem
       return type == 26 || type == 27 || type == 28;
     }
 
-    /** The sections of one file. */
+    /** Reader of one file, section by section. */
     class MshFile
     {
     public:
@@ -82,7 +82,8 @@ namespace auxfem
             tokens.skip_line();
             if (size_of_a_number != sizeof(double) ||
                 tokens.integer("number 1 that tells the order of bytes") != 1)
-              tokens.fail("the file is from a machine with other numbers");
+              tokens.fail("the file is from a machine with another binary "
+                          "format of numbers; save it as text");
           }
         end(section);
       }
@@ -129,7 +130,7 @@ namespace auxfem
                       section + " announces");
       }
 
-      /** A section that says nothing of nodes and lines, or a stray line. */
+      /** Skips a section without nodes and lines, or a stray line. */
       void skip(const std::string &section)
       {
         if (section[0] != '$')
@@ -139,12 +140,12 @@ namespace auxfem
                       section.substr(0, 30));
       }
 
-      /** A number that is text in binary files, too. */
-      long long number_as_text(const std::string &what)
+      /** Reads a number that is text in binary files, too. */
+      long long number_as_text(const std::string &noun)
       {
         const bool is_binary = tokens.is_binary;
         tokens.is_binary     = false;
-        const long long n    = tokens.count(what);
+        const long long n    = tokens.count(noun);
         tokens.is_binary     = is_binary;
         return n;
       }
@@ -173,11 +174,11 @@ namespace auxfem
         return dimension;
       }
 
-      long long read_tag(const std::string &what)
+      long long read_tag(const std::string &noun)
       {
-        const long long tag = tokens.integer(what);
+        const long long tag = tokens.integer(noun);
         if (std::llabs(tag) > 2147483647)
-          tokens.fail("the " + what + " is too large");
+          tokens.fail("the " + noun + " is too large");
         return tag;
       }
 
@@ -212,7 +213,7 @@ namespace auxfem
         return tags;
       }
 
-      /** A negative number stands for a group that curves run backwards in. */
+      /** Name of a group; its number is negative for reversed curves. */
       std::string name_of_group(const long long dimension,
                                 const long long group) const
       {
@@ -255,7 +256,7 @@ namespace auxfem
         const long long n        = tokens.long_count("number of nodes");
         tokens.long_integer("smallest node number");
         tokens.long_integer("largest node number");
-        long long found = 0;
+        long long n_read = 0;
         for (long long block = 0; block < n_blocks; ++block)
           {
             const long long dimension = read_dimension();
@@ -273,9 +274,9 @@ namespace auxfem
                 if (dimension == 0)
                   add_point(node, sets_of(entity));
               }
-            found += size;
+            n_read += size;
           }
-        expect_total(n, found, "nodes");
+        expect_total(n, n_read, "nodes");
       }
 
       const std::vector<std::string> &sets_of(const Entity &entity) const
@@ -296,13 +297,13 @@ namespace auxfem
       }
 
       void expect_total(const long long    announced,
-                        const long long    found,
-                        const std::string &what) const
+                        const long long    n_read,
+                        const std::string &noun) const
       {
-        if (announced != found)
-          tokens.fail(std::to_string(announced) + ' ' + what +
+        if (announced != n_read)
+          tokens.fail(std::to_string(announced) + ' ' + noun +
                       " are announced, but the blocks have " +
-                      std::to_string(found));
+                      std::to_string(n_read));
       }
 
       unsigned int n_nodes_of_element(const long long element,
@@ -323,7 +324,7 @@ namespace auxfem
         return *n_nodes;
       }
 
-      /** Makes a line or a point of an element; others are passed over. */
+      /** Adds a line or point element; skips others. */
       void read_connectivity(const long long                 element,
                              const long long                 type,
                              const std::vector<std::string> &sets)
@@ -332,10 +333,10 @@ namespace auxfem
         std::vector<long long> nodes;
         for (unsigned int i = 0; i < n_nodes; ++i)
           {
-            const std::string what =
+            const std::string noun =
               "node of element " + std::to_string(element);
             const long long node =
-              is_version_4 ? tokens.long_integer(what) : tokens.integer(what);
+              is_version_4 ? tokens.long_integer(noun) : tokens.integer(noun);
             if (mesh.positions.count(node) == 0)
               tokens.fail("element " + std::to_string(element) + " has node " +
                           std::to_string(node) +
@@ -360,7 +361,7 @@ namespace auxfem
         read_element_2(element, type, n_tags);
       }
 
-      /** The first tag is the physical group, 0 for none. */
+      /** Reads tags and nodes; the first tag is the physical group or 0. */
       void read_element_2(const long long element,
                           const long long type,
                           const long long n_tags)
@@ -396,10 +397,10 @@ namespace auxfem
           }
       }
 
-      /** Elements of one type and number of tags follow each other. */
+      /** Reads blocks of elements with the same type and number of tags. */
       void read_binary_elements_2(const long long n)
       {
-        for (long long found = 0; found < n;)
+        for (long long n_read = 0; n_read < n;)
           {
             const long long type = tokens.integer("type of an element");
             const long long size =
@@ -409,7 +410,7 @@ namespace auxfem
               tokens.fail("a block has no elements");
             for (long long i = 0; i < size; ++i)
               read_element_2(type, n_tags);
-            found += size;
+            n_read += size;
           }
       }
 
@@ -420,7 +421,7 @@ namespace auxfem
         const long long n = tokens.long_count("number of elements");
         tokens.long_integer("smallest element number");
         tokens.long_integer("largest element number");
-        long long found = 0;
+        long long n_read = 0;
         for (long long block = 0; block < n_blocks; ++block)
           {
             const long long dimension = read_dimension();
@@ -434,9 +435,9 @@ namespace auxfem
                   tokens.long_integer("number of an element");
                 read_connectivity(element, type, sets_of(entity));
               }
-            found += size;
+            n_read += size;
           }
-        expect_total(n, found, "elements");
+        expect_total(n, n_read, "elements");
       }
 
       MshTokens                                            tokens;

@@ -62,65 +62,65 @@ namespace auxfem
     return content.substr(begin, end - begin);
   }
 
-  long long MshTokens::integer(const std::string &what)
+  long long MshTokens::integer(const std::string &noun)
   {
-    return is_binary ? bytes<std::int32_t>(what)
-                     : number<long long>(what, "a whole number");
+    return is_binary ? bytes<std::int32_t>(noun)
+                     : number<long long>(noun, "a whole number");
   }
 
-  long long MshTokens::long_integer(const std::string &what)
+  long long MshTokens::long_integer(const std::string &noun)
   {
-    return is_binary ? bytes<std::int64_t>(what) : integer(what);
+    return is_binary ? bytes<std::int64_t>(noun) : integer(noun);
   }
 
-  long long MshTokens::count(const std::string &what)
+  long long MshTokens::count(const std::string &noun)
   {
-    return checked_count(integer(what), what);
+    return checked_count(integer(noun), noun);
   }
 
-  long long MshTokens::long_count(const std::string &what)
+  long long MshTokens::long_count(const std::string &noun)
   {
-    return checked_count(long_integer(what), what);
+    return checked_count(long_integer(noun), noun);
   }
 
-  double MshTokens::real(const std::string &what)
+  double MshTokens::real(const std::string &noun)
   {
     const double value =
-      is_binary ? bytes<double>(what) : number<double>(what, "a number");
+      is_binary ? bytes<double>(noun) : number<double>(noun, "a number");
     if (!std::isfinite(value))
-      fail("the " + what + " is not finite");
+      fail("the " + noun + " is not finite");
     return value;
   }
 
-  void MshTokens::fail(const std::string &what) const
+  void MshTokens::fail(const std::string &problem) const
   {
     throw MeshMistake{(is_binary ? "byte " + std::to_string(position)
                                  : "line " + std::to_string(line)) +
-                      ": " + what};
+                      ": " + problem};
   }
 
   long long MshTokens::checked_count(const long long    n,
-                                     const std::string &what) const
+                                     const std::string &noun) const
   {
     if (n < 0 || n > static_cast<long long>(content.size()))
-      fail("the " + what + " is " + std::to_string(n) +
+      fail("the " + noun + " is " + std::to_string(n) +
            ", and a file of this size cannot hold so many");
     return n;
   }
 
   template <class Number>
-  Number MshTokens::bytes(const std::string &what)
+  Number MshTokens::bytes(const std::string &noun)
   {
     Number value;
     if (content.size() - position < sizeof(value))
-      fail("the file ends where the " + what + " is expected");
+      fail("the file ends where the " + noun + " is expected");
     std::memcpy(&value, content.data() + position, sizeof(value));
     position += sizeof(value);
     return value;
   }
 
   template <class Number>
-  Number MshTokens::number(const std::string &what, const std::string &kind)
+  Number MshTokens::number(const std::string &noun, const std::string &kind)
   {
     constexpr std::size_t n_shown = 30;
     const std::string     word    = next();
@@ -130,9 +130,9 @@ namespace auxfem
     const char *const end    = word.data() + word.size();
     const auto        answer = std::from_chars(begin, end, value);
     if (word.empty())
-      fail("the file ends where the " + what + " is expected");
+      fail("the file ends where the " + noun + " is expected");
     if (answer.ec != std::errc() || answer.ptr != end)
-      fail("'" + word.substr(0, n_shown) + "' is found where the " + what +
+      fail("'" + word.substr(0, n_shown) + "' is found where the " + noun +
            ", " + kind + ", is expected");
     return value;
   }

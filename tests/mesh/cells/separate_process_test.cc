@@ -25,7 +25,7 @@ namespace
       }
     catch (const CrashedProcess &crash)
       {
-        return crash.how;
+        return crash.reason;
       }
     return "";
   }
@@ -74,7 +74,7 @@ TEST(SeparateProcess, EndsAtItsLimits)
       }
     catch (const CrashedProcess &crash)
       {
-        return crash.how + (crash.is_out_of_time ? " (limit)" : "");
+        return crash.reason + (crash.is_out_of_time ? " (limit)" : "");
       }
   };
   ProcessLimits limits;
