@@ -11,38 +11,36 @@ namespace auxfem
                                             "1 Hz",
                                             "Hz",
                                             Range::positive(),
-                                            "Begin of the band."};
+                                            "Lower end of the band."};
     const Quantity highest_frequency     = {"Highest frequency",
                                             "1000 Hz",
                                             "Hz",
                                             Range::positive(),
-                                            "End of the band."};
+                                            "Upper end of the band."};
     const Integer  number_of_frequencies = {"Number",
                                             200,
                                             2,
                                             1000000,
-                                            "How many frequencies."};
+                                            "Number of frequencies."};
     const Choice   spacing               = {"Spacing",
                                             "logarithmic",
                                             {"logarithmic", "linear"},
-                                            "Whether frequencies lie at equal ratios or at "
-                                                            "equal distances."};
+                                            "Spacing by equal ratios or equal distances."};
     const Quantity time_of_amplitudes    = {
          "Time of the loads",
          "none",
          "s",
          Range::non_negative(),
-         "Loads and prescribed motions of this time are the amplitudes, in phase "
-            "with each other; about a static equilibrium what they differ from those "
-            "of t = 0. none: Time/End time.",
+         "Time whose loads and prescribed motions are the amplitudes, in phase with "
+            "each other; about a static equilibrium, their difference from t = 0. "
+            "none: Time/End time.",
          {"none"}};
     const Choice about_state = {
       "About",
       "rest",
       {"rest", "static equilibrium"},
-      "State about which the lattice swings. rest: as it is given, without "
-      "loads; static equilibrium: that under the loads, weight and prescribed "
-      "motions of t = 0."};
+      "State about which the lattice vibrates. rest: the unloaded lattice; static "
+      "equilibrium: under loads, weight and prescribed motions of t = 0."};
   } // namespace
 
   std::vector<double> FrequencyResponseDefinition::frequencies() const
@@ -84,8 +82,8 @@ namespace auxfem
     response.about_equilibrium = values[about_state] != "rest";
     if (!(response.lowest < response.highest))
       values.refuse(highest_frequency,
-                    "it must be above Lowest frequency. Raise it, or lower the "
-                    "other");
+                    "it must be above Lowest frequency. Increase it, or reduce "
+                    "Lowest frequency");
     return response;
   }
 
@@ -96,53 +94,52 @@ namespace auxfem
       10,
       1,
       1000,
-      "How many modes, those of the lowest frequencies or "
-      "factors of the loads."};
+      "Number of modes, from the lowest frequency or load factor."};
     const Choice about = {
       "About",
       "rest",
       {"rest", "static equilibrium"},
-      "State that vibrates or, with further loads, buckles. rest: as the lattice "
-      "is given, without loads; static equilibrium: that under the loads, weight and prescribed motions of t = "
-      "0, with all they change of the stiffness."};
+      "State that vibrates or, with further loads, buckles. rest: the unloaded "
+      "lattice; static equilibrium: under loads, weight and prescribed motions of "
+      "t = 0, with their effect on the stiffness."};
     const Quantity load_time = {
       "Time of the loads",
       "none",
       "s",
       Range::non_negative(),
-      "Of Analysis = buckling: the lattice buckles under a multiple of the loads "
-      "and prescribed motions of this time or, about a static equilibrium, of "
-      "what they differ from those of t = 0. none: Time/End time.",
+      "With Analysis = buckling: time whose loads and prescribed motions are "
+      "multiplied; about a static equilibrium, their difference from t = 0. "
+      "none: Time/End time.",
       {"none"}};
     const Boolean reversed_loads = {
       "Reversed loads",
       false,
-      "Of Analysis = buckling: whether the opposite of the loads is multiplied."};
+      "With Analysis = buckling: whether the loads are reversed."};
     const Boolean damped = {
       "Damped",
       false,
-      "Of Analysis = modes: whether frequency and damping ratio of each mode are "
-      "computed with connectors and damping of struts, too; where loads follow "
-      "their joints, whether modes are those with damping."};
+      "With Analysis = modes: whether frequency and damping ratio of each mode "
+      "are also computed with damping by connectors and struts; with follower "
+      "loads, whether the modes themselves include it."};
     const Integer relaxations = {
       "Relaxations",
       0,
       0,
       1000,
-      "Of Analysis = modes: how many of the slowest motions that decay without "
-      "swinging are computed, by connectors and damping of struts."};
+      "With Analysis = modes: number of the slowest motions that decay without "
+      "oscillation, by connectors and damping of struts."};
     const Quantity amplitude = {
       "Amplitude",
       "0.05",
       "1",
       Range::positive(),
-      "Largest displacement in the files for ParaView, over the largest "
-      "extension of the lattice."};
+      "Largest displacement in the files for ParaView, relative to the largest "
+      "dimension of the lattice."};
     const Integer pictures = {"Pictures",
                               16,
                               1,
                               1000,
-                              "Files for ParaView of one period of each mode."};
+                              "Files for ParaView per period of each mode."};
   } // namespace
 
   SubsectionSchema modes_schema()
@@ -186,9 +183,9 @@ namespace auxfem
       none,
       "s",
       Range::non_negative(),
-      "The load factor multiplies all loads, weight and prescribed motions of "
-      "this time; with Time/Start from = static equilibrium what they differ "
-      "from those of t = 0, which stay as they are. none: Time/End time.",
+      "Time whose loads, weight and prescribed motions the load factor "
+      "multiplies; with Time/Start from = static equilibrium, their difference "
+      "from t = 0. none: Time/End time.",
       {none}};
     const Boolean path_reversed_loads = {
       "Reversed loads",
@@ -199,54 +196,53 @@ namespace auxfem
       "0.01",
       "1",
       Range::positive(),
-      "Load factor of the first point, were the structure linear. Its distance "
-      "from the start is the first arc length."};
+      "Load factor of the first point if the structure were linear; it gives the "
+      "first arc length."};
     const Quantity resolution = {
       "Resolution",
       "0.02",
       "1",
       Range{0, 1, true, false},
-      "How far a point may lie off the tangent to the path at the point before, "
-      "as a part of the displacements and of the largest load factor so far. "
-      "Arc lengths follow it."};
+      "Largest distance of a point from the tangent at the previous point, "
+      "relative to the displacements and to the largest load factor so far; it "
+      "controls the arc length."};
     const Quantity largest_load_factor = {
       "Largest load factor",
       "1",
       "1",
       Range::positive(),
-      "The path ends with this load factor, or its opposite."};
+      "Load factor, of either sign, at which the path ends."};
     const Quantity largest_displacement = {
       "Largest displacement",
       none,
       "m",
       Range::positive(),
-      "The path ends at the first point where a node has moved this far.",
+      "Displacement of a node at which the path ends.",
       {none}};
     const Integer most_points = {"Points",
                                  1000,
                                  1,
                                  1000000,
-                                 "The path ends after this many points."};
+                                 "Number of points at which the path ends."};
     const Integer branch      = {
            "Branch",
            0,
            0,
            1000,
-           "The bifurcation at which the path leaves the branch it came on, 1 for "
-                "the first; 0: at none; stable: at every one from which on that branch is "
-                "less stable.",
+           "Number of the bifurcation at which the path changes to the other branch; "
+                "0: none; stable: all at which the present branch becomes less stable.",
            {stable}};
     const Boolean opposite_side = {
       "Reverse branch",
       false,
-      "Which of both ways the path goes where it leaves a branch; false: in the "
-      "sense in which the mode's largest entry is positive."};
+      "Whether the other branch is followed in the direction in which the mode's "
+      "largest entry is negative."};
     const Integer points_a_picture = {
       "Graphics interval",
       1,
       1,
       1000000,
-      "Points from one picture for ParaView to the next."};
+      "Number of points from one file for ParaView to the next."};
   } // namespace
 
   SubsectionSchema path_schema()
@@ -303,8 +299,7 @@ namespace auxfem
            "30 deg",
            "deg",
            Range::open(0, 90),
-           "Angle theta0 of the bars against the horizontal at rest; at 0 and 90 "
-                "degrees there is no cell."};
+           "Angle theta0 of the bars to the horizontal, at rest."};
     const Quantity       bar_mass  = {"Bar mass",
                                       "",
                                       "kg",
@@ -315,8 +310,7 @@ namespace auxfem
                                       "kg",
                                       Range::non_negative(),
                                       "Mass m2 of the upper and of the lower "
-                                            "part; auto: 3 m1, three beams like the "
-                                            "bars.",
+                                            "part; auto: 3 m1, as of three bars.",
                                       {"auto"}};
     const TimeExpression load      = {"Load",
                                       "",
@@ -330,9 +324,9 @@ namespace auxfem
   {
     return {"Reduced cell",
             SubsectionSchema::Form::fixed,
-            "The star cell of rigid parts, loaded from above; only with Model "
-            "= reduced cell, which also uses Connectors (exactly one), Time, "
-            "Newton and Output.",
+            "Star cell of rigid parts, loaded from above. Only with Model = "
+            "reduced cell, which also uses Connectors (exactly one), Time, Newton "
+            "and Output.",
             {cell_bar_length, cell_angle, bar_mass, part_mass, load},
             "",
             {},
@@ -351,8 +345,8 @@ namespace auxfem
     cell.load       = read_time_function(values, load);
     cell.path       = values.context.path;
     if (cell.bar_mass == 0 && cell.part_mass == 0)
-      values.refuse("Bar mass and Part mass are both 0, so that nothing "
-                    "resists acceleration. Give at least one of them");
+      values.refuse("Bar mass and Part mass are both 0, so the cell has no "
+                    "inertia. Give at least one of them");
     return cell;
   }
 } // namespace auxfem

@@ -20,9 +20,8 @@ namespace auxfem
       return text.str();
     }
 
-    /** Beyond, times of neighbouring steps lose their digits; years of
-     * computing before that. */
-    constexpr double most_steps = 1e12;
+    /** Largest number of steps, beyond which neighbouring times lose digits. */
+    constexpr double max_steps = 1e12;
 
     void check_steps(const Scene &scene, Mistakes &mistakes)
     {
@@ -34,7 +33,7 @@ namespace auxfem
                              " s is longer than Time/End time = ",
                              time.end_time,
                              " s. Reduce the step or move the end"));
-      if (time.end_time / time.step > most_steps)
+      if (time.end_time / time.step > max_steps)
         mistakes.add(message(scene,
                              "Time/Time step = ",
                              time.step,
@@ -42,8 +41,8 @@ namespace auxfem
                              time.end_time / time.step,
                              " steps until Time/End time = ",
                              time.end_time,
-                             " s, at most ",
-                             most_steps,
+                             " s, but at most ",
+                             max_steps,
                              " are allowed. Give a longer step, with its unit, "
                              "e.g. 10 us"));
       if (time.smallest_step > time.step)
@@ -58,10 +57,11 @@ namespace auxfem
 
     void check_smallest_step(const Scene &scene, Mistakes &mistakes)
     {
-      // Halving more often than this only delays the news.
-      const double          halvings = 1 << 20;
-      const TimeParameters &time     = scene.time;
-      if (time.smallest_step > 0 && time.smallest_step < time.step / halvings)
+      // More than 20 halvings would only delay the failure of the run.
+      const double          max_division = 1 << 20;
+      const TimeParameters &time         = scene.time;
+      if (time.smallest_step > 0 &&
+          time.smallest_step < time.step / max_division)
         mistakes.add(message(scene,
                              "Time/Smallest time step = ",
                              time.smallest_step,
@@ -80,11 +80,11 @@ namespace auxfem
           !scheme->estimates_errors())
         mistakes.add(message(
           scene,
-          "Time/Relative tolerance: there is no estimate of "
-          "the error of Time/Scheme = ",
+          "Time/Relative tolerance: there is no error estimate for "
+          "Time/Scheme = ",
           scene.time.scheme->name(),
-          " here. Set it to none, or choose newmark of second order, hht, "
-          "generalized-alpha or esdirk of order 3 or 4, with a "
+          " with this model. Set it to none, or choose newmark of second order, "
+          "hht, generalized-alpha or esdirk of order 3 or 4, with Model = "
           "lattice"));
     }
 
@@ -109,7 +109,7 @@ namespace auxfem
                              "static. Remove it or choose a dynamic scheme"));
     }
 
-    /** With inertia no support can jump. */
+    /** Refuses jumps of a support, whose velocity would be infinite. */
     void check_motion(const Scene        &scene,
                       const std::string  &path,
                       const TimeFunction &motion,
@@ -125,10 +125,10 @@ namespace auxfem
                   start,
                   " just after t = 0, but ",
                   before,
-                  " before: with inertia a support cannot jump. Let the motion "
-                  "start from there, let the lattice start from equilibrium "
-                  "with it (Time/Start from = static equilibrium), or use "
-                  "Time/Scheme = static"));
+                  " before: with inertia a support cannot jump. Start the motion "
+                  "from that value, start the lattice in equilibrium with it "
+                  "(Time/Start from = static equilibrium), or use Time/Scheme = "
+                  "static"));
       for (const TimeEvent &event : motion.events(0, scene.time.end_time))
         if (event.kind == TimeEvent::Kind::jump)
           {
@@ -148,7 +148,8 @@ namespace auxfem
           }
     }
 
-    /** Whatever the scheme, paths and buckling loads are those of statics. */
+    /** Whether inertia plays no part; paths and buckling are static with any
+     * scheme. */
     bool is_static(const Scene &scene)
     {
       return !scene.time.scheme->is_dynamic() ||
@@ -158,7 +159,7 @@ namespace auxfem
 
     void check_motions(const Scene &scene, Mistakes &mistakes)
     {
-      // Motions of a frequency response are amplitudes, which no time begins.
+      // In a frequency response, motions are amplitudes without a start.
       if (is_static(scene) || scene.analysis == Analysis::frequency_response)
         return;
       for (const SupportDefinition &support : scene.supports)
@@ -208,8 +209,8 @@ namespace auxfem
           scheme,
           scene.context.model == Model::lattice
             ? " integrates the reduced cell only (Model = reduced cell)"
-            : ": without inertia the cell of rigid parts is a mechanism, no "
-              "equilibrium determines its angle",
+            : ": without inertia the reduced cell is a mechanism, whose angle no "
+              "equilibrium determines",
           ". Use e.g. Scheme = newmark"));
     }
 
@@ -222,8 +223,8 @@ namespace auxfem
                              scene.discretization.order,
                              ": with Dimension = 3 the order is at most ",
                              largest_space_order,
-                             ". Take smaller elements instead: Discretization/"
-                             "Global refinements"));
+                             ". Use smaller elements instead (Discretization/"
+                             "Global refinements)"));
     }
 
     void check_chosen_order(const Scene &scene, Mistakes &mistakes)
@@ -234,25 +235,25 @@ namespace auxfem
                              "Discretization/Order = auto: a study with Study/"
                              "Kind = ",
                              scene.study.kind,
-                             " compares orders that are numbers. Set Order to "
-                             "one, e.g. 3"));
+                             " needs a fixed order. Set Order to a number, e.g. "
+                             "3"));
     }
 
-    /** What analyses of large motions without inertia ask for. */
+    /** Checks requirements of paths and buckling. */
     void check_stability_analysis(const Scene &scene, Mistakes &mistakes)
     {
       if (scene.effects.large_rotation == Switch::off)
         mistakes.add(message(scene,
-                             "Effects/Large rotation = off: what buckles "
-                             "turns. Set it to auto for Analysis = ",
+                             "Effects/Large rotation = off: buckling needs "
+                             "rotations. Set it to auto for Analysis = ",
                              name_of(scene.analysis)));
       if (scene.analysis == Analysis::static_path &&
           scene.solver.type == "gmres")
         mistakes.add(
           message(scene,
-                  "Solver/Type = gmres: the bifurcations of Analysis = static "
-                  "path are found by signs of eigenvalues, which iteration "
-                  "does not count. Set it to auto, mumps, klu or cholmod"));
+                  "Solver/Type = gmres: Analysis = static path detects "
+                  "bifurcations by counting negative eigenvalues, which needs a "
+                  "direct solver. Set it to auto, mumps, klu or cholmod"));
       if (scene.analysis != Analysis::buckling || scene.context.dimension != 3)
         return;
       for (const JointDefinition &joint : scene.joints)
@@ -260,9 +261,10 @@ namespace auxfem
           mistakes.add(
             message(scene,
                     joint.path,
-                    ": what moments of rotational springs in space do as the "
-                    "joint turns is not known to Analysis = buckling. Make the "
-                    "ends rigid or hinged, or give the scene in the plane"));
+                    ": Analysis = buckling does not support rotational springs "
+                    "in space, because their moments depend on the rotation of "
+                    "the joint. Make the ends rigid or hinged, or use a planar "
+                    "scene"));
     }
 
     void check_analysis(const Scene &scene, Mistakes &mistakes)
@@ -275,7 +277,7 @@ namespace auxfem
         mistakes.add(message(scene,
                              "Analysis = ",
                              name,
-                             " is one of lattices. Set Model = lattice, or "
+                             " needs a lattice. Set Model = lattice, or "
                              "Analysis = simulation"));
       else if (scene.analysis == Analysis::static_path ||
                scene.analysis == Analysis::buckling)
@@ -289,13 +291,14 @@ namespace auxfem
                              "= newmark and leave Effects/Inertia = auto"));
       if (scene.discretization.tolerance && !is_linearized(scene.analysis))
         mistakes.add(message(scene,
-                             "Discretization/Order = auto: with Analysis = ",
+                             "Discretization/Order = auto: Analysis = ",
                              name,
-                             " the order is a number. Set Order to one, e.g. "
+                             " needs a fixed order. Set Order to a number, e.g. "
                              "3"));
     }
 
-    /** What touches depends on the state: some analyses cannot have that. */
+    /** Refuses contact in analyses that cannot follow changes of the active
+     * set, and friction in linearized ones. */
     void check_contact(const Scene &scene, Mistakes &mistakes)
     {
       if (scene.effects.contact == Switch::off)
@@ -308,22 +311,21 @@ namespace auxfem
         mistakes.add(message(
           scene,
           are_plates ? scene.plates.front().path : "Effects/Contact = on",
-          ": contact begins and ends all of a sudden, which "
-          "Analysis = ",
+          ": contact begins and ends abruptly, which Analysis = ",
           name,
-          " cannot follow. Move or load in steps with "
-          "Analysis = simulation and Scheme = static, or set Effects/Contact = off"));
+          " cannot follow. Use load steps with Analysis = simulation and "
+          "Scheme = static, or set Effects/Contact = off"));
       if ((scene.analysis == Analysis::modes ||
            scene.analysis == Analysis::frequency_response) &&
           scene.contact.friction > 0)
         mistakes.add(message(scene,
                              "Contact/Friction coefficient = ",
                              scene.contact.friction,
-                             ": whether what touches sticks or slips depends "
-                             "on how far it moves, which Analysis = ",
+                             ": Analysis = ",
                              name,
-                             " does not know. Set it to 0: what touches then "
-                             "slides"));
+                             " is linear and cannot decide whether contacts "
+                             "stick or slip. Set it to 0, so that all contacts "
+                             "slide"));
     }
 
     void check_rows(const Scene &scene, Mistakes &mistakes)
@@ -335,8 +337,8 @@ namespace auxfem
                              *output.row_interval,
                              " s and Output/History interval = ",
                              output.history_interval,
-                             " steps both say when history.csv gets a row. "
-                             "Remove one of them"));
+                             " steps both set the rows of history.csv. Remove "
+                             "one of them"));
     }
 
     void check_reduced_cell(const Scene &scene, Mistakes &mistakes)
@@ -348,7 +350,7 @@ namespace auxfem
                   "moves in its plane. Set Dimension = 2, or choose "
                   "Model = lattice"));
       const std::size_t n_connectors = scene.connectors.size();
-      // A group with mistakes is not among the scene's.
+      // A connector with mistakes is not in the scene.
       if (n_connectors > 1 || (n_connectors == 0 && mistakes.empty()))
         mistakes.add(message(scene,
                              "Connectors has ",
@@ -382,12 +384,12 @@ namespace auxfem
                              "Output/Time between rows = ",
                              *scene.output.row_interval,
                              " s is not possible with Model = reduced cell, "
-                             "whose rows are those of its steps. Set History "
+                             "which writes rows at its steps. Set History "
                              "interval, a number of steps"));
     }
 
-    /** Refuses definitions of one name that give history.csv columns of one
-     * quantity, `NAME.quantity`. */
+    /** Refuses definitions whose equal names would give history.csv the same
+     * columns `NAME.quantity`. */
     class ColumnNames
     {
     public:
@@ -420,11 +422,11 @@ namespace auxfem
       std::map<std::string, std::string> paths;
     };
 
-    /** Supports have reactions (`.rx`), probes and plates displacements (`.ux`)
-     * and forces (`.fx`), connectors `.force` and `.extension`. */
+    /** Checks supports among each other (columns `.rx`), and probes and plates
+     * (`.ux`, `.fx`). Columns of connectors differ from all these. */
     void check_column_names(const Scene &scene, Mistakes &mistakes)
     {
-      // Plates that are held are among the supports.
+      // Supports of plates are among the supports of the scene.
       ColumnNames(scene, mistakes).enter(scene.supports);
       ColumnNames motions(scene, mistakes);
       motions.enter(scene.output.probes);

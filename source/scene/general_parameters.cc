@@ -28,9 +28,8 @@ namespace auxfem
       effect(
         "Large rotation",
         &EffectSwitches::large_rotation,
-        "Geometrically exact struts; off: small displacements. auto: small "
-        "displacements as long as their estimated error is within the "
-        "tolerance, else exact from the start."),
+        "Geometrically exact struts; off: small displacements; auto: small "
+        "displacements if their estimated error stays within the tolerance."),
       effect("Shear flexibility",
              &EffectSwitches::shear_flexibility,
              "Shear deformation of the struts."),
@@ -40,7 +39,7 @@ namespace auxfem
              "Rotary inertia of the struts' cross-sections."),
       effect("Connector viscosity",
              &EffectSwitches::connector_viscosity,
-             "Dashpots of the connectors; off: their long-time springs only."),
+             "Dashpots of connectors; off: their long-time springs only."),
       effect("Strut damping",
              &EffectSwitches::strut_damping,
              "Stiffness- and mass-proportional damping of the struts."),
@@ -52,16 +51,15 @@ namespace auxfem
         "Contact",
         &EffectSwitches::contact,
         "Contact of struts with plates and with each other; off: they pass "
-        "through each other, and those that touch are told. Where nothing is "
-        "near there are no forces.")};
+        "through each other, which is reported.")};
 
     const Quantity effects_tolerance = {
       "Tolerance",
       "1e-3",
       "1",
       Range{0, 1, false, true},
-      "Relative change of the answer that may be given away by leaving an effect "
-      "out where that saves time."};
+      "Relative change of the result up to which effects are left out to save "
+      "time."};
 
     Switch switch_of(const std::string &word)
     {
@@ -81,7 +79,7 @@ namespace auxfem
     parameters.push_back(effects_tolerance);
     return {"Effects",
             SubsectionSchema::Form::fixed,
-            "What is simulated; auto: on if the scene needs it.",
+            "Simulated effects; auto: on if the scene needs the effect.",
             parameters};
   }
 
@@ -100,7 +98,7 @@ namespace auxfem
   {
     using dealii::Utilities::trim;
 
-    const Text title = {"Title", "", "Title of the scene, for people."};
+    const Text title = {"Title", "", "Title of the scene."};
     const std::vector<std::pair<std::string, unsigned int>> dimensions =
       {{"2", 2}, {"3", 3}};
 
@@ -108,7 +106,7 @@ namespace auxfem
       "Dimension",
       "2",
       {dimensions[0].first, dimensions[1].first},
-      "Dimension of space: 2 for scenes in the plane of x and y."};
+      "Dimension of space: 2 for scenes in the x-y plane."};
     const std::vector<std::pair<std::string, Model>> models =
       {{"lattice", Model::lattice}, {"reduced cell", Model::reduced_cell}};
 
@@ -116,8 +114,8 @@ namespace auxfem
       "Model",
       "lattice",
       {models[0].first, models[1].first},
-      "What is simulated: a lattice of beams and connectors by finite elements, "
-      "or one star cell of rigid parts with two unknowns."};
+      "Model: a lattice of beams and connectors by finite elements, or one star "
+      "cell of rigid parts with two unknowns."};
     const std::vector<std::pair<std::string, Analysis>> analyses = {
       {"simulation", Analysis::simulation},
       {"static path", Analysis::static_path},
@@ -135,21 +133,20 @@ namespace auxfem
        analyses[3].first,
        analyses[4].first,
        analyses[5].first},
-      "What is computed. simulation: the scene, by Time/Scheme; static path: "
-      "equilibria of a lattice by arc length, through limit points and "
-      "bifurcations, see Path; modes: natural "
-      "frequencies and modes of a lattice, buckling: factors of its loads at "
-      "which it buckles, with their modes, see Modes; frequency response: steady vibrations under harmonic "
-      "loads, see Frequency response; study: the scene again and "
-      "again with other parameters, see Study."};
+      "Kind of computation. simulation: time steps by Time/Scheme; static path: "
+      "equilibria by arc length, through limit points and bifurcations, see "
+      "Path; modes: natural frequencies and modes, see Modes; buckling: load "
+      "factors at which the lattice buckles, with their modes, see Modes; "
+      "frequency response: steady vibrations under harmonic loads, see Frequency "
+      "response; study: many runs with other parameters, see Study."};
     const Text constants = {
       "Constants",
       "",
-      "Constants for expressions, \"name = value, name = value\"; a value is a "
-      "number, which may have a unit word and then counts in SI, or an "
-      "expression of the constants before it, e.g. \"L = 20 mm, h = L/4\"."};
+      "Constants for expressions, e.g. \"L = 20 mm, h = L/4\". A value is a "
+      "number, in SI or with a unit, or an expression of the constants before "
+      "it."};
 
-    /** What @p word stands for in @p table; nothing if it is none of it. */
+    /** Value of @p word in @p table; nothing for an unknown word. */
     template <class Value>
     std::optional<Value>
     value_of(const std::vector<std::pair<std::string, Value>> &table,
@@ -161,8 +158,8 @@ namespace auxfem
       return {};
     }
 
-    /** The word of @p choice at the top level of the file, or its default. */
-    std::string chosen(const ParameterSubsection &root, const Choice &choice)
+    /** Value of @p choice at the top level of the file, or its default. */
+    std::string word_of(const ParameterSubsection &root, const Choice &choice)
     {
       const ParameterEntry *entry = root.find_entry(choice.name);
       return entry == nullptr ? choice.default_value : entry->value;
@@ -201,8 +198,7 @@ namespace auxfem
     std::pair<std::string, double> read_constant(const std::string &item,
                                                  const Constants   &known)
     {
-      // names that expressions have a meaning for already
-      static const std::set<std::string> taken = {"t",
+      static const std::set<std::string> reserved_names = {"t",
                                                   "x",
                                                   "y",
                                                   "z",
@@ -224,7 +220,7 @@ namespace auxfem
                          "not understood; write name = number, the name of "
                          "letters, digits and _, e.g. Constants = F0 = 1.0, t0 "
                          "= 10 ms, t1 = 2*t0");
-      if (taken.count(name) != 0)
+      if (reserved_names.count(name) != 0)
         throw InputError(message + "the name \"" + name +
                          "\" has a meaning in expressions already; choose "
                          "another one");
@@ -308,14 +304,14 @@ namespace auxfem
 
   std::optional<Model> model_of(const ParameterSubsection &root)
   {
-    return value_of(models, chosen(root, model));
+    return value_of(models, word_of(root, model));
   }
 
 
 
   std::optional<unsigned int> dimension_of(const ParameterSubsection &root)
   {
-    return value_of(dimensions, chosen(root, dimension));
+    return value_of(dimensions, word_of(root, dimension));
   }
 
   namespace
@@ -323,7 +319,7 @@ namespace auxfem
     const Text directory = {
       "Directory",
       "output",
-      "Folder for everything a run writes, from where auxfem is called."};
+      "Output folder, relative to the working directory."};
     const Boolean  graphics          = {"Graphics",
                                         true,
                                         "Whether files for ParaView are written."};
@@ -332,16 +328,17 @@ namespace auxfem
       "0 s",
       "s",
       Range::non_negative(),
-      "Time between two of them, from within steps if these do not end there; 0: "
-      "at start and end only."};
+      "Time between files for ParaView, interpolated within steps; 0: at start "
+      "and end only."};
     const Integer checkpoints = {
       "Checkpoints",
       20,
       0,
       1000000,
-      "Number of checkpoints, after equal numbers of steps. `auxfem --resume DIR` "
-      "continues from the last one, with equal digits. They are written as often "
-      "as 0.3 % of the run's time allow, and after SIGINT and SIGTERM. 0: none."};
+      "Largest number of checkpoints, after equal numbers of steps; 0: none. "
+      "They take at most 0.3 % of the run's time; another one follows SIGINT and "
+      "SIGTERM. `auxfem --resume DIR` continues from the last one, with equal "
+      "digits."};
     const Integer history_interval = {
       "History interval",
       1,
@@ -353,11 +350,10 @@ namespace auxfem
       "none",
       "s",
       Range::positive(),
-      "Time between two rows of history.csv, in place of a number of steps: from "
-      "within steps, by polynomials of the order of the time scheme, if these do "
-      "not end there. So steps may be as long as accuracy allows. Forces and "
-      "energies are straight lines where that motion is out of equilibrium. "
-      "none: at ends of steps.",
+      "Time between two rows of history.csv, instead of a number of steps. "
+      "Motions within steps are interpolated with the order of the time scheme; "
+      "forces and energies linearly where that motion is out of equilibrium. "
+      "none: rows at ends of steps.",
       {"none"}};
     const Integer segments = {
       "Segments per element",
@@ -370,16 +366,15 @@ namespace auxfem
       false,
       "Whether history.csv has the columns strain.x, strain.y and in space "
       "strain.z: the mean displacement of the joint set right minus that of "
-      "left over their mean distance at rest, so too for top and bottom, front "
-      "and back, where both sets exist and are apart. The last lines of a run "
-      "then give effective Poisson's ratios for the axis that is loaded, y if "
-      "that is not one alone."};
+      "left, over their mean distance at rest; likewise top and bottom, front "
+      "and back, where both sets exist. The run then reports effective "
+      "Poisson's ratios for the loaded axis, y if several are loaded."};
 
     const Boolean verdict_fails = {
       "Exit code by verdict",
       true,
-      "Whether auxfem ends with exit code 3 where the verdict on a run is that "
-      "its results are not to be used."};
+      "Whether auxfem ends with exit code 3 if the verdict is that the results "
+      "are not to be used."};
   } // namespace
 
 
@@ -388,7 +383,7 @@ namespace auxfem
   {
     return {"Output",
             SubsectionSchema::Form::fixed,
-            "What a run writes.",
+            "Files of a run.",
             {directory,
              graphics,
              graphics_interval,
@@ -428,12 +423,11 @@ namespace auxfem
     return {
       "Probes",
       SubsectionSchema::Form::free_entries,
-      "Sets of joints whose mean motion goes to history.csv: the name "
-      "of a set, or a selection of joints as in Sets (without "
-      "\"joints: \"); or \"rigid: PARTS @ JOINTS\", PARTS a set of struts or "
-      "the name of a group of Rigid parts, for the rotation of these parts "
-      "and, if \"@ JOINTS\" is given, the forces of these "
-      "joints on them."};
+      "Joints whose mean motion is written to history.csv: the name of a set, or "
+      "a selection of joints as in Sets (without \"joints: \"). \"rigid: PARTS "
+      "@ JOINTS\" gives the rotation of rigid parts, PARTS being a set of struts "
+      "or the name of a group of Rigid parts, and, with \"@ JOINTS\", the forces "
+      "of these joints on them."};
   }
 
 

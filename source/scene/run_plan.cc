@@ -41,7 +41,7 @@ namespace auxfem
                     report.reached});
     }
 
-    ChosenElements saved_elements(const CheckpointData &records)
+    ChosenElements restored_elements(const CheckpointData &records)
     {
       const std::vector<double> numbers =
         records.values(division_record,
@@ -123,6 +123,6 @@ namespace auxfem
         EffectMeasure{values[2],
                       records.text(kinematics_record + ", measure of")};
     if (records.has(division_record))
-      elements = saved_elements(records);
+      elements = restored_elements(records);
   }
 } // namespace auxfem

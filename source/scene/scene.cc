@@ -18,11 +18,11 @@ namespace auxfem
                                         : file.substr(0, slash);
     }
 
-    /** Adds the files that @p subsection and those inside it are written in. */
+    /** Adds the files in which @p subsection and its inner ones are written. */
     void add_files(const ParameterSubsection &subsection,
                    std::set<std::string>     &files)
     {
-      // What comes from the command line has no line.
+      // Entries of the command line have no line.
       for (const ParameterEntry &entry : subsection.entries)
         if (entry.location.line > 0)
           files.insert(entry.location.file);
@@ -49,7 +49,7 @@ namespace auxfem
         }
     }
 
-    /** Without them nothing can be said about what the rest may be. */
+    /** Reads `Model` and `Dimension`, on which all other checks depend. */
     void read_model_and_dimension(const ParameterSubsection &root, Scene &scene)
     {
       const std::optional<Model>        model     = model_of(root);
@@ -77,20 +77,20 @@ namespace auxfem
       for (const SceneSubsection &subsection : scene_subsections())
         if (subsection.schema.serves(scene.context.model))
           {
-            std::vector<ParameterValues> found =
+            std::vector<ParameterValues> groups =
               check_subsection(root,
                                subsection.schema,
                                scene.context,
                                mistakes);
-            // Without its constants other expressions would seem wrong.
-            if (subsection.schema.name.empty() && found.empty())
+            // Without constants, other expressions would be refused, too.
+            if (subsection.schema.name.empty() && groups.empty())
               mistakes.throw_if_any(file);
-            for (ParameterValues &values : found)
+            for (ParameterValues &values : groups)
               {
                 read_subsection(subsection, values, scene, mistakes);
                 files.insert(values.files.begin(), values.files.end());
               }
-            scene.all_parameters += listing_of(subsection.schema, found);
+            scene.all_parameters += listing_of(subsection.schema, groups);
           }
       scene.newton =
         scene.newton.for_steps_within(scene.time.relative_tolerance);
@@ -136,7 +136,7 @@ namespace auxfem
       scene.context.constants = read_constants(values);
     }
 
-    /** After the analysis, which decides what Order = default is. */
+    /** Needs the analysis, on which Order = default depends. */
     void set_discretization(ParameterValues &values, Scene &scene)
     {
       scene.discretization =
@@ -169,20 +169,20 @@ namespace auxfem
       scene.output.probes.push_back(read_probe(values));
     }
 
-    /** After the study itself. */
+    /** Needs the study, which set<&Scene::study> would overwrite. */
     void add_quantity(ParameterValues &values, Scene &scene)
     {
       scene.study.quantities.push_back(read_quantity(values));
     }
 
-    /** What @p read makes of the one subsection becomes that @p member. */
+    /** Assigns the result of @p read to @p member. */
     template <auto member, auto read>
     void set(ParameterValues &values, Scene &scene)
     {
       scene.*member = read(values);
     }
 
-    /** What @p read makes of each subsection is added to that @p list. */
+    /** Appends the result of @p read to @p list. */
     template <auto list, auto read>
     void add(ParameterValues &values, Scene &scene)
     {
@@ -253,15 +253,15 @@ namespace auxfem
                              const std::string              &name) {
       return std::find(names.begin(), names.end(), name) != names.end();
     };
-    for (const ParameterSubsection &found : root.subsections)
+    for (const ParameterSubsection &subsection : root.subsections)
       {
-        if (is_among(known, found.name))
+        if (is_among(known, subsection.name))
           continue;
-        mistakes.add(found.location.text() + ": " +
-                     (!is_among(others, found.name)
-                        ? "unknown subsection \"" + found.name + "\"" +
-                          did_you_mean(found.name, known)
-                        : "subsection \"" + found.name +
+        mistakes.add(subsection.location.text() + ": " +
+                     (!is_among(others, subsection.name)
+                        ? "unknown subsection \"" + subsection.name + "\"" +
+                          did_you_mean(subsection.name, known)
+                        : "subsection \"" + subsection.name +
                           "\" has no meaning with Model = " + name_of(model) +
                           ". Remove it or choose another Model") +
                      "\n  Allowed here: " + joined(known));

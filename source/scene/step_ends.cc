@@ -38,8 +38,8 @@ namespace auxfem
       return functions;
     }
 
-    /** Events up to the end of a run, where the last step takes the value
-     * before a jump and a resumed run the value after it. */
+    /** Events of a run including its end: the last step needs the limit before
+     * a jump there, a resumed run the limit after it. */
     std::vector<TimeEvent> events_of(const TimeFunction   &function,
                                      const TimeParameters &time,
                                      const unsigned int    derivatives = 1)
@@ -49,8 +49,8 @@ namespace auxfem
                              derivatives);
     }
 
-    /** @p events without kinks that come in long rows, each nearer than @p step
-     * (s) to the one before. */
+    /** Drops kinks of long series, in which each is nearer than @p step (s) to
+     * the one before. */
     std::vector<TimeEvent>
     without_dense_kinks(const std::vector<TimeEvent> &events, const double step)
     {
@@ -70,10 +70,11 @@ namespace auxfem
     }
 
     /**
-     * Of functions that are sampled by the steps where they are rough.
-     * @param jump what jumps with them
+     * Adds kinks and jumps of functions, without dense kinks, which steps
+     * sample.
+     * @param jump part of the motion that jumps with a function
      */
-    void add_ends_of_samples(const std::vector<TimeFunction> &functions,
+    void add_kinks_and_jumps(const std::vector<TimeFunction> &functions,
                              const TimeParameters            &time,
                              const Jump                       jump,
                              std::vector<StepEnd>            &ends)
@@ -85,7 +86,7 @@ namespace auxfem
             {event.time, event.kind == Kind::jump ? jump : Jump::none});
     }
 
-    /** Of functions that a scene at rest does not begin with. */
+    /** Adds t = 0 if a function does not begin with zero. */
     void add_sudden_start(const std::vector<TimeFunction> &functions,
                           const Jump                       jump,
                           std::vector<StepEnd>            &ends)
@@ -98,12 +99,13 @@ namespace auxfem
         ends.push_back({0, jump});
     }
 
-    /** What jumps in a scene without inertia with loads, with motions. */
+    /** Jumps that stand for those of loads and of support motions in statics. */
     constexpr Jump with_loads   = Jump::accelerations,
                    with_motions = Jump::velocities;
 
-    /** At times that the user gives anything may jump that is not constant. */
-    void add_given_ends(const std::vector<double>       &times,
+    /** Adds `Time/Events`, at which any function that is not constant may
+     * jump. */
+    void add_user_events(const std::vector<double>       &times,
                         const std::vector<TimeFunction> &motions,
                         std::vector<StepEnd>            &ends)
     {
@@ -116,8 +118,8 @@ namespace auxfem
         ends.push_back({time, moves ? with_motions : with_loads});
     }
 
-    /** Of motions with inertia. */
-    void add_ends_of_motions(const std::vector<TimeFunction> &functions,
+    /** Adds jumps of motions and of their first two derivatives, in dynamics. */
+    void add_motion_jumps(const std::vector<TimeFunction> &functions,
                              const TimeParameters            &time,
                              std::vector<StepEnd>            &ends)
     {
@@ -149,13 +151,13 @@ namespace auxfem
     const std::vector<TimeFunction> loads   = loads_of(plan),
                                     motions = motions_of(plan);
     std::vector<StepEnd> all;
-    add_given_ends(time.events, motions, all);
-    add_ends_of_samples(loads, time, with_loads, all);
+    add_user_events(time.events, motions, all);
+    add_kinks_and_jumps(loads, time, with_loads, all);
     if (time.scheme->is_dynamic())
-      add_ends_of_motions(motions, time, all);
+      add_motion_jumps(motions, time, all);
     else
       {
-        add_ends_of_samples(motions, time, with_motions, all);
+        add_kinks_and_jumps(motions, time, with_motions, all);
         if (!time.static_start)
           {
             add_sudden_start(loads, with_loads, all);
@@ -176,14 +178,14 @@ namespace auxfem
   }
 
   StepEnds::StepEnds(const RunPlan &plan)
-    : near(nearness_of_step_ends(plan.time))
+    : tolerance(nearness_of_step_ends(plan.time))
     , ends(step_ends(plan))
   {}
 
   double StepEnds::next(const double time, const double end_of_scene_step) const
   {
     const auto next = at(time).second;
-    return next != ends.end() && next->time < end_of_scene_step - near
+    return next != ends.end() && next->time < end_of_scene_step - tolerance
       ? next->time
       : end_of_scene_step;
   }
@@ -193,13 +195,13 @@ namespace auxfem
   {
     return {std::lower_bound(ends.begin(),
                              ends.end(),
-                             time - near,
+                             time - tolerance,
                              [](const StepEnd &end, const double time) {
                                return end.time < time;
                              }),
             std::upper_bound(ends.begin(),
                              ends.end(),
-                             time + near,
+                             time + tolerance,
                              [](const double time, const StepEnd &end) {
                                return time < end.time;
                              })};
@@ -236,85 +238,88 @@ namespace auxfem
   namespace
   {
     /**
-     * Part of a load's largest value that a step may miss without a note.
+     * Deviation from linear change within a step, relative to the largest value
+     * of the load, above which the user gets a note.
      * @tuned judgement
      */
-    constexpr double allowed_departure = 0.25;
+    constexpr double allowed_deviation = 0.25;
 
-    constexpr unsigned long most_samples = 1 << 18, most_samples_a_step = 64;
+    constexpr unsigned long max_samples = 1 << 18, max_samples_per_step = 64;
 
-    /** Where a function departs most from the line that a step takes it for. */
-    struct Departure
+    /** Deviation of a function from linear change within a step. */
+    struct Deviation
     {
       double begin, end; ///< of the step (s)
-      double time;       ///< s
+      double time;       ///< time of the deviation (s)
       double size;
     };
 
-    /** The times at which steps end if none fails, with 0. */
-    std::vector<double> stops_of(const RunPlan              &plan,
-                                 const std::vector<StepEnd> &ends)
+    /** Time 0 and the ends of steps if no step fails. */
+    std::vector<double> step_times(const RunPlan              &plan,
+                                   const std::vector<StepEnd> &ends)
     {
-      const TimeParameters &time = plan.time;
-      const double          near = nearness_of_step_ends(time);
-      std::vector<double>   stops{0.};
+      const TimeParameters &time      = plan.time;
+      const double          tolerance = nearness_of_step_ends(time);
+      std::vector<double>   times{0.};
       auto                  event = ends.begin();
       for (unsigned long step = 1; step <= time.n_steps(); ++step)
         {
           const double end = time.time_at(step);
-          for (; event != ends.end() && event->time < end - near; ++event)
-            if (event->time > stops.back() + near)
-              stops.push_back(event->time);
-          stops.push_back(end);
+          for (; event != ends.end() && event->time < end - tolerance; ++event)
+            if (event->time > times.back() + tolerance)
+              times.push_back(event->time);
+          times.push_back(end);
         }
-      return stops;
+      return times;
     }
 
-    /** Looks at one function between two stops after the other. */
-    class Sampling
+    /** Samples a function in successive steps to find its largest deviation. */
+    class StepSampler
     {
     public:
-      Sampling(const TimeFunction   &function,
-               const TimeParameters &time,
-               const unsigned long   n_stops)
+      StepSampler(const TimeFunction   &function,
+                  const TimeParameters &time,
+                  const unsigned long   n_times)
         : function(function)
         , events(function.events(0, time.end_time))
         , event(events.begin())
         , n_samples(
-            std::clamp(most_samples / n_stops, 1UL, most_samples_a_step))
+            std::clamp(max_samples / n_times, 1UL, max_samples_per_step))
       {}
 
-      void look_between(const double begin, const double end)
+      void sample(const double begin, const double end)
       {
         const double first = function.value_after(begin),
                      last  = function.value_before(end);
-        const auto look    = [&](const double t, const double value) {
+        const auto add     = [&](const double t, const double value) {
           const double line =
             first + (last - first) * ((t - begin) / (end - begin));
-          largest = std::max(largest, std::abs(value));
-          if (!worst || std::abs(value - line) > worst->size)
-            worst = {begin, end, t, std::abs(value - line)};
+          largest_value = std::max(largest_value, std::abs(value));
+          if (!largest_deviation ||
+              std::abs(value - line) > largest_deviation->size)
+            largest_deviation = {begin, end, t, std::abs(value - line)};
         };
-        look(begin, first);
-        look(end, last);
+        add(begin, first);
+        add(end, last);
         for (unsigned long i = 1; i <= n_samples; ++i)
           {
             const double t = begin + (end - begin) * i / (n_samples + 1);
-            look(t, function.value(t));
+            add(t, function.value(t));
           }
         for (; event != events.end() && event->time < end; ++event)
           if (event->time > begin)
             {
-              look(event->time, function.value_before(event->time));
-              look(event->time, function.value_after(event->time));
+              add(event->time, function.value_before(event->time));
+              add(event->time, function.value_after(event->time));
             }
       }
 
-      /** If it is worth a word. */
-      std::optional<Departure> departure() const
+      /** The largest deviation, if it exceeds the allowed one. */
+      std::optional<Deviation> deviation() const
       {
-        return worst && worst->size > allowed_departure * largest
-          ? worst
+        return largest_deviation &&
+            largest_deviation->size > allowed_deviation * largest_value
+          ? largest_deviation
           : std::nullopt;
       }
 
@@ -323,27 +328,26 @@ namespace auxfem
       const std::vector<TimeEvent>           events;
       std::vector<TimeEvent>::const_iterator event;
       const unsigned long                    n_samples;
-      std::optional<Departure>               worst;
-      double                                 largest = 0;
+      std::optional<Deviation>               largest_deviation;
+      double                                 largest_value = 0;
     };
 
     std::string describe(const TimeFunction &function,
-                         const Departure    &departure)
+                         const Deviation    &deviation)
     {
       std::ostringstream note;
       note
         << function.origin()
-        << " changes within a step: between t = " << departure.begin
-        << " s and " << departure.end << " s, most at t = " << departure.time
-        << " s, it departs by " << departure.size
-        << " from the straight line between its values at both ends, and the "
-           "step sees nothing of it. Reduce Time/Time step, or make it a "
-           "pulse of straight lines with at most eight corners, at which "
-           "steps end.";
+        << " changes within a step: between t = " << deviation.begin
+        << " s and " << deviation.end << " s, most at t = " << deviation.time
+        << " s, it deviates by " << deviation.size
+        << " from the straight line between its values at both ends, which the "
+           "step does not resolve. Reduce Time/Time step, or write a pulse of "
+           "straight lines with at most eight corners, at which steps end.";
       return note.str();
     }
 
-    /** Of tables that end before the run. */
+    /** Note on a table that ends before the run. */
     std::optional<std::string> note_on_end(const TimeFunction &function,
                                            const double        end_time)
     {
@@ -352,9 +356,9 @@ namespace auxfem
         return {};
       std::ostringstream note;
       note << function.origin() << " ends at t = " << *last
-           << " s, before the run at " << end_time << " s: its last value, "
-           << function.value(*last)
-           << ", is held from then on. Add rows if that is not meant.";
+           << " s, but the run ends at t = " << end_time
+           << " s: its last value, " << function.value(*last)
+           << ", holds from then on. Add rows if this is not intended.";
       return note.str();
     }
 
@@ -374,10 +378,11 @@ namespace auxfem
       return note.str();
     }
 
-    /** Tables of motions that strike, with inertia, at more rows than those of
-     * a pulse or two. */
-    std::optional<std::string> note_on_strikes(const TimeFunction &motion,
-                                               const double        end_time)
+    /** Note on a table of motions whose velocity jumps at more rows than those
+     * of pulses. */
+    std::optional<std::string> note_on_velocity_jumps(
+      const TimeFunction &motion,
+      const double        end_time)
     {
       if (!motion.last_time())
         return {};
@@ -387,26 +392,26 @@ namespace auxfem
       std::ostringstream note;
       note << motion.origin() << " has a corner at " << n
            << " rows, and the velocity of the support jumps at each of them. "
-              "If it is a smooth motion that was sampled, write smooth table: "
-              "FILE, which lays a spline through the rows.";
+              "If it is a sampled smooth motion, write smooth table: FILE, which "
+              "interpolates the rows by a spline.";
       return note.str();
     }
 
     std::optional<std::string> note_on_steps(const TimeFunction   &function,
                                              const TimeParameters &time,
-                                             const std::vector<double> &stops)
+                                             const std::vector<double> &times)
     {
       try
         {
-          Sampling sampling(function, time, stops.size());
-          for (std::size_t i = 1; i < stops.size(); ++i)
-            sampling.look_between(stops[i - 1], stops[i]);
-          if (const std::optional<Departure> found = sampling.departure())
-            return describe(function, *found);
+          StepSampler sampler(function, time, times.size());
+          for (std::size_t i = 1; i < times.size(); ++i)
+            sampler.sample(times[i - 1], times[i]);
+          if (const std::optional<Deviation> deviation = sampler.deviation())
+            return describe(function, *deviation);
         }
       catch (const ComputationError &)
         {
-          // Not finite somewhere: the run says so if it gets there.
+          // A value is not finite; the run reports it when it gets there.
         }
       return {};
     }
@@ -419,36 +424,36 @@ namespace auxfem
       if (note)
         notes.push_back(*note);
     };
-    const bool                is_sampled = plan.time.n_steps() < most_samples;
-    const std::vector<double> stops =
-      is_sampled ? stops_of(plan, step_ends(plan)) : std::vector<double>();
+    const bool                is_sampled = plan.time.n_steps() < max_samples;
+    const std::vector<double> times =
+      is_sampled ? step_times(plan, step_ends(plan)) : std::vector<double>();
     for (const TimeFunction &function : functions_of_time(plan))
       if (!function.is_zero())
         {
           add(note_on_end(function, plan.time.end_time));
           add(note_on_overshoot(function));
           if (is_sampled)
-            add(note_on_steps(function, plan.time, stops));
+            add(note_on_steps(function, plan.time, times));
         }
     if (plan.time.scheme->is_dynamic())
       for (const SupportDefinition &support : plan.scene.supports)
         for (const TimeFunction &motion : support.motion)
-          add(note_on_strikes(motion, plan.time.end_time));
+          add(note_on_velocity_jumps(motion, plan.time.end_time));
     return notes;
   }
 
   std::string load_values_text(const RunPlan &plan, const double time)
   {
-    std::ostringstream words;
-    words.precision(4);
+    std::ostringstream text;
+    text.precision(4);
     unsigned int n = 0;
     for (const TimeFunction &function : functions_of_time(plan))
       if (const double value = function.value(time); value != 0)
         {
           if (++n > n_listed)
-            return words.str() + ", ...";
-          words << (n > 1 ? ", " : "") << function.origin() << " = " << value;
+            return text.str() + ", ...";
+          text << (n > 1 ? ", " : "") << function.origin() << " = " << value;
         }
-    return words.str();
+    return text.str();
   }
 } // namespace auxfem

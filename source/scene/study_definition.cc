@@ -21,27 +21,25 @@ namespace auxfem
     using dealii::Utilities::trim;
     using Measure = QuantityDefinition::Measure;
 
-    constexpr unsigned int most_values = 50;
+    constexpr unsigned int max_values = 50;
 
     const Choice kind = {
       "Kind",
       "convergence",
       {"convergence", "work-precision", "effects"},
-      "What is asked. convergence: how the error falls with mesh, time step and "
-      "Newton tolerance, each refined alone, and what that costs; "
-      "work-precision: which of all combinations of order, refinement, time step "
-      "and scheme has an error for the least time; effects: what becomes of the "
-      "scene without each of its effects in turn, and what that saves."};
+      "Kind of study. convergence: error and cost as mesh, time step and Newton "
+      "tolerance are refined one by one; work-precision: the fastest combination "
+      "of order, refinement, time step and scheme for each error; effects: change "
+      "of the results and time saved if each effect is left out in turn."};
     const QuantityList orders = {
       "Orders",
       "auto",
       "1",
       Range::closed(1, largest_plane_order),
       1,
-      most_values,
-      "Polynomial orders of the struts' elements; auto: that of the scene, with "
-      "Kind = work-precision also the one below and above; none: that of the "
-      "scene.",
+      max_values,
+      "Polynomial orders of the elements; none: that of the scene; auto: with "
+      "Kind = work-precision also the next lower and higher one.",
       {"auto", "none"}};
     const QuantityList refinements = {
       "Refinements",
@@ -49,9 +47,9 @@ namespace auxfem
       "1",
       Range::closed(0, 10),
       1,
-      most_values,
-      "Numbers n of halvings, 2^n elements a strut; auto: that of the scene, with "
-      "Kind = convergence also the next two; none: that of the scene.",
+      max_values,
+      "Numbers n of halvings, 2^n elements a strut; none: that of the scene; "
+      "auto: with Kind = convergence also the next two.",
       {"auto", "none"}};
     const QuantityList time_steps = {
       "Time steps",
@@ -59,10 +57,10 @@ namespace auxfem
       "s",
       Range::positive(),
       1,
-      most_values,
-      "Lengths of a time step; auto: 4, 2 and 1 times that of the scene, with Kind "
-      "= work-precision also half of it, in statics that alone; none: that of the "
-      "scene.",
+      max_values,
+      "Lengths of a time step; none: that of the scene; auto: 4, 2 and 1 times "
+      "that of the scene, with Kind = work-precision also half of it, in statics "
+      "that of the scene only.",
       {"auto", "none"}};
     const QuantityList time_tolerances = {
       "Relative tolerances",
@@ -70,9 +68,8 @@ namespace auxfem
       "1",
       Range::open(0, 1),
       1,
-      most_values,
-      "Tolerances of the time integration, Time/Relative tolerance; none: that "
-      "of the scene.",
+      max_values,
+      "Values of Time/Relative tolerance; none: that of the scene.",
       {"none"}};
     const QuantityList newton_tolerances = {
       "Newton tolerances",
@@ -80,40 +77,39 @@ namespace auxfem
       "1",
       Range::open(0, 1),
       1,
-      most_values,
-      "Tolerances of Newton's method; none: that of the scene.",
+      max_values,
+      "Values of Newton's tolerance; none: that of the scene.",
       {"none"}};
     const Text schemes = {
       "Schemes",
       "none",
-      "Time integrators, by commas; none: that of the scene."};
-    const Boolean together = {
+      "Time integrators, separated by commas; none: that of the scene."};
+    const Boolean refine_together = {
       "Refine together",
       false,
-      "Whether the n-th refinement goes with the n-th time step, as many of "
-      "both; else each is refined with the other as in the scene."};
+      "Whether the n-th refinement is combined with the n-th time step; otherwise "
+      "each is refined while the other stays as in the scene."};
     const Choice reference = {
       "Reference",
       "finer run",
       {"finer run", "extrapolation"},
-      "What errors are measured against where no exact value is given. finer "
-      "run: one finer than all others; extrapolation: the limit that two such "
-      "runs point to (Richardson)."};
+      "Reference for errors where no exact value is given. finer run: a run finer "
+      "than all others; extrapolation: the limit of two such runs (Richardson)."};
 
     const Integer repetitions = {
       "Repetitions",
       3,
       1,
       100,
-      "With Kind = work-precision or effects: how often a simulation is done for "
-      "its time, of which the least counts."};
+      "With Kind = work-precision or effects: repetitions of each timed run; the "
+      "shortest time counts."};
     const Quantity tolerance = {
       "Tolerance",
       "1 %",
       "1",
       Range::positive(),
-      "With Kind = effects: relative change of a quantity that an effect has to "
-      "make to be called for."};
+      "With Kind = effects: relative change of a quantity above which an effect "
+      "is needed."};
 
     std::vector<unsigned int> whole_numbers(const ParameterValues &values,
                                             const QuantityList    &parameter)
@@ -162,12 +158,12 @@ namespace auxfem
       if (!study.refinements || !study.time_steps ||
           study.refinements->size() != study.time_steps->size())
         values.refuse(
-          together,
+          refine_together,
           "give as many Refinements as Time steps, or set Refine together "
           "= false");
     }
 
-    /** The form of a quantity: how it begins, what that measures. */
+    /** Text at the beginning of a quantity and the measure it stands for. */
     struct Form
     {
       std::string beginning;
@@ -189,18 +185,18 @@ namespace auxfem
       return dealii::Utilities::split_string_list(text, ',');
     }
 
-    /** What is taken at a time: a norm, or else a column. */
-    void read_what_at_time(const std::string  &what,
-                           QuantityDefinition &quantity)
+    /** Reads the text before `at TIME`: a norm or a column. */
+    void read_norm_or_column(const std::string  &text,
+                             QuantityDefinition &quantity)
     {
-      if (what == "energy norm")
+      if (text == "energy norm")
         quantity.measure = Measure::energy_norm;
-      else if (what == "total energy norm")
+      else if (text == "total energy norm")
         quantity.measure = Measure::total_energy_norm;
       else
         {
           quantity.measure = Measure::at_time;
-          quantity.columns = columns_in(what);
+          quantity.columns = columns_in(text);
         }
     }
 
@@ -212,11 +208,11 @@ namespace auxfem
           quantity.path + " = " + text +
           ": not understood; allowed: history COLUMN, COLUMN at TIME, COLUMN at "
           "end, maximum of COLUMN, minimum of COLUMN, time of maximum of COLUMN, "
-          "time of minimum of COLUMN, integral of COLUMN, each with an exact "
-          "value after it if one is known, = EXPRESSION; energy norm at TIME, "
-          "total energy norm at TIME. Columns are those of history.csv, e.g. " +
+          "time of minimum of COLUMN, integral of COLUMN, each maybe followed by "
+          "an exact value, = EXPRESSION; energy norm at TIME, total energy norm "
+          "at TIME. Columns are those of history.csv, e.g. " +
           quantity.name + " = history top.uy");
-      read_what_at_time(trim(text.substr(0, at)), quantity);
+      read_norm_or_column(trim(text.substr(0, at)), quantity);
       const std::string time = trim(text.substr(at + separator.size()));
       if (time == "end")
         return;
@@ -243,7 +239,8 @@ namespace auxfem
       read_at_time(text, quantity);
     }
 
-    /** A number with a unit word becomes one in SI; else @p text as it is. */
+    /** Converts a number with a unit to SI; returns any other @p text as it
+     * is. */
     std::string in_si(const std::string &text)
     {
       try
@@ -258,12 +255,11 @@ namespace auxfem
         }
       catch (const InputError &)
         {
-          // an expression
-          return text;
+          return text; // an expression
         }
     }
 
-    /** What stands from character @p begin on. */
+    /** Reads the exact value from character @p begin on. */
     TimeFunction read_exact_value(ParameterValues  &values,
                                   const std::size_t begin)
     {
@@ -298,8 +294,8 @@ namespace auxfem
   {
     return {"Study",
             SubsectionSchema::Form::fixed,
-            "With Analysis = study: the scene is computed again and again with "
-            "other parameters, to see what accuracy costs.",
+            "With Analysis = study: many runs with other parameters, to find the "
+            "cost of accuracy.",
             {kind,
              orders,
              refinements,
@@ -307,7 +303,7 @@ namespace auxfem
              time_tolerances,
              newton_tolerances,
              schemes,
-             together,
+             refine_together,
              reference,
              repetitions,
              tolerance},
@@ -331,7 +327,7 @@ namespace auxfem
     study.time_tolerances   = values.value_or(time_tolerances, {});
     study.newton_tolerances = values.value_or(newton_tolerances, {});
     study.schemes           = scheme_names(values);
-    study.together          = values[together];
+    study.together          = values[refine_together];
     study.extrapolates      = values[reference] == "extrapolation";
     study.repetitions       = values[repetitions];
     study.tolerance         = values[tolerance];
@@ -346,17 +342,16 @@ namespace auxfem
     return {
       "Quantities",
       SubsectionSchema::Form::free_entries,
-      "What the runs of a study are compared by, by columns of "
-      "history.csv: \"history COLUMN\" (its largest difference; of a vector "
-      "\"history COLUMN, COLUMN\"), \"COLUMN "
-      "at TIME\", \"COLUMN at end\", \"maximum of COLUMN\", \"minimum of "
-      "COLUMN\", \"time of maximum of COLUMN\", \"time of minimum of "
-      "COLUMN\", \"integral of COLUMN\" (over time). Where the exact value "
-      "is known it may follow: \"... = EXPRESSION\", for a history in t. "
-      "\"energy norm at TIME\": the square root of the strain energy of the "
-      "difference, over all struts; \"total energy norm at TIME\": with its "
-      "kinetic energy; TIME is that of a step, or end. "
-      "Without any: the histories of the probes' displacements.",
+      "Quantities by which a study compares its runs, from columns of "
+      "history.csv: \"history COLUMN\" (its largest difference; for a vector "
+      "\"history COLUMN, COLUMN\"), \"COLUMN at TIME\", \"COLUMN at end\", "
+      "\"maximum of COLUMN\", \"minimum of COLUMN\", \"time of maximum of "
+      "COLUMN\", \"time of minimum of COLUMN\", \"integral of COLUMN\" (over "
+      "time). A known exact value may follow: \"... = EXPRESSION\", for a history "
+      "in t. \"energy norm at TIME\": square root of the strain energy of the "
+      "difference, over all struts; \"total energy norm at TIME\": with kinetic "
+      "energy; TIME is that of a step, or end. Without quantities: the histories "
+      "of the probes' displacements.",
       {},
       "",
       {},
@@ -378,12 +373,12 @@ namespace auxfem
                        ": a column of history.csv is missing");
     if (quantity.columns.size() > 1 && quantity.measure != Measure::history)
       throw InputError(quantity.path + " = " + text +
-                       ": several columns have a meaning in a history only; "
-                       "give each a line of its own");
+                       ": only a history may have several columns; give each "
+                       "column a line of its own");
     if (quantity.is_field() && sign != std::string::npos)
       throw InputError(quantity.path + " = " + text +
-                       ": a field has no exact value here; remove what follows "
-                       "the norm, it is measured against the reference");
+                       ": a norm has no exact value, it is measured against the "
+                       "reference; remove the text from = on");
     if (sign != std::string::npos)
       quantity.exact = read_exact_value(values, sign + 1);
     return quantity;
