@@ -10,7 +10,7 @@ namespace auxfem
     const Choice       joint_type = {"Type",
                                      "hinge",
                                      {"hinge", "revolute", "rotational spring"},
-                                     "How the struts are connected."};
+                                     "Connection of the struts."};
     const QuantityList joint_axis = {
       "Axis",
       "",
@@ -18,15 +18,15 @@ namespace auxfem
       Range::any(),
       3,
       3,
-      "Components x, y and z at rest of the axis about which struts turn, of "
-      "any length but zero."};
+      "Vector x, y, z of the axis at rest, of any length but zero."};
     const Quantity joint_stiffness = {
       "Stiffness",
       "",
       "N m/rad",
       Range::non_negative(),
-      "Stiffness between a released strut and the unreleased ones of the "
-      "joint, else the first released one; a strut alone: the ground."};
+      "Stiffness between a released strut and the unreleased struts of the "
+      "joint; without any, the first released strut; for a single strut, the "
+      "ground."};
   } // namespace
 
 
@@ -63,9 +63,7 @@ namespace auxfem
     const std::string type = values[joint_type];
     if (type == "revolute")
       {
-        require_space(values,
-                      joint_type,
-                      "In the plane that is Type = hinge; set it");
+        require_space(values, joint_type, "In the plane set Type = hinge");
         joint.type = JointDefinition::Type::revolute;
         joint.axis = unit_vector_of(values, joint_axis);
       }

@@ -8,18 +8,18 @@ namespace auxfem
 {
   namespace
   {
-    /** Times at which branches are compared; more where they change often. */
-    constexpr std::size_t least_samples = 1021, most_branch_samples = 1 << 17;
+    /** Number of samples of the branches; the larger one for functions whose
+     * branches change often. */
+    constexpr std::size_t min_samples = 1021, max_branch_samples = 1 << 17;
 
-    /** Jumps of one function in a run, each of which ends a step. */
-    constexpr double most_jumps = 1e4;
+    /** Largest number of jumps of a function, each of which ends a step. */
+    constexpr double max_jumps = 1e4;
 
-    /** Changes of branches after which the search ends. */
-    constexpr std::size_t most_switches = 20000;
+    /** Number of branch changes after which the search ends. */
+    constexpr std::size_t max_switches = 20000;
 
-    /** Parts of values and derivatives below which differences do not count. */
-    constexpr double tolerance_of_values      = 1e-7,
-                     tolerance_of_derivatives = 1e-4;
+    /** Relative differences of values and derivatives that count as none. */
+    constexpr double value_tolerance = 1e-7, derivative_tolerance = 1e-4;
 
     struct Sample
     {
@@ -27,10 +27,8 @@ namespace auxfem
       std::uint64_t branches;
     };
 
-    /**
-     * Samples of the branches between two times. They are spaced unevenly:
-     * equal intervals might be multiples of a period.
-     */
+    /** Samples the branches between two times. Spacing is uneven, because equal
+     * intervals might be multiples of a period. */
     std::vector<Sample> sample(const BranchedFunction &function,
                                const double            begin,
                                const double            end,
@@ -57,8 +55,8 @@ namespace auxfem
       return n;
     }
 
-    /** The first number at which @p from's branches have ended, by bisection
-     * between it and @p to, which has others. */
+    /** Bisects between @p from and @p to, which have different branches, for the
+     * first number without the branches of @p from. */
     Sample
     end_of_branches(const BranchedFunction &function, Sample from, Sample to)
     {
@@ -72,16 +70,15 @@ namespace auxfem
         }
     }
 
-    /** Times at which branches change, none closer to the one before than
-     * time_resolution(). */
+    /** Times at which branches change, at least time_resolution() apart. */
     std::vector<double> find_switches(const BranchedFunction &function,
                                       const double            begin,
                                       const double            end)
     {
-      constexpr std::size_t rare  = 16;
-      std::vector<Sample> samples = sample(function, begin, end, least_samples);
-      while (n_changes(samples) > samples.size() / rare &&
-             4 * samples.size() < most_branch_samples)
+      constexpr std::size_t samples_per_change = 16;
+      std::vector<Sample>   samples = sample(function, begin, end, min_samples);
+      while (n_changes(samples) > samples.size() / samples_per_change &&
+             4 * samples.size() < max_branch_samples)
         samples = sample(function, begin, end, 4 * samples.size());
 
       std::vector<double> switches;
@@ -90,7 +87,7 @@ namespace auxfem
              from.branches != samples[i].branches &&
              from.time < samples[i].time;)
           {
-            if (switches.size() == most_switches)
+            if (switches.size() == max_switches)
               return switches;
             const Sample next = end_of_branches(function, from, samples[i]);
             switches.push_back(next.time);
@@ -100,7 +97,7 @@ namespace auxfem
       return switches;
     }
 
-    /** Tells which switches are bends, kinks or jumps. */
+    /** Classifies switches as bends, kinks or jumps. */
     class Classification
     {
     public:
@@ -126,11 +123,11 @@ namespace auxfem
         negligible_curvature = negligible_slope / (end - begin);
         for (std::size_t i = 0; i < switches.size(); ++i)
           add(switches[i], larger(sizes[i], sizes[i + 1]));
-        const double part = switches.size() == most_switches
+        const double searched_part = switches.size() == max_switches
           ? (switches.back() - begin) / (end - begin)
           : 1;
-        if (n_jumps > most_jumps * part)
-          throw TooManyJumps{n_jumps / part};
+        if (n_jumps > max_jumps * searched_part)
+          throw TooManyJumps{n_jumps / searched_part};
       }
 
       std::vector<TimeEvent> events;
@@ -143,26 +140,27 @@ namespace auxfem
                 std::max(a.curvature, b.curvature)};
       }
 
-      /** From five values. */
+      /** Magnitudes between @p a and @p b, from five values. */
       FunctionSize size_between(const double a, const double b) const
       {
         constexpr unsigned int n = 5;
         const double           h = (b - a) / (n + 1);
         double                 values[n];
         FunctionSize           size;
-        const auto             raise = [](double &largest, const double value) {
+        const auto add_value = [](double &largest, const double value) {
           if (std::isfinite(value))
             largest = std::max(largest, std::abs(value));
         };
         for (unsigned int i = 0; i < n; ++i)
           {
             values[i] = function(a + (i + 1) * h).value;
-            raise(size.value, values[i]);
+            add_value(size.value, values[i]);
             if (i > 0)
-              raise(size.slope, (values[i] - values[i - 1]) / h);
+              add_value(size.slope, (values[i] - values[i - 1]) / h);
             if (i > 1)
-              raise(size.curvature,
-                    (values[i] - 2 * values[i - 1] + values[i - 2]) / (h * h));
+              add_value(size.curvature,
+                        (values[i] - 2 * values[i - 1] + values[i - 2]) /
+                          (h * h));
           }
         return size;
       }
@@ -230,8 +228,7 @@ namespace auxfem
                const FunctionSize &size,
                const double        error)
   {
-    return !(std::abs(after - before) <=
-             tolerance_of_values * size.value + error);
+    return !(std::abs(after - before) <= value_tolerance * size.value + error);
   }
 
   bool is_kink(const double        before,
@@ -240,7 +237,7 @@ namespace auxfem
                const double        error)
   {
     return !(std::abs(after - before) <=
-             tolerance_of_derivatives * size.slope + error);
+             derivative_tolerance * size.slope + error);
   }
 
   bool is_bend(const double        before,
@@ -249,6 +246,6 @@ namespace auxfem
                const double        error)
   {
     return !(std::abs(after - before) <=
-             tolerance_of_derivatives * size.curvature + error);
+             derivative_tolerance * size.curvature + error);
   }
 } // namespace auxfem

@@ -58,9 +58,9 @@ namespace auxfem
 
       Jet jet(const double t, const TimeSide side) const override
       {
-        if (!known_jet || known_jet->time != t || known_jet->side != side)
-          known_jet = {t, side, jet_estimate(branched, t, side).jet};
-        return known_jet->jet;
+        if (!cached_jet || cached_jet->time != t || cached_jet->side != side)
+          cached_jet = {t, side, jet_estimate(branched, t, side).jet};
+        return cached_jet->jet;
       }
 
       std::vector<TimeEvent>
@@ -81,8 +81,7 @@ namespace auxfem
               << " times or more between t = " << begin << " s and " << end
               << " s, once every " << (end - begin) / jumps.n
               << " s, and a step must end at each jump.\nWrite a function "
-                 "without jumps, or one that jumps ten thousand times at "
-                 "most.";
+                 "without jumps, or with ten thousand jumps at most.";
             throw InputError(message.str());
           }
       }
@@ -98,22 +97,22 @@ namespace auxfem
       }
 
     private:
-      struct KnownJet
+      struct CachedJet
       {
         double   time;
         TimeSide side;
         Jet      jet;
       };
 
-      mutable double   time = 0; ///< where the expression finds `t`
+      mutable double   time = 0; ///< value of `t` in the expression
       Expression       expression;
       BranchedFunction branched = [this](const double t) {
         time = t;
         return expression.evaluate();
       };
 
-      /** The last one: the iterations of a step need the same. */
-      mutable std::optional<KnownJet> known_jet;
+      /** The last result, which all iterations of a step need. */
+      mutable std::optional<CachedJet> cached_jet;
     };
   } // namespace
 

@@ -29,7 +29,7 @@ namespace auxfem
       "Type",
       "clamp",
       {"clamp", "pin", "roller x", "roller y", "roller z", "prescribed"},
-      "What is held or moved."};
+      "Held or prescribed components."};
 
     const auto motion = for_components<TimeExpression>(
       {"Displacement",
@@ -39,7 +39,7 @@ namespace auxfem
        {"free"}},
       {"Rotation", "free", "rad", "Time history of the rotation", {"free"}});
 
-    /** Holds the first @p n components, as far as there are such. */
+    /** Holds those of the first @p n components that the dimension has. */
     void hold(const unsigned int dimension,
               const unsigned int n,
               SupportDefinition &support)
@@ -85,12 +85,11 @@ namespace auxfem
         "Free to move along z only and to rotate; with Dimension = 3.",
         {}},
        {"prescribed",
-        "Each component free or with a given time history. In space three "
-        "rotations are a rotation vector; one or two of them, with "
-        "the others free, give the angular velocity about fixed axes "
-        "as their derivative, which turns a shaft by this angle. With "
-        "inertia the support strikes at each corner of its motion, as at "
-        "the rows of a table.",
+        "Each component is free or has a time history. In space three rotations "
+        "are a rotation vector; one or two of them are angles about fixed axes, "
+        "as of a shaft, whose derivatives are the angular velocities. With "
+        "inertia, an impulse acts at each corner of the motion, e.g. at the rows "
+        "of a table.",
         {motion.begin(), motion.end()}}}};
   }
 
@@ -138,8 +137,8 @@ namespace auxfem
       Range::non_negative(),
       1,
       3,
-      "Its moment of inertia: one number, in space the same about every axis, "
-      "or three, about x, y and z at rest, of which the plane uses the last."};
+      "Moment of inertia of the mass: one number, in space for every axis, or "
+      "three, about x, y and z at rest, of which the plane uses the last."};
 
     // Loads
 
@@ -156,8 +155,8 @@ namespace auxfem
       "Direction",
       "fixed",
       {"fixed", "follows the joint"},
-      "Whether force and moment keep their direction, or turn with the rotation "
-      "of the joint; they are given as they are at rest."};
+      "Whether force and moment, given as at rest, keep their direction or turn "
+      "with the joint."};
 
     const auto line_load = for_axes<TimeExpression>(
       {"Force per length", "0", "N/m", "Force per undeformed length"});
@@ -206,7 +205,7 @@ namespace auxfem
        "Angular velocity at t = 0"});
 
 
-    /** All of @p parameters, those of @p components after them. */
+    /** Appends @p components to @p parameters. */
     template <class Components>
     Parameters with(Parameters parameters, const Components &components)
     {
@@ -242,7 +241,7 @@ namespace auxfem
   {
     return {"Loads",
             SubsectionSchema::Form::named_groups,
-            "Forces and moments; all loads of a joint or strut add up.",
+            "Forces and moments; loads of a joint or strut add up.",
             {load_type},
             "Type",
             {{"joint",
@@ -267,11 +266,12 @@ namespace auxfem
 
   SubsectionSchema gravity_schema()
   {
-    return {"Gravity",
-            SubsectionSchema::Form::fixed,
-            "Weight of struts and masses, e.g. Acceleration y = -9.81, or "
-            "-9.81 * min(t, 1) where it is raised in steps.",
-            with({}, acceleration)};
+    return {
+      "Gravity",
+      SubsectionSchema::Form::fixed,
+      "Weight of struts and masses, e.g. Acceleration y = -9.81, or in load "
+      "steps -9.81 * min(t, 1).",
+      with({}, acceleration)};
   }
 
 
@@ -307,8 +307,8 @@ namespace auxfem
   {
     return {"Initial velocities",
             SubsectionSchema::Form::named_groups,
-            "Joints that move at t = 0, each set as a rigid body; struts move "
-            "along if both their ends are in these sets.",
+            "Velocities at t = 0 of joint sets, each moving as a rigid body. "
+            "Struts with both ends in these sets move along.",
             with({set_of_joints}, initial_velocity)};
   }
 

@@ -51,7 +51,8 @@ namespace auxfem
       return side == TimeSide::before ? TimeSide::after : TimeSide::before;
     }
 
-    /** The best of several estimates of a derivative for growing intervals. */
+    /** Selects the best of several estimates of a derivative, made with growing
+     * intervals. */
     class Derivative
     {
     public:
@@ -68,14 +69,14 @@ namespace auxfem
                 value = estimate;
                 error = difference + round_off;
               }
-            // With every interval that is halved, a pole of the derivative
-            // makes estimates grow by about the same factor.
+            // At a pole of the derivative, estimates grow by about the same
+            // factor with each halved interval.
             const bool grows = difference > 3 * previous_round_off &&
               std::abs(previous) > 1.1 * std::abs(estimate) &&
               previous * estimate > 0;
             n_growing = grows ? n_growing + 1 : 0;
             diverges  = diverges || n_growing >= 8;
-            // Beyond this the interval is too long for the function.
+            // Longer intervals no longer resolve the function.
             is_done = difference > 1e3 * error;
           }
         else
@@ -85,7 +86,8 @@ namespace auxfem
         has_previous       = true;
       }
 
-      /** Zero within its error; infinite if estimates grow without bound. */
+      /** Best estimate; zero if it is below its error, infinite if estimates
+       * grow without bound. */
       double result() const
       {
         if (diverges)
@@ -101,7 +103,7 @@ namespace auxfem
       bool         has_previous = false, is_done = false, diverges = false;
     };
 
-    /** Differences on one side of a time. */
+    /** Derivatives by differences of values on one side of a time. */
     class OneSidedDifferences
     {
     public:
@@ -128,10 +130,10 @@ namespace auxfem
           }
       }
 
-      /** Whether another branch ended the growth of the interval. */
+      /** Whether another branch limits the interval. */
       bool is_limited() const
       {
-        return levels.empty() || levels.back().h < longest / 2;
+        return levels.empty() || levels.back().h < longest_interval / 2;
       }
 
       JetEstimate estimate() const
@@ -142,11 +144,11 @@ namespace auxfem
       }
 
     private:
-      static constexpr double longest = 1; ///< interval (s)
+      static constexpr double longest_interval = 1; ///< s
 
       struct Level
       {
-        double h; ///< s
+        double h; ///< interval (s)
         Values values;
       };
 
@@ -160,14 +162,14 @@ namespace auxfem
         noise += epsilon * greatest;
       }
 
-      /** With intervals that are doubled as long as the branches stay. */
+      /** Doubles the interval while it has no other branch. */
       void sample_levels()
       {
-        // Sixth differences of numbers that are off by one are about 30.
+        // Errors of one in the values make sixth differences of about 30.
         constexpr Values sixth = {1, -6, 15, -20, 15, -6, 1};
         Level            level{time_resolution(t), {value}};
         unsigned int     first_new = 1;
-        for (; level.h < longest; level.h *= 2)
+        for (; level.h < longest_interval; level.h *= 2)
           {
             for (unsigned int i = first_new; i < n_points; ++i)
               if (!sample(level, i))
@@ -193,7 +195,7 @@ namespace auxfem
       const std::uint64_t     branches;
       const double            value;
       std::vector<Level>      levels;
-      double                  noise = 0; ///< of values, by round-off
+      double                  noise = 0; ///< round-off error of values
       Derivative              first, second;
     };
   } // namespace
@@ -206,9 +208,9 @@ namespace auxfem
     const auto beside = function(inside);
     if (here.branches == beside.branches)
       return here.value;
-    double                 value           = beside.value;
-    constexpr unsigned int most_bisections = 64;
-    for (unsigned int i = 0; i < most_bisections; ++i)
+    double                 value          = beside.value;
+    constexpr unsigned int max_bisections = 64;
+    for (unsigned int i = 0; i < max_bisections; ++i)
       {
         const double middle = inside + (outside - inside) / 2;
         if (middle == inside || middle == outside)
@@ -222,7 +224,7 @@ namespace auxfem
         else
           outside = middle;
       }
-    // Next to a pole values grow with the inverse of the distance.
+    // Near a pole, values grow with the inverse of the distance.
     constexpr double growth_at_pole = 1e3;
     if (std::abs(value) > growth_at_pole * std::abs(beside.value) &&
         beside.value != 0)

@@ -19,14 +19,13 @@ namespace auxfem
 {
   namespace
   {
-    /** A row of equations for slopes at neighbouring points. */
+    /** A row of the tridiagonal system for slopes at the points. */
     struct Row
     {
       double before, here, after, right_side;
     };
 
-    /** Gaussian elimination without pivoting; first and last have two entries.
-     */
+    /** Gaussian elimination of a tridiagonal system without pivoting. */
     std::vector<double> solve(std::vector<Row> rows)
     {
       const std::size_t n = rows.size();
@@ -44,11 +43,8 @@ namespace auxfem
       return result;
     }
 
-    /**
-     * A third derivative that is continuous at the second point, with the
-     * slopes at the first two: @p h, @p d are widths and slopes of the lines
-     * between the first three.
-     */
+    /** Not-a-knot condition at the second point; @p h, @p d are widths and
+     * slopes of the lines between the first three points. */
     Row end_row(const double (&h)[2], const double (&d)[2])
     {
       const double sum = h[0] + h[1];
@@ -119,10 +115,10 @@ namespace auxfem
   {
     using dealii::Utilities::trim;
 
-    /** Reads a cell; false if it is not a finite number as a whole. */
+    /** Reads a cell; false if it is not a finite number. */
     bool read_number(const std::string &cell, double &number)
     {
-      // from_chars does not depend on the locale, but knows no plus sign.
+      // from_chars() does not depend on the locale, but refuses a plus sign.
       const char *const begin =
         cell.data() + (cell.size() > 1 && cell[0] == '+' ? 1 : 0);
       const char *const end    = cell.data() + cell.size();
@@ -174,7 +170,7 @@ namespace auxfem
         std::string        row;
         for (line = 1; std::getline(in, row); ++line)
           {
-            // Spreadsheets mark UTF-8 files by three bytes in front.
+            // Spreadsheets begin UTF-8 files with a byte order mark.
             if (line == 1 && row.compare(0, 3, "\xEF\xBB\xBF") == 0)
               row.erase(0, 3);
             read_row(trim(row.substr(0, row.find('#'))));
@@ -213,7 +209,7 @@ namespace auxfem
         std::vector<TimeEvent> result;
         for (std::size_t first = 0, after; first < times.size(); first = after)
           {
-            // One row, or two at a jump.
+            // A jump has two rows.
             const double t = times[first];
             after          = first + 1 < times.size() && times[first + 1] == t
                        ? first + 2
@@ -247,7 +243,7 @@ namespace auxfem
       {
         if (!spline)
           return {};
-        Overshoot most = {0, 0, 0};
+        Overshoot largest = {0, 0, 0};
         for (std::size_t i = 0; i + 1 < times.size(); ++i)
           {
             const auto [least, greatest] =
@@ -260,14 +256,14 @@ namespace auxfem
                             (times[i + 1] - times[i]) * k / n_samples)
                     .value;
                 const double amount = std::max(value - greatest, least - value);
-                if (amount > most.amount)
-                  most = {times[i], times[i + 1], amount};
+                if (amount > largest.amount)
+                  largest = {times[i], times[i + 1], amount};
               }
           }
         const auto [least, greatest] =
           std::minmax_element(values.begin(), values.end());
-        return most.amount > noticeable_part * (*greatest - *least)
-          ? std::optional(most)
+        return largest.amount > noticeable_part * (*greatest - *least)
+          ? std::optional(largest)
           : std::nullopt;
       }
 
@@ -339,11 +335,10 @@ namespace auxfem
             return;
           }
         if (cells.size() < column)
-          fail(
-            "has " + std::to_string(cells.size()) +
-            (cells.size() == 1 ? " column" : " columns") + ", but column " +
-            std::to_string(column) +
-            " is asked for.\nSeparate cells by commas, semicolons or blanks.");
+          fail("has " + std::to_string(cells.size()) +
+               (cells.size() == 1 ? " column" : " columns") + ", but column " +
+               std::to_string(column) +
+               " is needed.\nSeparate cells by commas, semicolons or blanks.");
         const double t = number(cells[0], 1);
         check_time(t, cells[0]);
         times.push_back(t);
@@ -391,15 +386,16 @@ namespace auxfem
             message
               << path << ": the table " << file
               << " has two rows at t = " << *jump
-              << " s, a jump, but a spline is laid through the rows of a "
-                 "smooth table.\nLeave one of them out, or write table: FILE "
-                 "for straight lines between the rows.";
+              << " s, a jump, which the spline of a smooth table cannot "
+                 "have.\nRemove one of them, or write table: FILE for straight "
+                 "lines between the rows.";
             throw InputError(message.str());
           }
         spline.emplace(times, values);
       }
 
-      /** At @p t after row next - 1 and before row @p next, if there are such. */
+      /** Value and derivatives at @p t between rows next - 1 and @p next, of
+       * which one may not exist. */
       Jet between(const std::size_t next, const double t) const
       {
         if (next == 0)
@@ -415,13 +411,13 @@ namespace auxfem
       }
 
       std::string         path;  ///< of the parameter, for messages
-      double              scale; ///< of the values
+      double              scale; ///< factor of the values
       std::string         file;
       unsigned int        column      = 2;
       unsigned int        line        = 0;
       bool                header_seen = false;
       std::vector<double> times, values;
-      /** If the table is smooth. */
+      /** Spline of a smooth table. */
       std::optional<CubicSpline> spline;
     };
   } // namespace

@@ -13,6 +13,7 @@ namespace auxfem
   {
     using dealii::Utilities::trim;
 
+    /** The straight line of TimeFunction::line(). */
     class Line : public TimeHistory
     {
     public:
@@ -151,17 +152,17 @@ namespace auxfem
 
   double TimeFunction::checked(const double       result,
                                const double       t,
-                               const std::string &what) const
+                               const std::string &quantity) const
   {
     if (!std::isfinite(result))
       {
         std::ostringstream message;
         message.precision(17);
-        message << history->origin << (what.empty() ? "" : ": " + what)
+        message << history->origin << (quantity.empty() ? "" : ": " + quantity)
                 << " is not a finite number at t = " << t << " s (" << result
                 << ").\nLook for a division by zero, or a root or logarithm "
                    "of "
-                << (what.empty() ? "a negative number" : "zero")
+                << (quantity.empty() ? "a negative number" : "zero")
                 << ", at that time.";
         throw ComputationError(message.str());
       }

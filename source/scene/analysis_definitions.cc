@@ -322,15 +322,16 @@ namespace auxfem
 
   SubsectionSchema reduced_cell_schema()
   {
-    return {"Reduced cell",
-            SubsectionSchema::Form::fixed,
-            "Star cell of rigid parts, loaded from above. Only with Model = "
-            "reduced cell, which also uses Connectors (exactly one), Time, Newton "
-            "and Output.",
-            {cell_bar_length, cell_angle, bar_mass, part_mass, load},
-            "",
-            {},
-            {Model::reduced_cell}};
+    return {
+      "Reduced cell",
+      SubsectionSchema::Form::fixed,
+      "Star cell of rigid parts, loaded from above. Only with Model = "
+      "reduced cell, which also uses Connectors (exactly one), Time, Newton "
+      "and Output.",
+      {cell_bar_length, cell_angle, bar_mass, part_mass, load},
+      "",
+      {},
+      {Model::reduced_cell}};
   }
 
 
@@ -345,8 +346,8 @@ namespace auxfem
     cell.load       = read_time_function(values, load);
     cell.path       = values.context.path;
     if (cell.bar_mass == 0 && cell.part_mass == 0)
-      values.refuse("Bar mass and Part mass are both 0, so the cell has no "
-                    "inertia. Give at least one of them");
+      values.refuse("Bar mass and Part mass are both 0, so that nothing "
+                    "resists acceleration. Give at least one of them");
     return cell;
   }
 } // namespace auxfem

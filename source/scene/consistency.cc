@@ -80,10 +80,10 @@ namespace auxfem
           !scheme->estimates_errors())
         mistakes.add(message(
           scene,
-          "Time/Relative tolerance: there is no error estimate for "
+          "Time/Relative tolerance: there is no estimate of the error of "
           "Time/Scheme = ",
           scene.time.scheme->name(),
-          " with this model. Set it to none, or choose newmark of second order, "
+          " with these settings. Set it to none, or choose newmark of second order, "
           "hht, generalized-alpha or esdirk of order 3 or 4, with Model = "
           "lattice"));
     }
@@ -118,17 +118,17 @@ namespace auxfem
       const double start  = motion.value_after(0);
       const double before = scene.time.static_start ? motion.value(0) : 0.;
       if (std::abs(start - before) > round_off)
-        mistakes.add(
-          message(scene,
-                  path,
-                  " is ",
-                  start,
-                  " just after t = 0, but ",
-                  before,
-                  " before: with inertia a support cannot jump. Start the motion "
-                  "from that value, start the lattice in equilibrium with it "
-                  "(Time/Start from = static equilibrium), or use Time/Scheme = "
-                  "static"));
+        mistakes.add(message(
+          scene,
+          path,
+          " is ",
+          start,
+          " just after t = 0, but ",
+          before,
+          " before: with inertia a support cannot jump. Start the motion "
+          "from that value, start the lattice in equilibrium with it "
+          "(Time/Start from = static equilibrium), or use Time/Scheme = "
+          "static"));
       for (const TimeEvent &event : motion.events(0, scene.time.end_time))
         if (event.kind == TimeEvent::Kind::jump)
           {
@@ -231,12 +231,13 @@ namespace auxfem
     {
       if (scene.discretization.tolerance && scene.analysis == Analysis::study &&
           scene.study.kind != "effects")
-        mistakes.add(message(scene,
-                             "Discretization/Order = auto: a study with Study/"
-                             "Kind = ",
-                             scene.study.kind,
-                             " needs a fixed order. Set Order to a number, e.g. "
-                             "3"));
+        mistakes.add(
+          message(scene,
+                  "Discretization/Order = auto: a study with Study/"
+                  "Kind = ",
+                  scene.study.kind,
+                  " needs a fixed order. Set Order to a number, e.g. "
+                  "3"));
     }
 
     /** Checks requirements of paths and buckling. */
@@ -249,11 +250,11 @@ namespace auxfem
                              name_of(scene.analysis)));
       if (scene.analysis == Analysis::static_path &&
           scene.solver.type == "gmres")
-        mistakes.add(
-          message(scene,
-                  "Solver/Type = gmres: Analysis = static path detects "
-                  "bifurcations by counting negative eigenvalues, which needs a "
-                  "direct solver. Set it to auto, mumps, klu or cholmod"));
+        mistakes.add(message(
+          scene,
+          "Solver/Type = gmres: Analysis = static path detects "
+          "bifurcations by counting negative eigenvalues, which needs a "
+          "direct solver. Set it to auto, mumps, klu or cholmod"));
       if (scene.analysis != Analysis::buckling || scene.context.dimension != 3)
         return;
       for (const JointDefinition &joint : scene.joints)
@@ -290,11 +291,12 @@ namespace auxfem
                              " needs inertia. Set Time/Scheme "
                              "= newmark and leave Effects/Inertia = auto"));
       if (scene.discretization.tolerance && !is_linearized(scene.analysis))
-        mistakes.add(message(scene,
-                             "Discretization/Order = auto: Analysis = ",
-                             name,
-                             " needs a fixed order. Set Order to a number, e.g. "
-                             "3"));
+        mistakes.add(
+          message(scene,
+                  "Discretization/Order = auto: Analysis = ",
+                  name,
+                  " needs a fixed order. Set Order to a number, e.g. "
+                  "3"));
     }
 
     /** Refuses contact in analyses that cannot follow changes of the active

@@ -199,19 +199,19 @@ namespace auxfem
                                                  const Constants   &known)
     {
       static const std::set<std::string> reserved_names = {"t",
-                                                  "x",
-                                                  "y",
-                                                  "z",
-                                                  "pi",
-                                                  "e",
-                                                  "_pi",
-                                                  "_e",
-                                                  "xmin",
-                                                  "xmax",
-                                                  "ymin",
-                                                  "ymax",
-                                                  "zmin",
-                                                  "zmax"};
+                                                           "x",
+                                                           "y",
+                                                           "z",
+                                                           "pi",
+                                                           "e",
+                                                           "_pi",
+                                                           "_e",
+                                                           "xmin",
+                                                           "xmax",
+                                                           "ymin",
+                                                           "ymax",
+                                                           "zmin",
+                                                           "zmax"};
       const std::string message = "Constants = ... " + item + " ...: ";
       const std::size_t equals  = item.find('=');
       const std::string name    = trim(item.substr(0, equals));

@@ -99,15 +99,16 @@ namespace auxfem
         ends.push_back({0, jump});
     }
 
-    /** Jumps that stand for those of loads and of support motions in statics. */
+    /** Jumps that stand for those of loads and of support motions in statics.
+     */
     constexpr Jump with_loads   = Jump::accelerations,
                    with_motions = Jump::velocities;
 
     /** Adds `Time/Events`, at which any function that is not constant may
      * jump. */
     void add_user_events(const std::vector<double>       &times,
-                        const std::vector<TimeFunction> &motions,
-                        std::vector<StepEnd>            &ends)
+                         const std::vector<TimeFunction> &motions,
+                         std::vector<StepEnd>            &ends)
     {
       const bool moves = std::any_of(motions.begin(),
                                      motions.end(),
@@ -118,10 +119,11 @@ namespace auxfem
         ends.push_back({time, moves ? with_motions : with_loads});
     }
 
-    /** Adds jumps of motions and of their first two derivatives, in dynamics. */
+    /** Adds jumps of motions and of their first two derivatives, in dynamics.
+     */
     void add_motion_jumps(const std::vector<TimeFunction> &functions,
-                             const TimeParameters            &time,
-                             std::vector<StepEnd>            &ends)
+                          const TimeParameters            &time,
+                          std::vector<StepEnd>            &ends)
     {
       constexpr unsigned int accelerations = 2;
       for (const TimeFunction &function : functions)
@@ -358,7 +360,7 @@ namespace auxfem
       note << function.origin() << " ends at t = " << *last
            << " s, but the run ends at t = " << end_time
            << " s: its last value, " << function.value(*last)
-           << ", holds from then on. Add rows if this is not intended.";
+           << ", is held from then on. Add rows if this is not intended.";
       return note.str();
     }
 
@@ -380,9 +382,8 @@ namespace auxfem
 
     /** Note on a table of motions whose velocity jumps at more rows than those
      * of pulses. */
-    std::optional<std::string> note_on_velocity_jumps(
-      const TimeFunction &motion,
-      const double        end_time)
+    std::optional<std::string>
+    note_on_velocity_jumps(const TimeFunction &motion, const double end_time)
     {
       if (!motion.last_time())
         return {};
@@ -390,10 +391,11 @@ namespace auxfem
       if (n <= max_pulse_kinks)
         return {};
       std::ostringstream note;
-      note << motion.origin() << " has a corner at " << n
-           << " rows, and the velocity of the support jumps at each of them. "
-              "If it is a sampled smooth motion, write smooth table: FILE, which "
-              "interpolates the rows by a spline.";
+      note
+        << motion.origin() << " has a corner at " << n
+        << " rows, and the velocity of the support jumps at each of them. "
+           "If it is a sampled smooth motion, write smooth table: FILE, which "
+           "interpolates the rows by a spline.";
       return note.str();
     }
 

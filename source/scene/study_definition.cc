@@ -292,24 +292,25 @@ namespace auxfem
 
   SubsectionSchema study_schema()
   {
-    return {"Study",
-            SubsectionSchema::Form::fixed,
-            "With Analysis = study: many runs with other parameters, to find the "
-            "cost of accuracy.",
-            {kind,
-             orders,
-             refinements,
-             time_steps,
-             time_tolerances,
-             newton_tolerances,
-             schemes,
-             refine_together,
-             reference,
-             repetitions,
-             tolerance},
-            "",
-            {},
-            {Model::lattice, Model::reduced_cell}};
+    return {
+      "Study",
+      SubsectionSchema::Form::fixed,
+      "With Analysis = study: many runs with other parameters, to find the "
+      "cost of accuracy.",
+      {kind,
+       orders,
+       refinements,
+       time_steps,
+       time_tolerances,
+       newton_tolerances,
+       schemes,
+       refine_together,
+       reference,
+       repetitions,
+       tolerance},
+      "",
+      {},
+      {Model::lattice, Model::reduced_cell}};
   }
 
 
@@ -373,12 +374,13 @@ namespace auxfem
                        ": a column of history.csv is missing");
     if (quantity.columns.size() > 1 && quantity.measure != Measure::history)
       throw InputError(quantity.path + " = " + text +
-                       ": only a history may have several columns; give each "
-                       "column a line of its own");
+                       ": several columns are allowed in a history only; give "
+                       "each column a line of its own");
     if (quantity.is_field() && sign != std::string::npos)
-      throw InputError(quantity.path + " = " + text +
-                       ": a norm has no exact value, it is measured against the "
-                       "reference; remove the text from = on");
+      throw InputError(
+        quantity.path + " = " + text +
+        ": a norm has no exact value, it is measured against the "
+        "reference; remove the text from = on");
     if (sign != std::string::npos)
       quantity.exact = read_exact_value(values, sign + 1);
     return quantity;

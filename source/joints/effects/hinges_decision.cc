@@ -7,7 +7,7 @@ namespace auxfem
 {
   namespace
   {
-    /** Bending stiffness of a strut over its length (N m), the larger one. */
+    /** Larger bending stiffness of a strut over its length (N m). */
     double rotational_stiffness(const Strut   &strut,
                                 const RunPlan &plan,
                                 const Lattice &lattice)
@@ -20,8 +20,8 @@ namespace auxfem
       return bending / lattice.length(strut);
     }
 
-    /** Whether a strut ends at a joint alone: its spring acts on the ground,
-     * without which the joint is free. */
+    /** Whether a joint has a single strut, whose spring holds it to the
+     * ground. */
     bool has_lone_end(const std::vector<unsigned int> &joints,
                       const Lattice                   &lattice)
     {
@@ -36,10 +36,8 @@ namespace auxfem
                          });
     }
 
-    /**
-     * The largest part that springs of @p joint add to the compliance of a
-     * strut, 3 EI / (k L) at either end.
-     */
+    /** Largest relative compliance that springs of @p joint add to a strut,
+     * 3 EI / (k L) per end. */
     double added_compliance(const JointDefinition           &joint,
                             const std::vector<unsigned int> &joints,
                             const RunPlan                   &plan,
@@ -68,7 +66,8 @@ namespace auxfem
       return largest;
     }
 
-    /** Hinges have no measure: what is free to turn is another structure. */
+    /** Measure for rotational springs; nothing for hinges, without which the
+     * structure is another one. */
     std::optional<EffectMeasure> measure_hinges(const RunPlan &plan,
                                                 const Lattice &lattice)
     {

@@ -16,8 +16,8 @@ namespace auxfem
 
     /**
      * Revolute hinges in space: a rotation P_2 turns against a rotation P_1, or
-     * the ground, about an axis a alone, given at rest, that turns with both.
-     * With b_1, b_2 across a and a length l,
+     * the ground, about one axis a (given at rest). With b_1, b_2 perpendicular
+     * to a and a length l,
      * @code
      * g_i = l (P_1 b_i) . (P_2 a) = 0, i = 1, 2
      * @endcode
@@ -104,7 +104,7 @@ namespace auxfem
             const Hinge &hinge = hinges[h];
             const Axes   now   = axes(hinge, evaluation.to),
                        acting  = acting_axes(hinge, evaluation);
-            // Moments (on base, end) by spins (of base, end).
+            // Derivatives of the base's moment by spins of base and end.
             SpaceTensor stiffness[2];
             double      block[64] = {};
             for (unsigned int i = 0; i < 2; ++i)
@@ -171,7 +171,7 @@ namespace auxfem
         SpaceVector        across[2];
       };
 
-      /** The hinge now: a of the end, and b_i of the base. */
+      /** Rotated axes of a hinge: a of the end, and b_i of the base. */
       struct Axes
       {
         SpaceVector axis, across[2];
@@ -183,7 +183,7 @@ namespace auxfem
         }
       };
 
-      /** The axes @p hinge has in @p state. */
+      /** Axes of @p hinge in @p state. */
       Axes axes(const Hinge &hinge, const State &state) const
       {
         const Quaternion base = rotation(hinge, 0, state);
@@ -192,11 +192,8 @@ namespace auxfem
                  rotated(base, hinge.across[1])}};
       }
 
-      /**
-       * Those along which moments act. Between two states the means over the
-       * step: with them across . axis changes by its gradient times Cayley's
-       * measures of the rotations, so that the moments do no work.
-       */
+      /** Axes that define the moments. In a discrete-gradient step they are the
+       * means over the step, with which the moments do no work. */
       Axes acting_axes(const Hinge &hinge, const Evaluation &evaluation) const
       {
         Axes result = axes(hinge, evaluation.to);
@@ -210,26 +207,26 @@ namespace auxfem
         return result;
       }
 
-      /** Rotation of the base (0) or the end (1); none of the ground or if
-       * rotations are small. */
+      /** Rotation of the base (@p side 0) or the end (1); the identity for the
+       * ground and for small rotations. */
       Quaternion rotation(const Hinge       &hinge,
-                          const unsigned int which,
+                          const unsigned int side,
                           const State       &state) const
       {
-        const int spin = hinge.unknowns[3 * which];
+        const int spin = hinge.unknowns[3 * side];
         return large_rotation && spin >= 0
           ? state.rotations[numbering.rotations().with(spin)]
           : Quaternion();
       }
 
-      /** Spatial values of @p vector at base (0) or end (1). */
+      /** Spatial values of @p vector at the base (@p side 0) or the end (1). */
       SpaceVector spatial(const Hinge       &hinge,
-                          const unsigned int which,
+                          const unsigned int side,
                           const State       &state,
                           const Vector      &vector) const
       {
-        return rotated(rotation(hinge, which, state),
-                       values_at(vector, &hinge.unknowns[3 * which]));
+        return rotated(rotation(hinge, side, state),
+                       values_at(vector, &hinge.unknowns[3 * side]));
       }
 
       double acceleration(const Hinge       &hinge,

@@ -9,9 +9,7 @@ namespace auxfem
 {
   namespace
   {
-    /** Linear springs between two rotations of one joint: M = K' (phi_2 -
-     * phi_1).
-     */
+    /** Linear springs between two rotations: M = K' (phi_2 - phi_1). */
     class RotationalSprings : public Effect
     {
     public:
@@ -111,7 +109,7 @@ namespace auxfem
         return u[spring.unknowns[1]] - (base >= 0 ? u[base] : 0.);
       }
 
-      /** Over a step between two states. */
+      /** Adds the moments of a discrete-gradient step. */
       void add_mean_moments(const Evaluation &evaluation,
                             double           *residual) const
       {
@@ -145,12 +143,11 @@ namespace auxfem
     };
 
     /**
-     * Isotropic springs between two large rotations in space. With psi the
-     * rotation vector of P_2 P_1^-1 the energy is K' |psi|^2 / 2, the moment on
-     * the second -K' psi, on the first K' psi. Whole turns count: of all
-     * vectors psi that is taken which is nearest to the one at the start of the
-     * step, kept in State::history as P_1^-1 psi, which does not change when
-     * both turn together.
+     * Isotropic springs between two large rotations in space. The energy is
+     * K' |psi|^2 / 2 with the rotation vector psi of P_2 P_1^-1, the moment on
+     * the second rotation -K' psi. To count whole turns, psi is the vector
+     * nearest to that at the start of the step, which State::history has as
+     * P_1^-1 psi.
      */
     class SpaceSprings : public Effect
     {
@@ -189,16 +186,16 @@ namespace auxfem
       {
         for (unsigned int i = 0; i < springs.size(); ++i)
           {
-            const Spring     &spring = springs[i];
-            const SpaceVector turned = material_angle(i, evaluation),
-                              moment = evaluation.kind ==
+            const Spring     &spring   = springs[i];
+            const SpaceVector material = material_angle(i, evaluation),
+                              moment   = evaluation.kind ==
                 Evaluation::Kind::discrete_gradient
-              ? mean_moment(i, turned, evaluation)
-              : spring.stiffness *
-                rotated(base_rotation(spring, evaluation.to), turned);
+                ? mean_moment(i, material, evaluation)
+                : spring.stiffness *
+                rotated(base_rotation(spring, evaluation.to), material);
             for (unsigned int c = 0; c < 3; ++c)
               {
-                evaluation.to.history[first_history + 3 * i + c] = turned[c];
+                evaluation.to.history[first_history + 3 * i + c] = material[c];
                 if (spring.first >= 0)
                   residual[spring.unknowns[c]] -= moment[c];
                 residual[spring.unknowns[3 + c]] += moment[c];
@@ -216,13 +213,13 @@ namespace auxfem
         for (unsigned int i = 0; i < springs.size(); ++i)
           {
             const Spring &spring = springs[i];
-            // Spins theta turn psi by T^-1(-psi) (theta_2 - R theta_1), R = P_2
-            // P_1^-1.
+            // Spins theta change psi by T^-1(-psi) (theta_2 - R theta_1) with
+            // R = P_2 P_1^-1.
             const SpaceTensor by_second = factors.stiffness * spring.stiffness *
               inverse_tangent_operator(-1. * angle(i, evaluation));
             const Quaternion relative = evaluation.to.rotations[spring.second] *
               conjugate(base_rotation(spring, evaluation.to));
-            // D R is the transpose of R^T D^T.
+            // rotated() multiplies from the left: D R = (R^T D^T)^T.
             const SpaceTensor by_first = -1. *
               transpose(rotated(conjugate(relative), transpose(by_second)));
             double block[36];
@@ -290,7 +287,7 @@ namespace auxfem
         return spring.first < 0 ? Quaternion() : state.rotations[spring.first];
       }
 
-      /** P_1^-1 psi. */
+      /** Material rotation vector P_1^-1 psi (rad). */
       SpaceVector material_angle(const unsigned int i,
                                  const Evaluation  &evaluation) const
       {
@@ -302,7 +299,7 @@ namespace auxfem
           SpaceVector({before[0], before[1], before[2]}));
       }
 
-      /** psi (rad). */
+      /** Spatial rotation vector psi (rad). */
       SpaceVector angle(const unsigned int i,
                         const Evaluation  &evaluation) const
       {
@@ -311,13 +308,13 @@ namespace auxfem
       }
 
       /**
-       * Moment on the second rotation between two states, of which the rotation
-       * vector at the end is @p turned (material): the mean, corrected along the
-       * relative turn such that its work is the change of energy (Gonzalez
-       * 1996) (N m).
+       * Moment on the second rotation in a discrete-gradient step (N m), from
+       * the material rotation vector at its end: the mean, corrected along the
+       * relative rotation so that its work is the change of energy (Gonzalez
+       * 1996).
        */
       SpaceVector mean_moment(const unsigned int i,
-                              const SpaceVector &turned,
+                              const SpaceVector &after,
                               const Evaluation  &step) const
       {
         const Spring     &spring = springs[i];
@@ -325,21 +322,20 @@ namespace auxfem
         const SpaceVector before({values[0], values[1], values[2]});
         const Quaternion  base_0 = base_rotation(spring, step.from),
                          base_1  = base_rotation(spring, step.to);
-        const SpaceVector mean   = (rotated(base_0, before) +
-                                  rotated(base_1, turned)) /
+        const SpaceVector mean =
+                            (rotated(base_0, before) + rotated(base_1, after)) /
           2,
                           turn =
                             cayley_rotation(
                               step.to.rotations[spring.second] *
                               conjugate(step.from.rotations[spring.second])) -
           cayley_rotation(base_1 * conjugate(base_0));
-        // Along the turn, so that the work is the change of energy.
-        const double missing =
-          (turned + before) * (turned - before) / 2 - mean * turn;
+        const double missing_work =
+          (after + before) * (after - before) / 2 - mean * turn;
         return spring.stiffness *
-          (std::abs(missing) <= few_round_offs * mean.norm()
+          (std::abs(missing_work) <= few_round_offs * mean.norm()
              ? mean
-             : mean + missing / turn.norm_square() * turn);
+             : mean + missing_work / turn.norm_square() * turn);
       }
 
       const DofNumbering &numbering;

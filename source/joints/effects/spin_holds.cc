@@ -9,17 +9,15 @@ namespace auxfem
 {
   namespace
   {
-    /** Stiffness of a hold over the torsional stiffness GJ / L of its strut:
-     * its torsional modes are lower than those of a rigid hold by no more than
-     * is noticed. */
+    /** Stiffness of a hold relative to the torsional stiffness GJ / L of its
+     * strut, large enough not to change torsional modes noticeably. */
     constexpr double relative_stiffness = 1 / noticeable_part;
 
     /**
-     * Holds bars between ball hinges against turning about their own axis,
-     * where inertia does not: a spring on the spin of one end, K' phi. Nothing
-     * can turn such a bar, so the springs stay without moments and energy. With
-     * large rotations phi is the twist of the rotation from the last state to
-     * this one about the axis of the section, which has no turn to get lost in.
+     * Springs K' phi that prevent singular tangents: in statics nothing else
+     * holds a bar between ball hinges against turning about its own axis. No
+     * load can turn such a bar, so moments and energies stay zero. With large
+     * rotations phi is the twist about the axis since the last state.
      */
     class SpinHolds : public Effect
     {
@@ -59,7 +57,7 @@ namespace auxfem
                        const TangentFactors &factors,
                        TangentMatrix        &matrix) const override
       {
-        // In motion, the stiffness alone has a hold too.
+        // Dynamic tangents need no hold, but their stiffness part alone does.
         if (factors.stiffness == 0 ||
             (!is_static(evaluation) && factors.mass != 0))
           return;
@@ -80,27 +78,27 @@ namespace auxfem
     private:
       struct Hold
       {
-        unsigned int       element, row; ///< of the first spin in its block
+        unsigned int       element, row; ///< row of the first spin in its block
         std::array<int, 3> spins;        ///< local unknowns
         SpaceVector        axis;         ///< of the strut at rest
         double             stiffness;    ///< N m
       };
 
-      /** An angle (rad) with its derivative by the spin of the end. */
+      /** Twist angle (rad) and its derivative by the spin of the end. */
       struct Twist
       {
         double      angle;
         SpaceVector by_spin;
       };
 
-      /** Small motions are about equilibria, too. */
+      /** Whether a step or equilibrium without inertia is evaluated. */
       static bool is_static(const Evaluation &evaluation)
       {
         return evaluation.kind == Evaluation::Kind::static_step ||
           evaluation.kind == Evaluation::Kind::equilibrium;
       }
 
-      /** Whether that end of a strut is one of an interval of it. */
+      /** Whether @p interval has the strut end @p end. */
       static bool ends_with(const StrutInterval &interval, const StrutEnd &end)
       {
         return interval.strut == end.strut &&
@@ -146,7 +144,7 @@ namespace auxfem
       /** Angle of a rotation q = (w, v) about @p axis t: 2 arctan(v.t / w). */
       static Twist twist(const Quaternion &rotation, const SpaceVector &axis)
       {
-        // Both signs are the same rotation.
+        // q and -q are the same rotation.
         const double      sign  = rotation.scalar < 0 ? -1 : 1;
         const double      w     = sign * rotation.scalar;
         const SpaceVector v     = sign * rotation.vector;
@@ -171,7 +169,7 @@ namespace auxfem
 
   namespace
   {
-    /** Local numbers of the rotation about x, y, z; -1: not there. */
+    /** Local numbers of the rotation about x, y, z; -1: none. */
     std::array<int, 3> spins(const DofNumbering  &numbering,
                              const RotationOwner &rotation_owner)
     {
@@ -182,8 +180,8 @@ namespace auxfem
       return unknowns;
     }
 
-    /** Calls @p add(number, stiffness, base, end) for springs kept on this rank.
-     */
+    /** Calls @p add(number, stiffness, base, end) for the springs of this
+     * rank. */
     template <class Add>
     void for_each_spring(const LatticeModel &model, const Add &add)
     {
@@ -208,7 +206,7 @@ namespace auxfem
   std::unique_ptr<Effect> make_rotational_springs(const LatticeModel &model)
   {
     const DofNumbering &numbering = model.numbering;
-    // On all ranks, also those without any: the records of the state are alike.
+    // All ranks make the effect, because their states have the same records.
     if (!have_rotational_springs(model.releases))
       return nullptr;
     if (model.plan.simulated.large_rotation && model.lattice.dimension == 3)

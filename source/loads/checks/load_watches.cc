@@ -15,14 +15,13 @@ namespace auxfem
 {
   namespace
   {
-    /** A shorter part of a time step is one in which loads are there at once.
-     */
-    constexpr double sudden_part = 1e-4;
+    /** Part of a time step below which a step only applies a sudden load. */
+    constexpr double sudden_load_part = 1e-4;
 
     /**
-     * Of loads too fast for an analysis without inertia in which time is more
-     * than a parameter, since something is viscous: by the kinetic energy that
-     * its motion has with the masses that are left out.
+     * Warns if loads are too fast to leave out inertia, by the kinetic energy
+     * that the motion would have. It needs viscosity, without which time only
+     * orders the loads.
      */
     class LoadSpeedWatch : public Watch
     {
@@ -42,7 +41,7 @@ namespace auxfem
       {
         work       = std::max(work, std::abs(step.to.energies.external()));
         dissipated = std::max(dissipated, step.to.energies.dissipated());
-        if (step.dt < sudden_part * scene_step)
+        if (step.dt < sudden_load_part * scene_step)
           return;
         double sum = 0;
         for (const NodeMass &node : masses)
@@ -62,12 +61,12 @@ namespace auxfem
         text.precision(2);
         text << "The loads are too fast to leave inertia out: at t = "
              << kinetic.time
-             << " s the masses that move would have a kinetic energy of "
+             << " s the moving masses would have a kinetic energy of "
              << percentage_text(kinetic.value / work)
              << " of the work of the loads. Displacements and forces may err "
                 "by "
              << percentage_text(2 * std::sqrt(kinetic.value / work))
-             << " by vibrations. Set a Time/Scheme with inertia, newmark say, "
+             << " by vibrations. Set a Time/Scheme with inertia, e.g. newmark, "
                 "or load more slowly.";
         return {{Verdict::doubtful, text.str(), kinetic.time, ""}};
       }
@@ -77,7 +76,7 @@ namespace auxfem
       const std::vector<NodeMass> masses;
       const double                scene_step;        ///< s
       LargestInTime              &kinetic;           ///< J
-      double                     &work, &dissipated; ///< the largest so far (J)
+      double                     &work, &dissipated; ///< largest so far (J)
     };
   } // namespace
 
@@ -89,25 +88,25 @@ namespace auxfem
   namespace
   {
     /**
-     * Part of a load that steps miss from which on stages within steps miss
-     * it, too.
-     * @tuned theory: loads with less than two steps a period show so much
+     * Missed part of a load above which stages within steps miss it, too.
+     * @tuned theory: loads with fewer than two steps a period miss this much
      */
-    constexpr double unresolved = 0.75;
+    constexpr double unresolved_part = 0.75;
 
-    /** The time integral of one load, as steps take it and as it is. */
+    /** Integrals over time of a load's absolute value and of its deviation from
+     * linear change within steps (N s). */
     struct Impulse
     {
       const TimeFunction *load;
-      double             &missed, &whole; ///< sums of amounts (N s)
+      double             &missed, &whole;
     };
 
     /**
-     * Loads that change within steps: their distance from the straight line
-     * between the ends of a step, by Gauss' rule. Amounts are summed, as the
-     * impulse of a whole period within a step is zero. What another scheme
-     * misses is that of the vibration of which the trapezoidal rule would miss
-     * so much.
+     * Warns if loads change within steps, by the deviation from linear change
+     * in each step (Gauss quadrature). Absolute values are integrated, because
+     * the impulse of a whole period is zero. For other schemes the missed part
+     * is converted to a vibration that the trapezoidal rule would resolve as
+     * badly.
      */
     class LoadStepWatch : public Watch
     {
@@ -150,21 +149,22 @@ namespace auxfem
 
       std::vector<Finding> findings() const override
       {
-        std::vector<Finding> found;
+        std::vector<Finding> findings;
         for (const Impulse &impulse : impulses)
           if (impulse.whole > 0)
             {
-              const double part = impulse.missed / impulse.whole,
-                           missed =
-                             part > unresolved ? part : scheme.missed_way(part);
+              const double part   = impulse.missed / impulse.whole,
+                           missed = part > unresolved_part
+                ? part
+                : scheme.missed_way(part);
               if (!(missed <= doubtful_error))
-                found.push_back(finding(impulse.load->origin(), missed));
+                findings.push_back(finding(impulse.load->origin(), missed));
             }
-        return found;
+        return findings;
       }
 
     private:
-      /** Of those that are there. */
+      /** Adds the components that are not zero. */
       template <class Components>
       void add(const Components &components, RunStatistics &statistics)
       {
@@ -182,7 +182,7 @@ namespace auxfem
       Finding finding(const std::string &load, const double missed) const
       {
         std::ostringstream text;
-        // Never 1e+02 %.
+        // Avoids 1e+02 %.
         text.precision(missed < 0.995 ? 2 : 3);
         text << load << " changes within steps, which miss "
              << percentage_text(missed) << " of its impulse"
@@ -194,7 +194,7 @@ namespace auxfem
       const ImplicitScheme &scheme;
       std::vector<Impulse>  impulses;
       double               &time; ///< s
-      /** In turn, so that no periodic load hides between their points. */
+      /** Alternating rules, so that no periodic load hides between points. */
       const std::array<dealii::QGauss<1>, 3> rules = {
         {dealii::QGauss<1>(3), dealii::QGauss<1>(4), dealii::QGauss<1>(5)}};
     };

@@ -7,10 +7,8 @@ namespace auxfem
 {
   namespace
   {
-    /**
-     * Dead loads: a fixed distribution over the unknowns times a function of
-     * time. Joint forces, line loads and gravity all take this form.
-     */
+    /** Dead loads: fixed distributions over the unknowns times functions of
+     * time. */
     class AppliedLoads : public Effect, public StageTerms
     {
     public:
@@ -67,9 +65,8 @@ namespace auxfem
                         const EffectCache * /*results*/,
                         EnergyAccount &account) const override
       {
-        // The mean force over the step times the displacement: exact for the
-        // average-acceleration rule and between two states, second order
-        // otherwise.
+        // Mean force over the step times displacement: exact for average
+        // acceleration and discrete gradients, otherwise of second order.
         const PathWork path(step);
         for (const Load &load : loads)
           {
@@ -106,10 +103,10 @@ namespace auxfem
         Load(const AppliedLoad &load) : AppliedLoad(load)
         {}
 
-        unsigned int work_entry = 0; ///< of the ledger
+        unsigned int work_entry = 0; ///< in the energy ledger
       };
 
-      /** Value when the step begins. */
+      /** Value at the start of the step. */
       double value_before(const Load &load, const Evaluation &step) const
       {
         return raised_from_zero && step.from.time == 0
@@ -117,8 +114,8 @@ namespace auxfem
           : value_at_start(load.time_history, step);
       }
 
-      /** By a curved path, of all but moments on large rotations in space (J).
-       */
+      /** Correction of the work for a curved path, without moments on large
+       * rotations in space (J). */
       double work_of_path(const Load       &load,
                           const Evaluation &step,
                           const PathWork   &path) const
@@ -141,7 +138,7 @@ namespace auxfem
         return path.beyond_mean(force, displacement);
       }
 
-      /** Mean over the step. */
+      /** Mean value over the step. */
       double mean_value(const Load &load, const Evaluation &step) const
       {
         return (value_before(load, step) +
@@ -149,7 +146,8 @@ namespace auxfem
           2;
       }
 
-      /** Of a step between two states: such that moments too do their work. */
+      /** Adds the loads of a discrete-gradient step, whose moments do the exact
+       * work of the mean. */
       void add_mean_loads(const Evaluation &step, double *residual) const
       {
         const StepTravel travel(step, numbering);
@@ -162,7 +160,7 @@ namespace auxfem
           }
       }
 
-      /** How far an unknown moved in the step, rotations in the global frame.
+      /** Increment of an unknown in the step, of rotations in the global frame.
        */
       double motion(const Evaluation &step, const int unknown) const
       {
@@ -190,6 +188,7 @@ namespace auxfem
 
   namespace
   {
+    /** Accounts the work of moved supports, whose forces are the residual. */
     class SupportWork : public Effect, public StageTerms
     {
     public:
@@ -249,35 +248,35 @@ namespace auxfem
       }
 
     private:
-      /** Work of impulses: times the mean of the velocities before and after.
-       */
+      /** Work of impulses: their products with the mean of the velocities
+       * before and after. */
       double impulse_work(const Support    &support,
-                          const Evaluation &strike) const
+                          const Evaluation &impact) const
       {
         const DofNumbering &numbering = model.numbering;
-        const Vector       &before    = *strike.from.velocity,
-                     &after           = *strike.to.velocity;
+        const Vector       &before    = *impact.from.velocity,
+                     &after           = *impact.to.velocity;
         double sum                    = 0;
         for (const Support::PrescribedUnknown &prescribed : support.unknowns)
           if (const int i = prescribed.unknown;
               numbering.layout().is_owned(i) &&
               !support.moves_as_rotation(prescribed))
-            sum += (*strike.impulses)[i] * (before[i] + after[i]) / 2;
+            sum += (*impact.impulses)[i] * (before[i] + after[i]) / 2;
         for (const Support::PrescribedRotation &prescribed : support.rotations)
           {
             const unsigned int        i     = prescribed.rotation;
             const std::array<int, 3> &spins = numbering.rotations()[i];
-            const SpaceVector         mean = (spatial_velocity(strike.from, i) +
-                                      spatial_velocity(strike.to, i)) /
+            const SpaceVector         mean = (spatial_velocity(impact.from, i) +
+                                      spatial_velocity(impact.to, i)) /
               2;
             for (unsigned int c = 0; c < 3; ++c)
               if (prescribed.fixed[c] && numbering.layout().is_owned(spins[c]))
-                sum += (*strike.impulses)[spins[c]] * mean[c];
+                sum += (*impact.impulses)[spins[c]] * mean[c];
           }
         return sum;
       }
 
-      /** Work of the support's mean forces over the step, the residual. */
+      /** Work in a discrete-gradient step, whose residual is the mean force. */
       double mean_work(const Support &support, const Evaluation &step) const
       {
         const StepTravel travel(step, model.numbering);
@@ -289,7 +288,7 @@ namespace auxfem
         return sum;
       }
 
-      /** By the mean of the support's forces over the step. */
+      /** Work of the support in the step, by the mean of its forces. */
       double work(const Support &support, const Evaluation &step) const
       {
         if (step.impulses)

@@ -6,10 +6,8 @@ namespace auxfem
 {
   namespace
   {
-    /**
-     * Forces and moments that turn with the rotation P of their joint: P f(t),
-     * P m(t). They have no potential, and their tangent is not symmetric.
-     */
+    /** Forces P f(t) and moments P m(t) that turn with the rotation P of their
+     * joint. They have no potential, and their tangent is not symmetric. */
     class FollowerLoads : public Effect, public StageTerms
     {
     public:
@@ -110,7 +108,7 @@ namespace auxfem
                         const EffectCache * /*results*/,
                         EnergyAccount &account) const override
       {
-        // As for dead loads, by the mean of the forces over the step.
+        // Mean force over the step times displacement, as for dead loads.
         for (const Load &load : loads)
           {
             const Ends ends = values_at_ends(load, step);
@@ -161,17 +159,18 @@ namespace auxfem
         SpaceVector force, moment;
       };
 
-      /** Local unknowns by component of motion; -1: not there. */
+      /** Local unknowns by component of motion; -1: none. */
       using Joint = std::array<int, n_motion_components>;
       struct Load
       {
         std::array<TimeFunction, n_motion_components> components;
         EnergyEntry                                   work;
         std::vector<Joint>                            joints;
-        unsigned int work_entry = 0; ///< of the ledger
+        unsigned int work_entry = 0; ///< in the energy ledger
       };
 
-      /** @p value of a component at the time in question. */
+      /** Force and moment of @p load; @p value(function) evaluates a
+       * component. */
       template <class Value>
       static Values values(const Load &load, const Value &value)
       {
@@ -183,7 +182,7 @@ namespace auxfem
         return values;
       }
 
-      /** At the end of the step, or at the instant. */
+      /** Values at the end of the step. */
       static Values values_now(const Load &load, const Evaluation &evaluation)
       {
         return values(load, [&](const TimeFunction &component) {
@@ -191,7 +190,7 @@ namespace auxfem
         });
       }
 
-      /** When the step begins. */
+      /** Values at the start of the step. */
       Values values_before(const Load &load, const Evaluation &step) const
       {
         return raised_from_zero && step.from.time == 0
@@ -201,8 +200,8 @@ namespace auxfem
             });
       }
 
-      /** At start and end of a step. To be asked on all ranks alike: functions
-       * of time may have no value there. */
+      /** Values at start and end of a step. All ranks must evaluate them, as
+       * functions of time may throw. */
       struct Ends
       {
         Values before, now;
@@ -213,14 +212,14 @@ namespace auxfem
         return {values_before(load, step), values_now(load, step)};
       }
 
-      /** Means over the step of what acts on a joint, in the global frame; the
-       * moment is. */
+      /** Means over the step of the force in the global frame and of the moment
+       * in the frame of the joint. */
       Values mean_values(const Ends       &ends,
                          const Joint      &joint,
                          const Evaluation &step) const
       {
-        // The moment is constant in axes that turn with the joint, as is the
-        // turn itself.
+        // The rotation of the step is the same in both frames, so that the
+        // moment's mean can be taken in that of the joint.
         const auto &[before, now] = ends;
         return {(rotated(rotation(joint, step.from), before.force) +
                  rotated(rotation(joint, step.to), now.force)) /
@@ -228,7 +227,8 @@ namespace auxfem
                 (before.moment + now.moment) / 2};
       }
 
-      /** Of a step between two states: such that moments too do their work. */
+      /** Adds the loads of a discrete-gradient step, whose moments do the exact
+       * work of the mean. */
       void add_mean_loads(const Evaluation &step, double *residual) const
       {
         const StepTravel travel(step, numbering);
@@ -238,8 +238,9 @@ namespace auxfem
             for (const Joint &joint : load.joints)
               {
                 const Values mean = mean_values(ends, joint, step);
-                // In space the moment turns with the joint; the rotation of the
-                // step is the same seen from its start and its end.
+                // The rotation vector of the step is the same in the frames of
+                // its start and end, so that both rotated moments do the same
+                // work.
                 const SpaceVector moment =
                   (rotated(rotation(joint, step.from), mean.moment) +
                    rotated(rotation(joint, step.to), mean.moment)) /
@@ -259,12 +260,12 @@ namespace auxfem
       {
         for (const Load &load : loads)
           {
-            const Values of_load = values(load, value);
+            const Values local = values(load, value);
             for (const Joint &joint : load.joints)
               {
                 const Quaternion  P      = rotation(joint, state);
-                const SpaceVector force  = rotated(P, of_load.force),
-                                  moment = rotated(P, of_load.moment);
+                const SpaceVector force  = rotated(P, local.force),
+                                  moment = rotated(P, local.moment);
                 for (unsigned int c = 0; c < n_motion_components; ++c)
                   if (joint[c] >= 0)
                     forces[joint[c]] -= (c < 3 ? force : moment)[c % 3];

@@ -25,60 +25,58 @@ namespace auxfem
       return mass;
     }
 
-    /** The largest length of a vector that is a function of time. */
+    /** Largest norm of a vector function of time, by samples. */
     template <std::size_t n>
-    double largest_length(const std::array<TimeFunction, n> &components,
-                          const double                       end_time)
+    double largest_norm(const std::array<TimeFunction, n> &components,
+                        const double                       end_time)
     {
-      constexpr unsigned int n_looks = 256;
-      double                 largest = 0;
-      for (unsigned int i = 0; i <= n_looks; ++i)
+      constexpr unsigned int n_samples = 256;
+      double                 largest   = 0;
+      for (unsigned int i = 0; i <= n_samples; ++i)
         {
           double square = 0;
           for (unsigned int c = 0; c < 3; ++c)
             if (!components[c].is_zero())
               square +=
-                std::pow(components[c].value(end_time * i / n_looks), 2);
+                std::pow(components[c].value(end_time * i / n_samples), 2);
           largest = std::max(largest, std::sqrt(square));
         }
       return largest;
     }
 
-    /** Sum of the largest values of all given forces (N). */
-    double given_forces(const RunPlan &plan, const Lattice &lattice)
+    /** Sum of the largest norms of all forces of the scene (N). */
+    double sum_of_forces(const RunPlan &plan, const Lattice &lattice)
     {
       double sum = 0;
       for (const JointLoadDefinition &load : plan.joint_loads())
-        sum += largest_length(load.components, plan.time.end_time) *
+        sum += largest_norm(load.components, plan.time.end_time) *
           joints_of(load, lattice, plan.scene.context).size();
       for (const LineLoadDefinition &load : plan.scene.line_loads)
         for (const unsigned int s :
              struts_of(load, lattice, plan.scene.context))
-          sum += largest_length(load.components, plan.time.end_time) *
+          sum += largest_norm(load.components, plan.time.end_time) *
             lattice.length(lattice.struts[s]);
       return sum;
     }
 
-    /**
-     * Weight over the given forces. Motions and moments have no force to
-     * compare with: nothing then.
-     */
+    /** Ratio of weight to the other forces; nothing if there are none, as with
+     * prescribed motions and moments only. */
     std::optional<EffectMeasure> measure_gravity(const RunPlan &plan,
                                                  const Lattice &lattice)
     {
       double forces = 0;
       try
         {
-          forces = given_forces(plan, lattice);
+          forces = sum_of_forces(plan, lattice);
         }
       catch (const ComputationError &)
         {
-          // What is no number stops the run when it gets there.
+          // A value is not finite; the run reports it when it gets there.
         }
       if (!(forces > 0))
         return std::nullopt;
       const double weight = total_mass(plan, lattice) *
-        largest_length(plan.scene.gravity.acceleration, plan.time.end_time);
+        largest_norm(plan.scene.gravity.acceleration, plan.time.end_time);
       return EffectMeasure{std::min(1., weight / forces), "the loads"};
     }
   } // namespace

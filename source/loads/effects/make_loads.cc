@@ -13,14 +13,14 @@ namespace auxfem
   namespace
   {
     /** Entry of the energy ledger for the work of the load @p name. */
-    EnergyEntry work_of(const std::string &name)
+    EnergyEntry work_entry(const std::string &name)
     {
       return {EnergyKind::work,
               name + ".load_work",
               "work of the load since the start"};
     }
 
-    /** Adds @p force, by its @p shares. */
+    /** Adds @p force to @p load, distributed by @p shares. */
     void
     add_shares(const ForceShares &shares, const double force, AppliedLoad &load)
     {
@@ -28,7 +28,7 @@ namespace auxfem
         load.weights.push_back({unknown, force * share});
     }
 
-    /** The loads of a scene. */
+    /** Collects the loads of a scene and makes their effects. */
     struct Loads
     {
       void add_dead(const JointLoadDefinition &definition)
@@ -40,7 +40,7 @@ namespace auxfem
             if (definition.components[c].is_zero())
               continue;
             AppliedLoad load{proportional(definition.components[c], plan),
-                             work_of(definition.name),
+                             work_entry(definition.name),
                              {}};
             for (const unsigned int joint : joints)
               {
@@ -61,7 +61,7 @@ namespace auxfem
         auto components = definition.components;
         for (TimeFunction &component : components)
           component = proportional(component, plan);
-        FollowerLoad load{components, work_of(definition.name), {}};
+        FollowerLoad load{components, work_entry(definition.name), {}};
         for (const unsigned int joint :
              joints_of(definition, lattice, scene.context))
           {
@@ -94,7 +94,7 @@ namespace auxfem
                 if (definition.components[c].is_zero())
                   continue;
                 AppliedLoad load{proportional(definition.components[c], plan),
-                                 work_of(definition.name),
+                                 work_entry(definition.name),
                                  {}};
                 add_along_struts(
                   c,
@@ -107,8 +107,8 @@ namespace auxfem
           }
       }
 
-      /** @param counts_masses whether point masses have weight */
-      void add_gravity(const bool counts_masses)
+      /** @param with_masses whether the weight of point masses is included */
+      void add_gravity(const bool with_masses)
       {
         const std::vector<bool> all(lattice.struts.size(), true);
         for (unsigned int c = 0; c < lattice.dimension; ++c)
@@ -135,7 +135,7 @@ namespace auxfem
                 part.mass,
                 load);
             });
-            if (counts_masses)
+            if (with_masses)
               for (const MassDefinition &mass : scene.masses)
                 for (const unsigned int joint :
                      joints_of(mass, lattice, scene.context))
@@ -173,7 +173,8 @@ namespace auxfem
       std::vector<AppliedLoad>  dead      = {};
       std::vector<FollowerLoad> following = {};
 
-      /** Adds a force per length of @p per_length(strut) along component @p c on all chosen struts. */
+      /** Adds the force @p per_length(strut) (N/m) along component @p c to the
+       * chosen struts. */
       template <class PerLength>
       void add_along_struts(const unsigned int       c,
                             const std::vector<bool> &chosen,
@@ -210,7 +211,8 @@ namespace auxfem
         std::for_each(bodies.rotating.begin(), bodies.rotating.end(), action);
       }
 
-      /** Adds a unit force per length along component @p c of the chosen rigid struts. */
+      /** Adds a unit force per length along component @p c to the chosen rigid
+       * struts. */
       void add_along_rigid_struts(const unsigned int       c,
                                   const std::vector<bool> &chosen,
                                   AppliedLoad             &load) const
@@ -236,14 +238,14 @@ namespace auxfem
   {
     Loads loads{model, model.lattice, model.numbering, model.bodies};
     for (const JointLoadDefinition &load : model.plan.joint_loads())
-      // Without large rotations nothing turns.
+      // With small rotations, follower loads keep their direction.
       if (load.follows_joint && model.plan.simulated.large_rotation)
         loads.add_following(load);
       else
         loads.add_dead(load);
     loads.add_line_loads();
     if (model.plan.simulated.gravity)
-      loads.add_gravity(/*counts_masses=*/true);
+      loads.add_gravity(/*with_masses=*/true);
     return loads.make_effects();
   }
 
@@ -256,7 +258,7 @@ namespace auxfem
     Loads             loads{model, lattice, numbering, bodies};
     loads.add_line_loads();
     if (model.plan.simulated.gravity)
-      loads.add_gravity(/*counts_masses=*/false);
+      loads.add_gravity(/*with_masses=*/false);
     return loads.make_effects();
   }
 } // namespace auxfem

@@ -13,7 +13,7 @@ namespace auxfem
 {
   namespace
   {
-    /** Masses and rotary inertias on joints. */
+    /** Masses on displacements, and in the plane inertias on rotations. */
     class PointMasses : public InertiaEffect
     {
     public:
@@ -71,10 +71,8 @@ namespace auxfem
       std::size_t                  first_block = 0;
     };
 
-    /**
-     * Rotary inertia at nodes in space: Euler's equations with their gyroscopic
-     * terms, which are left out if rotations are small.
-     */
+    /** Rotary inertia at nodes in space: Euler's equations, without gyroscopic
+     * terms if rotations are small. */
     class RotaryMasses : public InertiaEffect
     {
     public:
@@ -159,7 +157,8 @@ namespace auxfem
                             const EffectCache * /*results*/,
                             double *forces) const override
       {
-        // A body that spins freely has torques that cancel, and no others.
+        // The inertia torques of a freely spinning body cancel: bounds need
+        // both terms.
         for (const RotaryMass &mass : masses)
           {
             const RotaryInertia::Motion now = motion(mass, evaluation.to);
@@ -171,7 +170,7 @@ namespace auxfem
       }
 
     private:
-      /** Gyroscopic torques do no work. */
+      /** Without gyroscopic torques, which do no work. */
       double mass_product(const Vector &x, const Vector &y) const override
       {
         double sum = 0;
@@ -190,7 +189,7 @@ namespace auxfem
                 rotations.values(*state.acceleration, mass.rotation)};
       }
 
-      /** Between two states (N m). */
+      /** Torque of a discrete-gradient step (N m). */
       SpaceVector mean_torque(const RotaryMass &mass,
                               const Evaluation &step) const
       {
@@ -205,7 +204,7 @@ namespace auxfem
           0.);
       }
 
-      /** Its derivative by spins at the end. */
+      /** Derivative of mean_torque() by spins at the end. */
       SpaceTensor mean_tangent(const RotaryMass     &mass,
                                const Evaluation     &step,
                                const TangentFactors &factors) const
@@ -227,10 +226,8 @@ namespace auxfem
       std::size_t                   first_block = 0;
     };
 
-    /**
-     * Inertia of rigid parts in natural coordinates: constant mass matrices on
-     * the unknowns of their bases.
-     */
+    /** Inertia of rigid parts in natural coordinates: constant mass matrices on
+     * the unknowns of their bases. */
     class RigidPartInertia : public InertiaEffect
     {
     public:
@@ -291,7 +288,7 @@ namespace auxfem
         return sum;
       }
 
-      /** Calls @p action for all bodies in natural coordinates, in order. */
+      /** Calls @p action for all bodies in natural coordinates. */
       template <class Action>
       void for_each(const Action &action) const
       {
@@ -328,8 +325,9 @@ namespace auxfem
 
   namespace
   {
-    /** Mass or moment of inertia that acts on a component of motion. */
-    double share(const MassDefinition &mass, const unsigned int component)
+    /** Mass or moment of inertia of a component of motion. */
+    double component_mass(const MassDefinition &mass,
+                          const unsigned int    component)
     {
       return component < first_rotation
         ? mass.mass
@@ -370,10 +368,10 @@ namespace auxfem
           for (const unsigned int c : numbering.components())
             {
               const int unknown = numbering.joint_unknown(joint, c);
-              if (unknown < 0 || share(mass, c) == 0 ||
+              if (unknown < 0 || component_mass(mass, c) == 0 ||
                   (is_spatial && c >= first_rotation))
                 continue;
-              points.push_back({unknown, share(mass, c)});
+              points.push_back({unknown, component_mass(mass, c)});
             }
           const int spin = numbering.joint_unknown(joint, rotation_z);
           if (is_spatial && spin >= 0 && mass.rotary_inertia.norm() > 0)

@@ -20,13 +20,13 @@ namespace auxfem
           if (!support.motion[c].is_zero())
             {
               jets[c] = support.motion[c].jet(at.time, at.side);
-              // What find_right_side() asks for, to the last digit.
+              // Same digits as in find_right_side().
               jets[c][0] = value_at_end(support.motion[c], evaluation);
             }
       }
 
-      /** Makes the derivatives zero, which by a load factor are no rates. */
-      void stand_still()
+      /** Sets the derivatives to zero; on a path they are not rates. */
+      void clear_rates()
       {
         for (std::array<double, 3> &jet : jets)
           jet[1] = jet[2] = 0;
@@ -54,12 +54,12 @@ namespace auxfem
       return rotation;
     }
 
-    /** @p material with what it is to have, in the global frame, about fixed
-     * axes. */
-    SpaceVector with_fixed(const SpaceVector         &material,
-                           const Quaternion          &rotation,
-                           const std::array<bool, 3> &fixed,
-                           const SpaceVector         &about_axes)
+    /** Replaces components of the vector @p material about @p fixed global axes
+     * by those of @p about_axes. */
+    SpaceVector replace_fixed(const SpaceVector         &material,
+                              const Quaternion          &rotation,
+                              const std::array<bool, 3> &fixed,
+                              const SpaceVector         &about_axes)
     {
       SpaceVector spatial = rotated(rotation, material);
       for (unsigned int c = 0; c < 3; ++c)
@@ -68,30 +68,30 @@ namespace auxfem
       return rotated(conjugate(rotation), spatial);
     }
 
-    /** Angles (rad) by which a support that prescribes rotations about some
-     * axes turns them from one state to the other. */
-    SpaceVector turn_about_axes(const Support    &support,
+    /** Change of the prescribed angles (rad) from one state to the other, for a
+     * support that prescribes rotations about some axes. */
+    SpaceVector angle_increment(const Support    &support,
                                 const Evaluation &evaluation)
     {
-      SpaceVector turn;
+      SpaceVector increment;
       if (evaluation.kind != Evaluation::Kind::consistent_rates)
         for (unsigned int c = 0; c < 3; ++c)
           {
             const TimeFunction &angle = support.motion[first_rotation + c];
-            turn[c]                   = value_at_end(angle, evaluation) -
+            increment[c]              = value_at_end(angle, evaluation) -
               value_at_start(angle, evaluation);
           }
-      return turn;
+      return increment;
     }
 
-    /** Moves a rotation as a whole as @p support does. */
+    /** Sets a rotation whose three components are prescribed. */
     void prescribe(const NodeRotations &rotations,
                    const unsigned int   i,
                    const SupportMotion &support,
                    const Evaluation    &evaluation)
     {
       const Quaternion  rotation = exponential(support.rotation(0));
-      const SpaceVector turned =
+      const SpaceVector approximation =
         rotated(conjugate(evaluation.from.rotations[i]),
                 support.rotation(0) -
                   rotations.values(evaluation.from.displacement, i));
@@ -99,7 +99,7 @@ namespace auxfem
         evaluation,
         i,
         rotation_vector_near(conjugate(evaluation.from.rotations[i]) * rotation,
-                             turned));
+                             approximation));
       const AngularMotion motion = angular_motion(support.rotation(0),
                                                   support.rotation(1),
                                                   support.rotation(2));
@@ -111,7 +111,7 @@ namespace auxfem
                              *evaluation.to.acceleration);
     }
 
-    /** Those of prescribed unknowns, of velocities in place. */
+    /** Sets mean accelerations of prescribed unknowns from their velocities. */
     void set_mean_accelerations(const LatticeModel &model,
                                 const Evaluation   &step)
     {
@@ -126,10 +126,11 @@ namespace auxfem
           }
     }
 
-    /** Spin (rad) that is left to a rotation which is prescribed about
-     * some axes. At a stage its angular velocity about these is prescribed: a
-     * rotation vector over several stages may not be, as the other axes turn
-     * with the node. */
+    /**
+     * Missing spin (rad) of a rotation that is prescribed about some axes. At a
+     * stage the angular velocity is prescribed: angles over several stages are
+     * not defined, as the other axes turn with the node.
+     */
     SpaceVector missing_about_axes(const Support       &support,
                                    const NodeRotations &rotations,
                                    const unsigned int   i,
@@ -140,11 +141,11 @@ namespace auxfem
         return evaluation.dt *
           (SupportMotion(support, evaluation).rotation(1) -
            rotated(state.rotations[i], rotations.values(*state.velocity, i)));
-      return turn_about_axes(support, evaluation) -
+      return angle_increment(support, evaluation) -
         rotations.spatial_increment(evaluation, i);
     }
 
-    /** Prescribes a rotation about some axes. */
+    /** Sets the prescribed components of a rotation about some axes. */
     void prescribe_about_axes(const NodeRotations               &rotations,
                               const Support::PrescribedRotation &prescribed,
                               const Support                     &support,
@@ -154,19 +155,19 @@ namespace auxfem
       const unsigned int i      = prescribed.rotation;
       const Quaternion  &before = evaluation.from.rotations[i];
       const SpaceVector  increment =
-        with_fixed(rotations.material_increment(evaluation, i),
-                   before,
-                   prescribed.fixed,
-                   turn_about_axes(support, evaluation));
+        replace_fixed(rotations.material_increment(evaluation, i),
+                      before,
+                      prescribed.fixed,
+                      angle_increment(support, evaluation));
       rotations.set_material_increment(evaluation, i, increment);
       const Quaternion after = before * exponential(increment);
       const auto       set   = [&](std::optional<Vector> &rate,
                            const unsigned int     derivative) {
         if (rate)
-          rotations.set_values(with_fixed(rotations.values(*rate, i),
-                                          after,
-                                          prescribed.fixed,
-                                          motion.rotation(derivative)),
+          rotations.set_values(replace_fixed(rotations.values(*rate, i),
+                                             after,
+                                             prescribed.fixed,
+                                             motion.rotation(derivative)),
                                i,
                                *rate);
       };
@@ -181,14 +182,14 @@ namespace auxfem
     State              &state = evaluation.to;
     for (const Support &support : model.supports)
       {
-        SupportMotion moved(support, evaluation);
+        SupportMotion motion(support, evaluation);
         if (state.path)
-          moved.stand_still();
+          motion.clear_rates();
         for (const Support::PrescribedUnknown &prescribed : support.unknowns)
           {
             if (support.moves_as_rotation(prescribed))
               continue;
-            const auto &jet = moved.jets[prescribed.component];
+            const auto &jet = motion.jets[prescribed.component];
             state.displacement[prescribed.unknown] = jet[0];
             if (state.velocity)
               (*state.velocity)[prescribed.unknown] = jet[1];
@@ -197,12 +198,12 @@ namespace auxfem
           }
         for (const Support::PrescribedRotation &prescribed : support.rotations)
           if (prescribed.is_whole())
-            prescribe(rotations, prescribed.rotation, moved, evaluation);
+            prescribe(rotations, prescribed.rotation, motion, evaluation);
           else if (evaluation.kind != Evaluation::Kind::stage)
             prescribe_about_axes(rotations,
                                  prescribed,
                                  support,
-                                 moved,
+                                 motion,
                                  evaluation);
       }
     rotations.follow(evaluation);
@@ -249,21 +250,21 @@ namespace auxfem
       {
         if (support.is_at_rest())
           continue;
-        const SupportMotion moved(support, evaluation);
+        const SupportMotion motion(support, evaluation);
         for (const Support::PrescribedUnknown &prescribed : support.unknowns)
           if (layout.is_owned(prescribed.unknown) &&
               !support.moves_as_rotation(prescribed))
             derivative[prescribed.unknown] =
-              moved.jets[prescribed.component][1];
+              motion.jets[prescribed.component][1];
         for (const Support::PrescribedRotation &prescribed : support.rotations)
           {
             const SpaceVector         spin = prescribed.is_whole()
-                      ? rotated(exponential(moved.rotation(0)),
-                        angular_motion(moved.rotation(0),
-                                       moved.rotation(1),
-                                       moved.rotation(2))
+                      ? rotated(exponential(motion.rotation(0)),
+                        angular_motion(motion.rotation(0),
+                                       motion.rotation(1),
+                                       motion.rotation(2))
                           .velocity)
-                      : moved.rotation(1);
+                      : motion.rotation(1);
             const std::array<int, 3> &spins =
               model.numbering.rotations()[prescribed.rotation];
             for (unsigned int c = 0; c < 3; ++c)
