@@ -63,7 +63,9 @@ namespace auxfem
     const std::string type = values[joint_type];
     if (type == "revolute")
       {
-        require_space(values, joint_type, "In the plane set Type = hinge");
+        require_space(values,
+                      joint_type,
+                      "In the plane that is Type = hinge; set it");
         joint.type = JointDefinition::Type::revolute;
         joint.axis = unit_vector_of(values, joint_axis);
       }

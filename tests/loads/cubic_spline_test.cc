@@ -13,7 +13,7 @@ namespace
     std::vector<double> x, y;
     for (unsigned int i = 0; i <= n; ++i)
       {
-        // Uneven, but as smoothly for any number.
+        // Uneven spacing that is equally smooth for any number of points.
         const double s = double(i) / n;
         x.push_back(3 * s * (1 + s) / 2);
         y.push_back(std::sin(2 * x.back() + 0.3));

@@ -186,7 +186,7 @@ TEST(TimeEvents, SingularSlopes)
   expect_events("sqrt(max(0, t-0.1))", {{0.1, kink}});
   expect_events("max(0, t-1/3)^0.5", {{1. / 3, kink}});
   expect_events("if(t<0.25, sqrt(0.25-t), 5)", {{0.25, jump}});
-  // The root of what is zero throughout has no infinite slope.
+  // The root of a function that is zero throughout has no infinite slope.
   expect_events("min(sin(12*t), sqrt(floor(t)))",
                 {{pi / 12, kink}, {pi / 6, kink}, {pi / 4, kink}});
   expect_events("1/(t-0.5)", {{0.5, jump}});
@@ -235,8 +235,8 @@ TEST(TimeEvents, FastSmoothFunctionsHaveNone)
     expect_none(text);
 }
 
-// Times with the same branches around them are taken for smooth: the user
-// gives these in Time/Events.
+// Times with the same branches around them count as smooth: the user gives
+// such kinks in Time/Events.
 TEST(TimeEvents, KinksWithoutBranchesAreMissed)
 {
   for (const std::string text :
@@ -244,7 +244,7 @@ TEST(TimeEvents, KinksWithoutBranchesAreMissed)
     expect_none(text);
 }
 
-// The size of a function next to an event decides, not that somewhere else.
+// Only the size of a function near an event decides whether it counts.
 TEST(TimeEvents, SmallNextToLarge)
 {
   expect_events("if(t<0.001, 1e6*t, 1e3) + 1e-3*max(0, t-0.5)",
@@ -313,14 +313,14 @@ TEST(TimeLimits, AreTheValueWhereNothingJumps)
   EXPECT_EQ(TimeFunction().value_after(1), 0);
 }
 
-TEST(TimeLimits, InfiniteOnesEndTheRun)
+TEST(TimeLimits, InfiniteLimitsEndTheRun)
 {
   EXPECT_THROW(function_of("1/(t-0.5)").value_before(0.5), ComputationError);
   EXPECT_THROW(function_of("if(t>0, 1/t, 0)").value_after(0), ComputationError);
   EXPECT_EQ(function_of("if(t>0, 1/t, 0)").value_before(0), 0);
 }
 
-TEST(TimeEvents, BendsIfTheyAreAskedFor)
+TEST(TimeEvents, BendsOnRequest)
 {
   for (const std::string text : {"if(t < 0.2, 5*t^2, 0.2 + 2*(t - 0.2))",
                                  "1 - cos(100*max(0, t - 0.2))"})

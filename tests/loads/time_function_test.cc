@@ -217,7 +217,7 @@ TEST(TimeJet, OneSidedWhereAnOperationSwitches)
   const TimeFunction late = parse("t^2*max(0, t - 0.1)");
   EXPECT_EQ(late.jet(0.1, TimeSide::before)[1], 0);
   EXPECT_NEAR(late.jet(0.1)[1], 0.01, 1e-12);
-  // At the start the side of what is to come.
+  // At the start the limit from after is used.
   EXPECT_NEAR(parse("if(t <= 0, 0, 4*t + 3*t^2)").jet(0)[1], 4, 1e-13);
 }
 

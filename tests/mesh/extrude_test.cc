@@ -167,7 +167,7 @@ TEST(Extrude, RefusesCellsThatAreNotPlanar)
                          "Lattice/Layer distance: only planar cells"));
 }
 
-TEST(Extrude, WithoutItAPlanarCellHasOneLayer)
+TEST(Extrude, PlanarCellsWithoutLayersCannotBeRepeatedAlongZ)
 {
   const auto message = input_error_of([]() {
     make_array(planar("star"), {{1, 1, 2}});

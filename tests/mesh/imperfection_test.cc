@@ -55,7 +55,7 @@ TEST(Imperfection, MiddlesThatMoveBendStruts)
       Lattice         lattice = two_struts();
       GeometryOffsets offsets(lattice);
       offsets.joints[1] = dealii::Point<3>(0, 0.1, 0);
-      // What lies along the strut bends nothing.
+      // Offsets along the strut do not bend it.
       offsets.middles[0] = dealii::Point<3>(0.01, 0.05 + bow, 0);
       offsets.middles[1] = dealii::Point<3>(0, 0.05 + bow, 0);
       disturb(offsets, lattice);

@@ -72,7 +72,7 @@ TEST(MergeJoints, ArcsBesideStraightStrutsStay)
   EXPECT_EQ(lattice.notes.size(), 2u);
 }
 
-TEST(MergeJoints, SomeStrutMustStay)
+TEST(MergeJoints, RefusesToRemoveAllStruts)
 {
   EXPECT_TRUE(contains(input_error_of([]() { frame_of_bars("5 m"); }),
                        "Lattice/Merge distance: no strut is longer"));

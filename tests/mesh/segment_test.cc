@@ -7,7 +7,7 @@
 using namespace auxfem;
 using dealii::Point;
 
-TEST(Segment, MeetsAnotherInThePlaneAtFractionsOfBoth)
+TEST(Segment, IntersectsInThePlaneAtFractionsOfBoth)
 {
   const Segment one{Point<3>(0, 0, 0), Point<3>(4, 0, 0)};
   const auto at = meeting_point(one, {Point<3>(1, -1, 0), Point<3>(1, 3, 0)});
@@ -23,7 +23,7 @@ TEST(Segment, MeetsAnotherInThePlaneAtFractionsOfBoth)
   EXPECT_FALSE(meeting_point(one, one));
 }
 
-TEST(Segment, OfAStraightLineMeetsNoOtherOfIt)
+TEST(Segment, PartsOfOneLineDoNotIntersect)
 {
   // Thirds of lines in all directions, far from the origin too.
   std::mt19937                           generator(1);
@@ -34,21 +34,21 @@ TEST(Segment, OfAStraightLineMeetsNoOtherOfIt)
       const Point<3> begin(away * any(generator), away * any(generator), 0);
       const dealii::Tensor<1, 3> third =
         Point<3>(any(generator), any(generator), 0) / 3;
-      // As of points that are interpolated and displaced.
+      // Round-off of points that are interpolated and displaced.
       const auto at = [&](const unsigned int n) {
         return begin + n * third + 1e-5 * n * third;
       };
       EXPECT_FALSE(meeting_point({at(0), at(1)}, {at(2), at(3)})) << i;
     }
-  // Barely crossing ones do.
+  // Barely crossing segments intersect.
   EXPECT_TRUE(meeting_point({Point<3>(0, 0, 0), Point<3>(1, 1e-9, 0)},
                             {Point<3>(0, 1e-9, 0), Point<3>(1, 0, 0)}));
 }
 
-TEST(Segment, HasADistanceToAnother)
+TEST(Segment, DistanceOfTwoSegments)
 {
   const Segment one{Point<3>(0, 0, 0), Point<3>(4, 0, 0)};
-  // Inside of both, at ends, parallel, of a point.
+  // Nearest points inside of both, at ends, of parallels, of a point.
   EXPECT_DOUBLE_EQ(distance(one, {Point<3>(1, -1, 2), Point<3>(1, 3, 2)}), 2);
   EXPECT_DOUBLE_EQ(distance(one, {Point<3>(7, 4, 0), Point<3>(9, 4, 0)}), 5);
   EXPECT_DOUBLE_EQ(distance(one, {Point<3>(3, 1, 0), Point<3>(9, 1, 0)}), 1);

@@ -176,7 +176,7 @@ TEST_F(Sets, PairsByNumberAndToGround)
   EXPECT_EQ(ground[0].second, invalid_index);
 }
 
-TEST_F(Sets, PairsThatCannotBe)
+TEST_F(Sets, ImpossiblePairs)
 {
   const auto refusal = [&](const std::string &text) {
     return input_error_of([&]() { pairs(text); });

@@ -35,9 +35,9 @@ TEST(StrutMesh, EveryStrutIsAChainOfItsOwn)
   EXPECT_EQ(mesh.triangulation().n_used_vertices(), 5 * lattice.struts.size());
 }
 
-TEST(StrutMesh, IntervalsTellWhereACellLies)
+TEST(StrutMesh, IntervalsOfCells)
 {
-  // So many that places need most digits of the strut's number.
+  // Many struts: their numbers take most digits of the vertices' positions.
   const Lattice              lattice   = array_of_stars(20, 20);
   std::vector<StrutDivision> divisions = all_in(lattice, 1);
   for (unsigned int s = 0; s < divisions.size(); ++s)
@@ -80,7 +80,7 @@ TEST(StrutMesh, CellsOfAStrutFollowOneAnother)
     }
 }
 
-TEST(StrutMesh, HasTheStrutsAskedForOnly)
+TEST(StrutMesh, HasTheGivenStrutsOnly)
 {
   const std::vector<StrutDivision> divisions = all_in(array_of_stars(2, 2), 2);
   std::vector<unsigned int>        struts;

@@ -80,7 +80,7 @@ TEST(StrutPartition, ArraysInSpaceAreDividedEvenly)
     EXPECT_NEAR(size, even, 0.05 * even);
 }
 
-TEST(StrutPartition, OfManyCellsNoneIsDivided)
+TEST(StrutPartition, ManyCellsAreNotDivided)
 {
   const Lattice                   lattice = array_of_stars(15, 15);
   const std::vector<unsigned int> ranks   = partition_struts(lattice, 2);

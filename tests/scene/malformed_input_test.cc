@@ -16,7 +16,7 @@ namespace
     const char *assignment, *part;
   };
 
-  /** A change of its text, likewise. */
+  /** A change of the text of that file and what the message must have. */
   struct Change
   {
     const char *from, *to, *part;
@@ -389,7 +389,7 @@ namespace
     return data_text("star.prm");
   }
 
-  /** What `auxfem --check` says of the scene; empty if it accepts it. */
+  /** Error message of `auxfem --check`; empty if it accepts the scene. */
   std::string refusal(const std::string &text, const Words &assignments)
   {
     try
@@ -429,7 +429,7 @@ TEST(MalformedInput, FilesAreRefusedWithWords)
 {
   for (const auto &[from, to, part] : changes)
     expect_message(refusal(replaced(scene_text(), from, to), {}), part, to);
-  // A file of nothing has nothing that a scene needs.
+  // An empty file lacks everything that a scene needs.
   for (const char *text : {"", "\n\n", "# a comment", "\xEF\xBB\xBF"})
     EXPECT_NE(refusal(text, {}), "") << text;
 }

@@ -70,7 +70,7 @@ TEST(ReducedCellMistakes, Values)
                {"cell.prm:2", "nothing resists acceleration"});
 }
 
-TEST(ReducedCellMistakes, ConnectorsThatCreateEnergyOrDoNothing)
+TEST(ReducedCellMistakes, ConnectorsThatCreateEnergyOrHaveNoForce)
 {
   for (const std::string law : {"kelvin-voigt", "maxwell"})
     for (const std::string stiffness : {"0", "-1"})
@@ -174,7 +174,7 @@ TEST(ReducedCellMistakes, SchemesOfTheOtherModel)
       }
 }
 
-TEST(ReducedCellMistakes, WhatOnlyLatticesCan)
+TEST(ReducedCellMistakes, FeaturesOfLatticesOnly)
 {
   expect_parts(message_for({"Time/Start from=static equilibrium"}),
                {"Start from = static equilibrium", "starts from rest"});

@@ -85,7 +85,7 @@ namespace
 
 
 
-  TEST(SceneInSpace, SupportsHoldWhatTheirTypeSays)
+  TEST(SceneInSpace, SupportsHoldTheComponentsOfTheirType)
   {
     EXPECT_EQ(support("set Type = clamp").fixed,
               (Fixed{{true, true, true, true, true, true}}));
@@ -184,7 +184,7 @@ namespace
 
 
 
-  TEST(SceneInSpace, ThePlaneRefusesWhatLeavesIt)
+  TEST(SceneInSpace, ThePlaneRefusesOutOfPlaneComponents)
   {
     struct Entry
     {

@@ -187,7 +187,7 @@ namespace
 
 
 
-  TEST(StrutSections, ThePlaneAcceptsWhatOnlySpaceUses)
+  TEST(StrutSections, ThePlaneAcceptsParametersOfSpace)
   {
     const Section plane =
       section(given +

@@ -30,7 +30,7 @@ namespace
 
 
 
-  TEST(SceneSubsections, TheReferenceTellsWhatCellsOffer)
+  TEST(SceneSubsections, TheReferenceNamesSetsOfCells)
   {
     const std::string page = describe_parameters_markdown(scene_schemas());
     for (const char *part :

@@ -71,7 +71,7 @@ TEST(StepEnds, KinksWithinAStepOfEachOtherAreSampledJumpsAreNot)
   EXPECT_NEAR(ends[0].time, 0.52, 1e-12);
 }
 
-TEST(StepEnds, OfMotionsAreBendsTooAndNoneIsLeftOut)
+TEST(StepEnds, IncludeAllBendsOfMotions)
 {
   const auto ends_of_motion = [](const std::string &scheme) {
     return step_ends(read_scene_from_text(
@@ -116,7 +116,7 @@ TEST(StepEnds, TimesThatTheUserGivesAreAmongThem)
               std::string::npos);
 }
 
-TEST(StepEnds, AKinkThatIsGivenIsAsGoodAsOneThatIsFound)
+TEST(StepEnds, UserEventsAreAsAccurateAsDetectedKinks)
 {
   const auto motion = [](const std::string &force, const std::string &events) {
     SceneRun run(pushed_mass(force, "End time = 1 | Time step = 0.1" + events));
@@ -128,7 +128,7 @@ TEST(StepEnds, AKinkThatIsGivenIsAsGoodAsOneThatIsFound)
               1e-13);
 }
 
-TEST(StepEnds, AStepIsDividedThereAndOnlyThere)
+TEST(StepEnds, DivideStepsNowhereElse)
 {
   SceneRun run(
     pushed_mass("max(0, t - 0.23)", "End time = 1 | Time step = 0.1"));
@@ -185,8 +185,8 @@ TEST(StepEnds, AForceSwitchedOnJustAfterTheStartActsFromTheStart)
 
 TEST(StepEnds, APulseShorterThanAStepHasItsImpulse)
 {
-  // A triangle of 2 ms and 500 N is 0.5 N s: the mass of 1 kg goes on with
-  // 0.5 m/s, but for what the spring does meanwhile.
+  // A triangle of 2 ms and 500 N is 0.5 N s: the mass of 1 kg moves on with
+  // 0.5 m/s, up to the effect of the spring.
   SceneRun run(pushed_mass("500 * max(0, 1 - abs(t - 0.5137) / 0.001)",
                            "End time = 0.52 | Time step = 0.01"));
   run.run();

@@ -23,7 +23,7 @@ namespace
   }
 } // namespace
 
-TEST(TimeFunctionNotes, WhatStepsResolveHasNone)
+TEST(TimeFunctionNotes, ResolvedFunctionsHaveNoNotes)
 {
   for (const char *force : {"5",
                             "sin(10 * t)",
@@ -100,7 +100,7 @@ TEST(TimeFunctionNotes, SmoothTablesThatOvershootAreNamed)
                {"Supports/foot/Displacement y", "overshoots", "table: FILE"});
 }
 
-TEST(TimeFunctionNotes, MotionsThatStrikeAtManyRowsAreNamed)
+TEST(TimeFunctionNotes, MotionsWithManyVelocityJumpsAreNamed)
 {
   std::string rows;
   for (unsigned int i = 0; i <= 10; ++i)

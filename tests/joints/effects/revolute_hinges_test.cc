@@ -31,7 +31,7 @@ namespace
                 "0 1; 1 2; 1 3",
                 revolute("1", "1, 2", "1 2 -0.5"));
 
-  /** The hinge constraints of the forked alone. */
+  /** The hinge constraints of the fork without the other effects. */
   struct ForkHinges : SpaceEffect
   {
     explicit ForkHinges(const bool large_rotation)
@@ -40,19 +40,19 @@ namespace
       const auto spins = [&](const unsigned int strut, const unsigned int end) {
         std::array<int, 3> unknowns;
         for (unsigned int c = 0; c < 3; ++c)
-          unknowns[c] = of_scene.dofs().end_rotation(strut, end, 3 + c);
+          unknowns[c] = setup.dofs().end_rotation(strut, end, 3 + c);
         return unknowns;
       };
-      std::vector<RevoluteHinge> of_fork;
+      std::vector<RevoluteHinge> definitions;
       for (unsigned int h = 0; h < 2; ++h)
-        of_fork.push_back(
+        definitions.push_back(
           {spins(0, 1),
            spins(1 + h, 0),
-           {{of_scene.dofs().constraints().hinge_multiplier(h, 0),
-             of_scene.dofs().constraints().hinge_multiplier(h, 1)}},
-           of_scene.scene.joints[0].axis});
+           {{setup.dofs().constraints().hinge_multiplier(h, 0),
+             setup.dofs().constraints().hinge_multiplier(h, 1)}},
+           setup.scene.joints[0].axis});
       hinges =
-        make_revolute_hinges(of_scene.dofs(), large_rotation, 0.7, of_fork);
+        make_revolute_hinges(setup.dofs(), large_rotation, 0.7, definitions);
     }
 
     std::unique_ptr<Constraints> hinges;
@@ -61,10 +61,10 @@ namespace
 
 TEST(RevoluteHinges, EveryReleasedStrutHasTwoConstraints)
 {
-  const EquationsOnRanks of_scene(forked, {}, MPI_COMM_SELF);
-  const auto            &dofs = of_scene.dofs();
+  const EquationsOnRanks setup(forked, {}, MPI_COMM_SELF);
+  const auto            &dofs = setup.dofs();
   EXPECT_EQ(dofs.constraints().n_multipliers(), 4u);
-  EXPECT_EQ(of_scene.equations.reporting().constraints.size(), 1u);
+  EXPECT_EQ(setup.equations.reporting().constraints.size(), 1u);
   EXPECT_EQ(describe(dofs, dofs.constraints().hinge_multiplier(1, 0)),
             "constraint of the revolute hinge at joint 1");
 }
@@ -117,7 +117,7 @@ TEST(RevoluteHinges, AStrutTurnsAboutTheAxisAlone)
   const double EI = 1000 * pi * 1e-4 / 4, kGA = 0.9 * pi * 1e-2 * 1000 / 2.6;
   EXPECT_NEAR(run.state.displacement[dofs.joint_unknown(2, 2)],
               1e-6 * 8 / (3 * EI) + 1e-6 * 2 / kGA,
-              // The deflection of 3e-5 m, squared, of itself.
+              // Relative error of the order of the squared deflection.
               1e-12);
   // Both sides of the hinge are parallel but for the turn about z.
   for (const unsigned int c : {3u, 4u})
@@ -129,12 +129,11 @@ TEST(RevoluteHinges, AStrutTurnsAboutTheAxisAlone)
 TEST(RevoluteHinges, ABarHasNoRotationToBeHinged)
 {
   const std::string message = input_error_of([] {
-    const EquationsOnRanks of_scene(space_frame("0 0 0; 1 0 0; 2 0 0",
-                                                "0 1; 1 2")
-                                      .rigid_part("bar", "1", 1)
-                                      .add(revolute("1", "all", "0 0 1")),
-                                    {},
-                                    MPI_COMM_SELF);
+    const EquationsOnRanks setup(space_frame("0 0 0; 1 0 0; 2 0 0", "0 1; 1 2")
+                                   .rigid_part("bar", "1", 1)
+                                   .add(revolute("1", "all", "0 0 1")),
+                                 {},
+                                 MPI_COMM_SELF);
   });
   EXPECT_TRUE(contains(message, "Joints/hinge/Joints")) << message;
   EXPECT_TRUE(contains(message, "lies on one line")) << message;

@@ -57,7 +57,7 @@ TEST(AbaqusFormat, ReadsNodesElementsAndSets)
   EXPECT_EQ(mesh.node_sets.at("every node"), (Numbers{1, 2, 3, 4, 5}));
 }
 
-TEST(AbaqusFormat, TellsWhatIsNotTakenOver)
+TEST(AbaqusFormat, ReportsSkippedParts)
 {
   const LineMesh mesh =
     read_abaqus(read_text(AUXFEM_TEST_DATA_DIRECTORY "/portal.inp"));
@@ -85,7 +85,7 @@ TEST(AbaqusFormat, TellsWhatIsNotTakenOver)
                {"elements of type S3", "nodes for the direction of sections"});
 }
 
-TEST(AbaqusFormat, RefusesWhatWouldLeaveOutAPart)
+TEST(AbaqusFormat, RefusesFilesThatWouldLoseAPart)
 {
   const std::vector<std::pair<std::string, std::string>> lines = {
     {"*PART, NAME=a", "parts and instances are not read"},

@@ -82,7 +82,7 @@ TEST(FrameCell, RefusesRepeatedStruts)
     contains(frame_refusal("0 0; 1 0", "0 1 1; 1 0 -1"), "repeats strut 0"));
 }
 
-TEST(FrameCell, RefusesWhatItCannotRead)
+TEST(FrameCell, RefusesMalformedEntries)
 {
   EXPECT_TRUE(contains(frame_refusal("0 0; 1 zero", "0 1"), "\"zero\""));
   EXPECT_TRUE(contains(frame_refusal("0 0; 1", "0 1"), "has 1 numbers"));

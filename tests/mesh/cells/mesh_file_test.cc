@@ -292,7 +292,7 @@ TEST(MeshFileCell, RefusesFilesItCannotRead)
                        "cannot read the mesh file"));
 }
 
-TEST(MeshFileCell, PassesOnWhatGmshSays)
+TEST(MeshFileCell, ReportsErrorsOfGmsh)
 {
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
@@ -365,7 +365,7 @@ TEST(MeshFileCell, RefusesStrutsWithoutLength)
              "zero length"));
 }
 
-TEST(MeshFileCell, RefusesArcsThatCannotBe)
+TEST(MeshFileCell, RefusesImpossibleArcs)
 {
   const auto behind = mesh_file_refusal(mesh({"1 0 0 0", "2 1 0 0", "3 2 0 0"},
                                              {"1 8 2 0 1 1 2 3"}),
@@ -378,7 +378,7 @@ TEST(MeshFileCell, RefusesArcsThatCannotBe)
   EXPECT_TRUE(contains(joined, "node 3 in its middle")) << joined;
 }
 
-TEST(MeshFileCell, RefusesGroupsThatCannotBe)
+TEST(MeshFileCell, RefusesImpossibleGroups)
 {
   const std::vector<std::string> nodes = {"1 0 0 0", "2 1 0 0", "3 0 1 0"};
   const auto                     loose = mesh_file_refusal(mesh(nodes,
@@ -518,7 +518,7 @@ TEST(MeshFileCell, ScriptsEndAfterTheirTime)
     }
 }
 
-TEST(MeshFileCell, RefusesWhatIsNoFile)
+TEST(MeshFileCell, RefusesPipes)
 {
   const std::string pipe = AUXFEM_TEST_OUTPUT_DIRECTORY "/mesh_pipe.msh";
   std::filesystem::remove(pipe);

@@ -58,7 +58,7 @@ namespace
       }
   }
 
-  /** What a user is told of a scene with the mesh @p text. */
+  /** Error message for a scene with the mesh @p text. */
   std::string msh_refusal(const std::string &text)
   {
     const std::string file = write(text);

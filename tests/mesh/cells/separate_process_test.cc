@@ -31,7 +31,7 @@ namespace
   }
 } // namespace
 
-TEST(SeparateProcess, ReturnsWhatTheActionReturns)
+TEST(SeparateProcess, ReturnsTheResultOfTheAction)
 {
   EXPECT_EQ(run_in_separate_process([]() { return std::string(); }), "");
   const std::string large(10000000, 'x');
@@ -95,9 +95,9 @@ TEST(SeparateProcess, EndsAtItsLimits)
   EXPECT_NE(end_of(use(200000000), limits), "at its end");
 }
 
-TEST(SeparateProcess, EndsWithAllThatItHasStarted)
+TEST(SeparateProcess, EndsItsChildren)
 {
-  // A pipe that only a process which is started keeps open.
+  // Only a child of the process keeps this pipe open.
   for (const bool is_in_time : {true, false})
     {
       std::array<int, 2> ends;

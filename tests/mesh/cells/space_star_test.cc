@@ -70,7 +70,7 @@ namespace
   }
 } // namespace
 
-TEST(SpaceStarCell, JointsLieWhereTheFormulasSay)
+TEST(SpaceStarCell, JointsLieAtTheirFormulas)
 {
   const auto lattice = stars(1, 1, 1);
   EXPECT_EQ(lattice.joints.size(), 20u);

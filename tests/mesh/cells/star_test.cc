@@ -49,7 +49,7 @@ namespace
   }
 } // namespace
 
-TEST(StarCell, JointsLieWhereTheFormulasSay)
+TEST(StarCell, JointsLieAtTheirFormulas)
 {
   const auto lattice = star_array(1, 1);
   EXPECT_EQ(lattice.joints.size(), 12u);
