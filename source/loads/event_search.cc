@@ -65,8 +65,8 @@ namespace auxfem
           const double middle = from.time + (to.time - from.time) / 2;
           if (middle <= from.time || middle >= to.time)
             return to;
-          const Sample there = {middle, function(middle).branches};
-          (there.branches == from.branches ? from : to) = there;
+          const Sample between = {middle, function(middle).branches};
+          (between.branches == from.branches ? from : to) = between;
         }
     }
 

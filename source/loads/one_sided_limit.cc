@@ -185,9 +185,10 @@ namespace auxfem
 
       bool sample(Level &level, const unsigned int i) const
       {
-        const auto there = function(t + sign * i * level.h);
-        level.values[i]  = there.value;
-        return there.branches == branches && std::isfinite(there.value);
+        const auto sample_value = function(t + sign * i * level.h);
+        level.values[i]         = sample_value.value;
+        return sample_value.branches == branches &&
+          std::isfinite(sample_value.value);
       }
 
       const BranchedFunction &function;
@@ -215,11 +216,11 @@ namespace auxfem
         const double middle = inside + (outside - inside) / 2;
         if (middle == inside || middle == outside)
           break;
-        const auto there = function(middle);
-        if (there.branches == beside.branches)
+        const auto sample_value = function(middle);
+        if (sample_value.branches == beside.branches)
           {
             inside = middle;
-            value  = there.value;
+            value  = sample_value.value;
           }
         else
           outside = middle;

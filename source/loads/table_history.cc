@@ -22,7 +22,7 @@ namespace auxfem
     /** A row of the tridiagonal system for slopes at the points. */
     struct Row
     {
-      double before, here, after, right_side;
+      double before, diagonal, after, right_side;
     };
 
     /** Gaussian elimination of a tridiagonal system without pivoting. */
@@ -31,15 +31,15 @@ namespace auxfem
       const std::size_t n = rows.size();
       for (std::size_t i = 1; i < n; ++i)
         {
-          const double factor = rows[i].before / rows[i - 1].here;
-          rows[i].here -= factor * rows[i - 1].after;
+          const double factor = rows[i].before / rows[i - 1].diagonal;
+          rows[i].diagonal -= factor * rows[i - 1].after;
           rows[i].right_side -= factor * rows[i - 1].right_side;
         }
       std::vector<double> result(n);
       for (std::size_t i = n; i-- > 0;)
         result[i] = (rows[i].right_side -
                      (i + 1 < n ? rows[i].after * result[i + 1] : 0.)) /
-          rows[i].here;
+          rows[i].diagonal;
       return result;
     }
 
@@ -87,7 +87,7 @@ namespace auxfem
                  3 * (width(i) * line(i - 1) + width(i - 1) * line(i))};
     const Row last =
       end_row({width(n - 2), width(n - 3)}, {line(n - 2), line(n - 3)});
-    rows.back() = {last.after, last.here, 0, last.right_side};
+    rows.back() = {last.after, last.diagonal, 0, last.right_side};
     slopes      = solve(rows);
   }
 

@@ -41,8 +41,8 @@ namespace auxfem
     double arc_length(const double chord, const double sagitta)
     {
       // With t = tan(angle/2) = 2 sagitta / chord, angle / sin(angle) is
-      // (1 + t^2) atan(t) / t, which stays accurate for flat arcs and for
-      // nearly closed circles, where sin(angle) goes to zero.
+      // (1 + t^2) atan(t) / t. This is accurate for flat arcs and for nearly
+      // closed circles, where sin(angle) goes to zero.
       const double t = 2. * sagitta / chord;
       return t == 0. ? chord : chord * (1. + t * t) * std::atan(t) / t;
     }

@@ -8,7 +8,7 @@
 
 namespace auxfem
 {
-  /** A function of time (s) that also tells the branches its formula takes. */
+  /** A function of time (s) that also returns the branches of its formula. */
   using BranchedFunction = std::function<Expression::BranchedValue(double)>;
 
   /**

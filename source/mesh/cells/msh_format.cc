@@ -81,7 +81,7 @@ namespace auxfem
             tokens.is_binary = true;
             tokens.skip_line();
             if (size_of_a_number != sizeof(double) ||
-                tokens.integer("number 1 that tells the order of bytes") != 1)
+                tokens.integer("number 1 for the order of bytes") != 1)
               tokens.fail("the file is from a machine with another binary "
                           "format of numbers; save it as text");
           }

@@ -40,12 +40,12 @@ namespace auxfem
 
   bool MshTokens::skip_to_end_of(const std::string &text)
   {
-    const std::size_t found = content.find(text, position);
-    if (found == std::string::npos)
+    const std::size_t begin = content.find(text, position);
+    if (begin == std::string::npos)
       return false;
     line +=
       std::count(content.begin() + position, content.begin() + found, '\n');
-    position = found + text.size();
+    position = begin + text.size();
     return true;
   }
 
