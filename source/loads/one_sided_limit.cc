@@ -185,10 +185,9 @@ namespace auxfem
 
       bool sample(Level &level, const unsigned int i) const
       {
-        const auto sample_value = function(t + sign * i * level.h);
-        level.values[i]         = sample_value.value;
-        return sample_value.branches == branches &&
-          std::isfinite(sample_value.value);
+        const auto sampled = function(t + sign * i * level.h);
+        level.values[i]    = sampled.value;
+        return sampled.branches == branches && std::isfinite(sampled.value);
       }
 
       const BranchedFunction &function;
@@ -216,11 +215,11 @@ namespace auxfem
         const double middle = inside + (outside - inside) / 2;
         if (middle == inside || middle == outside)
           break;
-        const auto sample_value = function(middle);
-        if (sample_value.branches == beside.branches)
+        const auto sampled = function(middle);
+        if (sampled.branches == beside.branches)
           {
             inside = middle;
-            value  = sample_value.value;
+            value  = sampled.value;
           }
         else
           outside = middle;
