@@ -180,14 +180,14 @@ namespace auxfem
             gravity[c] =
               proportional(structure.plan.scene.gravity.acceleration[c],
                            structure.plan);
-        auto of_parts = make_rigid_part_constraints(structure.bodies,
-                                                    {structure.lattice,
-                                                     structure.numbering,
-                                                     simulated.large_rotation,
-                                                     gravity});
-        reporting_effects.rigid_parts = of_parts.get();
-        reporting_effects.constraints.push_back(of_parts.get());
-        effects.push_back(std::move(of_parts));
+        auto parts = make_rigid_part_constraints(structure.bodies,
+                                                 {structure.lattice,
+                                                  structure.numbering,
+                                                  simulated.large_rotation,
+                                                  gravity});
+        reporting_effects.rigid_parts = parts.get();
+        reporting_effects.constraints.push_back(parts.get());
+        effects.push_back(std::move(parts));
       }
     if (auto hinges = make_revolute_hinges(structure))
       {

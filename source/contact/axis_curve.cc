@@ -57,16 +57,17 @@ namespace auxfem
                                  const double             begin,
                                  const double             end)
     {
-      const auto found = [&](const double parameter, const bool is_inside) {
+      const auto nearest_at = [&](const double parameter,
+                                  const bool   is_inside) {
         return NearestPoint{parameter,
                             (curve.at(parameter) - point).norm(),
                             is_inside};
       };
       if (slope_at(curve, point, low) >= 0)
-        return found(low, low > begin);
+        return nearest_at(low, low > begin);
       if (slope_at(curve, point, high) <= 0)
-        return found(high, high < end);
-      return found(root_of_slope(curve, point, low, high), true);
+        return nearest_at(high, high < end);
+      return nearest_at(root_of_slope(curve, point, low, high), true);
     }
 
     NearestPoint nearest_on_line(const AxisCurve         &line,

@@ -64,8 +64,8 @@ namespace auxfem
                                        const double pressure) const
   {
     FrictionForce result;
-    result.recess = velocity * normal;
-    result.slip   = velocity - result.recess * normal;
+    result.normal_velocity = velocity * normal;
+    result.slip            = velocity - result.normal_velocity * normal;
     result.scale =
       std::sqrt(result.slip.norm_square() + slip_velocity * slip_velocity);
     result.limit = coefficient * pressure;
@@ -79,12 +79,13 @@ namespace auxfem
   {
     const dealii::Tensor<2, 3> identity = dealii::unit_symmetric_tensor<3>();
     const dealii::Tensor<1, 3> part     = force.slip / force.scale;
-    const dealii::Tensor<2, 3> of_slip  = force.limit / force.scale *
+    const dealii::Tensor<2, 3> slip_derivative = force.limit / force.scale *
       (identity - dealii::outer_product(part, part));
-    return {of_slip * (identity - dealii::outer_product(normal, normal)),
-            -1 * of_slip *
+    return {slip_derivative *
+              (identity - dealii::outer_product(normal, normal)),
+            -1 * slip_derivative *
               (dealii::outer_product(normal, force.slip) +
-               force.recess * identity),
+               force.normal_velocity * identity),
             coefficient * part};
   }
 

@@ -225,18 +225,19 @@ namespace auxfem
 
   namespace
   {
-    /** A part of a curve on a part of its way: Bernstein coefficients by way,
+    /** A part of a curve on a part of its path: Bernstein coefficients by path,
      * each a polynomial along the curve. */
     struct Patch
     {
       using Levels = std::array<BernsteinPolynomial, 3>;
 
-      /** In the order of the way; each half begins and ends with whole ones. */
-      std::array<Patch, 2> halves_of_way() const
+      /** In the order of the path; each half begins and ends with whole ones.
+       */
+      std::array<Patch, 2> halves_of_path() const
       {
         std::array<Patch, 2> halves = {{*this, *this}};
-        const double         middle = (way[0] + way[1]) / 2;
-        halves[0].way[1] = halves[1].way[0] = middle;
+        const double         middle = (path[0] + path[1]) / 2;
+        halves[0].path[1] = halves[1].path[0] = middle;
         for (unsigned int i = 0; i <= levels[0].degree; ++i)
           {
             const double a = levels[0].coefficients[i],
@@ -258,9 +259,9 @@ namespace auxfem
         halves[0].curve[1] = halves[1].curve[0] = middle;
         for (unsigned int k = 0; k < levels.size(); ++k)
           {
-            const auto of_level = levels[k].halves();
+            const auto level_halves = levels[k].halves();
             for (unsigned int i = 0; i < 2; ++i)
-              halves[i].levels[k] = of_level[i];
+              halves[i].levels[k] = level_halves[i];
           }
         return halves;
       }
@@ -268,7 +269,7 @@ namespace auxfem
       /** The lowest of the corners, whose coefficients are values. */
       CurvePassage lowest_corner(double &value) const
       {
-        CurvePassage lowest{curve[0], way[0]};
+        CurvePassage lowest{curve[0], path[0]};
         value = levels[0].coefficients[0];
         for (const unsigned int j : {0, 1})
           for (const unsigned int i : {0, 1})
@@ -277,7 +278,7 @@ namespace auxfem
                 here < value)
               {
                 value  = here;
-                lowest = {curve[i], way[j]};
+                lowest = {curve[i], path[j]};
               }
         return lowest;
       }
@@ -291,7 +292,7 @@ namespace auxfem
                            });
       }
 
-      /** Whether the level changes more along the curve than on the way. */
+      /** Whether the level changes more along the curve than on the path. */
       bool is_steeper_along_curve() const
       {
         double along = 0, across = 0;
@@ -308,7 +309,7 @@ namespace auxfem
       }
 
       Levels                levels;
-      std::array<double, 2> curve = {{0, 1}}, way = {{0, 1}};
+      std::array<double, 2> curve = {{0, 1}}, path = {{0, 1}};
     };
 
     std::optional<CurvePassage> find_negative(const Patch &patch)
@@ -321,12 +322,12 @@ namespace auxfem
       const CurvePassage lowest = patch.lowest_corner(value);
       if (value < 0)
         return lowest;
-      if ((patch.curve[1] - patch.curve[0]) * (patch.way[1] - patch.way[0]) <
+      if ((patch.curve[1] - patch.curve[0]) * (patch.path[1] - patch.path[0]) <
           smallest)
         return {};
       for (const Patch &half : patch.is_steeper_along_curve()
              ? patch.halves_of_curve()
-             : patch.halves_of_way())
+             : patch.halves_of_path())
         if (const auto found = find_negative(half))
           return found;
       return {};

@@ -47,11 +47,11 @@ namespace auxfem
                                     const std::string   &mine)
     {
       namespace MPI = dealii::Utilities::MPI;
-      const unsigned int who =
+      const unsigned int lowest =
         MPI::min(mine.empty() ? layout.n_ranks() : layout.rank(),
                  layout.communicator());
-      return who < layout.n_ranks()
-        ? text_of_rank(who, mine, layout.communicator())
+      return lowest < layout.n_ranks()
+        ? text_of_rank(lowest, mine, layout.communicator())
         : "";
     }
 
@@ -114,17 +114,17 @@ namespace auxfem
     RowSums          sums;
     if (add(0, n_internal))
       sums = sum_rows(residual, rows);
-    const RowSums of_internal = sums;
+    const RowSums internal_sums = sums;
     if (add(n_internal, n_balanced))
       sums = sum_rows(residual, rows);
-    const RowSums of_balanced = sums;
+    const RowSums balanced_sums = sums;
     if (add(n_balanced, effects.size()))
       sums = sum_rows(residual, rows);
     const std::vector<double> all = structure.numbering.layout().sum(
-      {of_internal.forces,
-       of_internal.moments,
-       of_balanced.forces,
-       of_balanced.moments,
+      {internal_sums.forces,
+       internal_sums.moments,
+       balanced_sums.forces,
+       balanced_sums.moments,
        sums.free_forces,
        sums.free_moments,
        sum_of_squares(residual, rows.multipliers),
@@ -229,10 +229,10 @@ namespace auxfem
     EnergyAccount account(evaluation);
     for (unsigned int i = 0; i < effects.size(); ++i)
       {
-        const EffectCache *of_effect = results.effect_caches[i].get();
-        effects[i]->account(evaluation, of_effect, account);
+        const EffectCache *cache = results.effect_caches[i].get();
+        effects[i]->account(evaluation, cache, account);
         if (!is_stage)
-          effects[i]->account_step(evaluation, of_effect, account);
+          effects[i]->account_step(evaluation, cache, account);
       }
     if (is_stage)
       add_stage(evaluation, results, account);
@@ -292,29 +292,31 @@ namespace auxfem
   bool Equations::update_couplings(State &accepted)
   {
     bool             changed = false;
-    std::vector<int> wanted;
+    std::vector<int> required_unknowns;
     for (const auto &[effect, couplings] : changing_couplings)
-      changed = couplings->update_couplings(accepted, wanted) || changed;
-    return couple(changed, wanted, accepted);
+      changed =
+        couplings->update_couplings(accepted, required_unknowns) || changed;
+    return couple(changed, required_unknowns, accepted);
   }
 
   bool Equations::restart_couplings(State &accepted)
   {
     bool             changed = false;
-    std::vector<int> wanted;
+    std::vector<int> required_unknowns;
     for (const auto &[effect, couplings] : changing_couplings)
-      changed = couplings->restart_couplings(accepted, wanted) || changed;
-    return couple(changed, wanted, accepted);
+      changed =
+        couplings->restart_couplings(accepted, required_unknowns) || changed;
+    return couple(changed, required_unknowns, accepted);
   }
 
   bool Equations::couple(const bool              changed,
-                         const std::vector<int> &wanted,
+                         const std::vector<int> &required_unknowns,
                          State                  &accepted)
   {
-    if (unknowns().layout.largest(changed || !wanted.empty()) == 0)
+    if (unknowns().layout.largest(changed || !required_unknowns.empty()) == 0)
       return false;
     auto       more = std::make_unique<Unknowns>(unknowns());
-    const bool grow = more->add_ghosts(wanted);
+    const bool grow = more->add_ghosts(required_unknowns);
     if (grow)
       {
         with_ghosts = std::move(more);
@@ -437,8 +439,8 @@ namespace auxfem
       return 0;
     const LatticeModel &model  = equations.model();
     double              length = model.mean_strut_length;
-    for (const Constraints *of_kind : constraints)
-      length = std::max(length, of_kind->length());
+    for (const Constraints *constraint : constraints)
+      length = std::max(length, constraint->length());
     // Parts lie on some ranks only, and all must decide alike.
     const double longest = model.numbering.layout().largest(length);
     // A constraint sums a few products of displacements and lengths.

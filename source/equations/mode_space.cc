@@ -178,9 +178,9 @@ namespace auxfem
     const std::optional<Inertia> inertia = solver.new_inertia();
     if (!inertia || !solver.linear_solver().is_exact())
       return std::nullopt;
-    const unsigned long of_constraints =
+    const unsigned long n_constraints =
       solver.model().numbering.constraints().n_multipliers();
-    return inertia->negative - std::min(inertia->negative, of_constraints);
+    return inertia->negative - std::min(inertia->negative, n_constraints);
   }
 
   std::optional<int> ModeSpace::determinant_sign() const
@@ -197,11 +197,11 @@ namespace auxfem
     Vector shape(layout.n_local(), 0.);
     std::copy(owned.begin(), owned.end(), shape.begin());
     layout.update_ghosts(shape.data());
-    turn_up(shape);
+    normalize_sign(shape);
     return shape;
   }
 
-  void ModeSpace::turn_up(Vector &shape) const
+  void ModeSpace::normalize_sign(Vector &shape) const
   {
     constexpr double as_large = 1 - 1e-6;
     double           mine     = 0;
@@ -212,10 +212,10 @@ namespace auxfem
     for (unsigned int i = layout.n_owned(); i-- > 0;)
       if (std::abs(shape[i]) >= as_large * largest)
         first = 1 + layout.n_global() - layout.global(i);
-    const double of_all = layout.largest(first);
-    double       sign   = 0;
+    const double first_on_all_ranks = layout.largest(first);
+    double       sign               = 0;
     for (unsigned int i = 0; i < layout.n_owned(); ++i)
-      if (1. + layout.n_global() - layout.global(i) == of_all)
+      if (1. + layout.n_global() - layout.global(i) == first_on_all_ranks)
         sign = shape[i] < 0 ? -1 : 1;
     sign = layout.sum(sign);
     for (double &value : shape)

@@ -24,12 +24,12 @@ namespace auxfem
         {
           if (!numbering.elements()[e].is_owned)
             continue;
-          const std::vector<double> of_nodes = node_masses(model, e);
-          for (unsigned int a = 0; a < of_nodes.size(); ++a)
+          const std::vector<double> nodal_masses = node_masses(model, e);
+          for (unsigned int a = 0; a < nodal_masses.size(); ++a)
             for (unsigned int c = 0; c < model.lattice.dimension; ++c)
               masses.push_back({numbering.element_unknowns(
                                   e)[numbering.n_components() * a + c],
-                                of_nodes[a]});
+                                nodal_masses[a]});
         }
     }
 
@@ -94,11 +94,11 @@ namespace auxfem
   double total_mass(const Equations &equations)
   {
     const LatticeModel   &model = equations.model();
-    std::vector<NodeMass> of_components;
-    add_point_masses(model, of_components);
-    add_rigid_parts(model, of_components);
+    std::vector<NodeMass> component_masses;
+    add_point_masses(model, component_masses);
+    add_rigid_parts(model, component_masses);
     double mine = 0;
-    for (const NodeMass &node : of_components)
+    for (const NodeMass &node : component_masses)
       mine += node.mass / model.lattice.dimension;
     for (unsigned int e = 0; e < model.numbering.elements().size(); ++e)
       if (model.numbering.elements()[e].is_owned)

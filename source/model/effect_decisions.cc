@@ -13,16 +13,16 @@ namespace auxfem
     }
 
     /** Settles `auto` by what has been measured. */
-    void decide_by_measure(const std::string &why_kept,
+    void decide_by_measure(const std::string &retention_reason,
                            const double       tolerance,
                            EffectDecision    &decision)
     {
       const bool is_called_for = decision.is_called_for(tolerance);
-      decision.on              = is_called_for || !why_kept.empty();
+      decision.on              = is_called_for || !retention_reason.empty();
       decision.reason          = measured_text(*decision.measure) +
         (is_called_for ? ", above " : ", below ") + part_text(tolerance);
-      if (!is_called_for && !why_kept.empty())
-        decision.reason += ", but " + why_kept;
+      if (!is_called_for && !retention_reason.empty())
+        decision.reason += ", but " + retention_reason;
     }
 
     EffectDecision decide(const EffectDefinition &effect,
@@ -45,7 +45,7 @@ namespace auxfem
             decision.reason += ": " + measured_text(*decision.measure);
         }
       else if (decision.measure)
-        decide_by_measure(effect.why_kept(before),
+        decide_by_measure(effect.retention_reason(before),
                           plan.effects.tolerance,
                           decision);
       return decision;
@@ -71,7 +71,7 @@ namespace auxfem
     return text;
   }
 
-  std::string saves_nothing(const SimulatedEffects & /*before*/)
+  std::string no_saving_reason(const SimulatedEffects & /*before*/)
   {
     return "leaving it out saves nothing";
   }

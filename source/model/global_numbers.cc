@@ -60,7 +60,7 @@ namespace auxfem
     distribution.assign_joints(partition.ranks);
     distribution.assign_rigid_parts();
     distribution.assign_hinges();
-    take(distribution);
+    assign_numbers(distribution);
 
     for (unsigned int s = 0; s < lattice.struts.size(); ++s)
       if (first_inner[s] >= 0)
@@ -69,7 +69,7 @@ namespace auxfem
       hinges[h].joint = ties.hinged[h].joint;
   }
 
-  void GlobalNumbers::take(const UnknownDistribution &distribution)
+  void GlobalNumbers::assign_numbers(const UnknownDistribution &distribution)
   {
     first_owned.assign(1, 0);
     for (const int n_owned_by_rank : distribution.counts())
@@ -79,7 +79,7 @@ namespace auxfem
                                : first_owned[unknown.owner] + unknown.number;
     };
     const auto all_global = [&](const UnknownDistribution::Motion &unknowns) {
-      OfMotion numbers;
+      MotionNumbers numbers;
       std::transform(unknowns.begin(), unknowns.end(), numbers.begin(), global);
       return numbers;
     };
@@ -101,11 +101,11 @@ namespace auxfem
   }
 
   std::vector<int>
-  GlobalNumbers::of_rigid_part(const Lattice     &lattice,
-                               const unsigned int rigid_part) const
+  GlobalNumbers::rigid_part_unknowns(const Lattice     &lattice,
+                                     const unsigned int rigid_part) const
   {
-    const OfRigidPart &part   = rigid_parts[rigid_part];
-    std::vector<int>   result = part.multipliers;
+    const RigidPartNumbers &part   = rigid_parts[rigid_part];
+    std::vector<int>        result = part.multipliers;
     result.insert(result.end(), part.motion.begin(), part.motion.end());
     for (const unsigned int joint : lattice.rigid_parts[rigid_part].joints)
       for (unsigned int component = 0; component < lattice.dimension;
@@ -133,7 +133,7 @@ namespace auxfem
           .clamped_joints[number - 1 - d * (part.joints.size() - 2)];
   }
 
-  const GlobalNumbers::OfMotion &
+  const GlobalNumbers::MotionNumbers &
   GlobalNumbers::end_rotation(const Lattice     &lattice,
                               const unsigned int strut,
                               const unsigned int end) const
@@ -153,9 +153,9 @@ namespace auxfem
       {
         if (element.is_joint(node))
           {
-            const OfMotion &displacement =
+            const MotionNumbers &displacement =
               joints[lattice.struts[element.strut].joints[node]];
-            const OfMotion &rotation =
+            const MotionNumbers &rotation =
               end_rotation(lattice, element.strut, node);
             for (const unsigned int component : components)
               result.push_back(component < first_rotation
@@ -171,11 +171,11 @@ namespace auxfem
       }
   }
 
-  GlobalNumbers::OfMotion
+  GlobalNumbers::MotionNumbers
   GlobalNumbers::rotation(const RotationOwner &rotation_owner) const
   {
-    OfMotion   numbers = {{-1, -1, -1, -1, -1, -1}};
-    const auto take    = [&numbers](const OfMotion &from) {
+    MotionNumbers numbers       = {{-1, -1, -1, -1, -1, -1}};
+    const auto    copy_rotation = [&numbers](const MotionNumbers &from) {
       for (unsigned int c = first_rotation; c < n_motion_components; ++c)
         numbers[c] = from[c];
     };
@@ -184,13 +184,14 @@ namespace auxfem
         case RotationOwner::What::ground:
           break;
         case RotationOwner::What::joint:
-          take(joints[rotation_owner.index]);
+          copy_rotation(joints[rotation_owner.index]);
           break;
         case RotationOwner::What::strut_end:
-          take(released_ends.at({rotation_owner.index, rotation_owner.end}));
+          copy_rotation(
+            released_ends.at({rotation_owner.index, rotation_owner.end}));
           break;
         case RotationOwner::What::rigid_part:
-          take(rigid_parts[rotation_owner.index].motion);
+          copy_rotation(rigid_parts[rotation_owner.index].motion);
           break;
       }
     return numbers;
@@ -222,7 +223,7 @@ namespace auxfem
     const GlobalNumbers             &numbers,
     const UnknownLayout             &layout,
     const std::vector<unsigned int> &rigid_parts)
-    : kept_rigid_parts(rigid_parts)
+    : local_rigid_parts(rigid_parts)
   {
     const auto all_local = [&layout](const auto &globals) {
       auto locals = globals;
@@ -235,24 +236,24 @@ namespace auxfem
     const auto keep = [this](const auto &multipliers) {
       for (const int multiplier : multipliers)
         if (multiplier >= 0)
-          kept_multipliers.push_back(multiplier);
+          local_multipliers.push_back(multiplier);
     };
-    for (const GlobalNumbers::OfRigidPart &part : numbers.rigid_parts)
-      of_rigid_part.push_back({all_local(part.motion),
-                               part.clamped_joints,
-                               all_local(part.multipliers)});
-    for (const GlobalNumbers::OfHinge &hinge : numbers.hinges)
-      of_hinge.push_back(all_local(hinge.multipliers));
-    for (const unsigned int p : kept_rigid_parts)
-      keep(of_rigid_part[p].multipliers);
-    for (const std::array<int, 2> &multipliers : of_hinge)
+    for (const GlobalNumbers::RigidPartNumbers &part : numbers.rigid_parts)
+      rigid_part_numbers.push_back({all_local(part.motion),
+                                    part.clamped_joints,
+                                    all_local(part.multipliers)});
+    for (const GlobalNumbers::HingeNumbers &hinge : numbers.hinges)
+      hinge_numbers.push_back(all_local(hinge.multipliers));
+    for (const unsigned int p : local_rigid_parts)
+      keep(rigid_part_numbers[p].multipliers);
+    for (const std::array<int, 2> &multipliers : hinge_numbers)
       keep(multipliers);
   }
 
   unsigned int ConstraintUnknowns::n_multipliers() const
   {
-    unsigned int sum = 2 * of_hinge.size();
-    for (const OfRigidPart &part : of_rigid_part)
+    unsigned int sum = 2 * hinge_numbers.size();
+    for (const RigidPartNumbers &part : rigid_part_numbers)
       sum += part.multipliers.size();
     return sum;
   }

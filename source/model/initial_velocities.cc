@@ -112,7 +112,7 @@ namespace auxfem
     }
 
     /** The velocity that a definition gives to one joint. */
-    struct Given
+    struct DefinedVelocity
     {
       const InitialVelocityDefinition *definition;
       JointVelocity                    velocity;
@@ -157,17 +157,17 @@ namespace auxfem
         : plan(plan)
         , lattice(lattice)
         , numbering(numbering)
-        , of_joints(lattice.joints.size())
+        , joint_velocities(lattice.joints.size())
         , spins_of_parts(lattice.rigid_parts.size())
       {
         find_rotating_parts();
         for (const InitialVelocityDefinition &definition :
              plan.initial_velocities())
-          take(definition);
-        refuse_held();
-        for (unsigned int j = 0; j < of_joints.size(); ++j)
-          if (of_joints[j])
-            move_joint(j, of_joints[j]->velocity);
+          apply(definition);
+        refuse_supported();
+        for (unsigned int j = 0; j < joint_velocities.size(); ++j)
+          if (joint_velocities[j])
+            move_joint(j, joint_velocities[j]->velocity);
         for (unsigned int e = 0; e < numbering.elements().size(); ++e)
           move_element(e);
       }
@@ -187,10 +187,10 @@ namespace auxfem
         for (const unsigned int p : numbering.constraints().rigid_parts())
           if (lattice.rigid_parts[p].has_rotation)
             for (const unsigned int c : numbering.components())
-              of_rigid_parts.insert(numbering.constraints().motion(p, c));
+              rigid_part_unknowns.insert(numbering.constraints().motion(p, c));
       }
 
-      void take(const InitialVelocityDefinition &definition)
+      void apply(const InitialVelocityDefinition &definition)
       {
         MovingSet set{&definition,
                       joints_of(definition, lattice, plan.scene.context),
@@ -215,17 +215,20 @@ namespace auxfem
 
       void move_joints(const MovingSet &set)
       {
-        std::vector<JointVelocity> of_set;
+        std::vector<JointVelocity> set_velocities;
         double                     largest_speed = 0;
         for (const unsigned int joint : set.joints)
           {
-            of_set.push_back(velocity_at(lattice.joints[joint],
-                                         set.centre,
-                                         set.definition->velocity));
-            largest_speed = std::max(largest_speed, norm(of_set.back(), 0));
+            set_velocities.push_back(velocity_at(lattice.joints[joint],
+                                                 set.centre,
+                                                 set.definition->velocity));
+            largest_speed =
+              std::max(largest_speed, norm(set_velocities.back(), 0));
           }
         for (unsigned int i = 0; i < set.joints.size(); ++i)
-          of_joints[set.joints[i]] = {set.definition, of_set[i], largest_speed};
+          joint_velocities[set.joints[i]] = {set.definition,
+                                             set_velocities[i],
+                                             largest_speed};
       }
 
       /** The rigid part whose rotation a joint has, if any. */
@@ -257,31 +260,31 @@ namespace auxfem
                            "part in one set, which turns about their mean.");
       }
 
-      void refuse_held() const
+      void refuse_supported() const
       {
         for (const SupportDefinition &support : plan.scene.supports)
           for (const unsigned int joint :
                joints_of(support, lattice, plan.scene.context))
-            if (of_joints[joint])
-              refuse_held(support, joint, *of_joints[joint]);
+            if (joint_velocities[joint])
+              refuse_supported(support, joint, *joint_velocities[joint]);
       }
 
-      void refuse_held(const SupportDefinition &support,
-                       const unsigned int       joint,
-                       const Given             &given) const
+      void refuse_supported(const SupportDefinition &support,
+                            const unsigned int       joint,
+                            const DefinedVelocity   &defined) const
       {
         for (const unsigned int c : numbering.components())
           {
-            const double velocity = given.velocity[c];
+            const double velocity = defined.velocity[c];
             if (!support.fixed[c] || !numbering.joint_has(joint, c) ||
-                std::abs(velocity) <= given_digits * given.size(c))
+                std::abs(velocity) <= given_digits * defined.size(c))
               continue;
             const double allowed = support.motion[c].jet(0)[1];
-            if (std::abs(velocity - allowed) <= given_digits * given.size(c))
+            if (std::abs(velocity - allowed) <= given_digits * defined.size(c))
               continue;
             const char        *unit = c < first_rotation ? " m/s" : " rad/s";
             std::ostringstream message;
-            message << given.definition->path << ": the "
+            message << defined.definition->path << ": the "
                     << motion_name(c, lattice.dimension) << " of joint "
                     << joint << " is prescribed by " << support.path
                     << " and starts with " << allowed << unit << ", not with "
@@ -297,7 +300,7 @@ namespace auxfem
       {
         for (const unsigned int c : numbering.components())
           if (const int unknown = numbering.joint_unknown(joint, c);
-              unknown >= 0 && of_rigid_parts.count(unknown) == 0)
+              unknown >= 0 && rigid_part_unknowns.count(unknown) == 0)
             velocities[unknown] = velocity[c];
       }
 
@@ -316,7 +319,7 @@ namespace auxfem
       {
         const unsigned int joint = lattice.struts[strut].joints[end];
         MovingEnd          result{lattice.joints[joint],
-                         of_joints[joint]->velocity,
+                         joint_velocities[joint]->velocity,
                          numbering.global().released_ends.count({strut, end}) >
                            0};
         if (const std::optional<unsigned int> part = rotating_part_of(joint);
@@ -331,7 +334,8 @@ namespace auxfem
       {
         const StrutInterval &interval = numbering.elements()[e].interval;
         const Strut         &strut    = lattice.struts[interval.strut];
-        if (!of_joints[strut.joints[0]] || !of_joints[strut.joints[1]])
+        if (!joint_velocities[strut.joints[0]] ||
+            !joint_velocities[strut.joints[1]])
           return;
         const std::array<MovingEnd, 2> ends = {
           {end_of(interval.strut, 0), end_of(interval.strut, 1)}};
@@ -358,17 +362,17 @@ namespace auxfem
           }
       }
 
-      const RunPlan                    &plan;
-      const Lattice                    &lattice;
-      const DofNumbering               &numbering;
-      std::vector<std::optional<Given>> of_joints;
+      const RunPlan                              &plan;
+      const Lattice                              &lattice;
+      const DofNumbering                         &numbering;
+      std::vector<std::optional<DefinedVelocity>> joint_velocities;
       /** A rigid part turns with a set only if all of it does: its velocity,
        * by part. */
       std::vector<JointVelocity> spins_of_parts;
       /** Rigid parts by the global number of their rotation. */
       std::map<int, unsigned int> rotating_parts;
-      std::set<int>               of_rigid_parts; ///< local unknowns
-      std::map<int, double>       velocities;     ///< by local unknown
+      std::set<int>               rigid_part_unknowns; ///< local unknowns
+      std::map<int, double>       velocities;          ///< by local unknown
     };
   } // namespace
 

@@ -87,13 +87,13 @@ namespace auxfem
     /** What the @p ends at a joint turn against. */
     RotationOwner base_of(const JointRelease::AtJoint      &at,
                           const std::vector<RotationOwner> &ends,
-                          const RotationOwner              &of_joint,
+                          const RotationOwner              &joint_owner,
                           const JointDefinition            &definition,
                           const bool                        at_bar)
     {
-      if (of_joint.what != What::ground &&
-          std::count(ends.begin(), ends.end(), of_joint) == 0)
-        return of_joint;
+      if (joint_owner.what != What::ground &&
+          std::count(ends.begin(), ends.end(), joint_owner) == 0)
+        return joint_owner;
       if (ends.size() > 1)
         return ends.front();
       // A lone part turns against the ground, a strut not if a part is there.
@@ -167,7 +167,7 @@ namespace auxfem
     /** What springs and revolute hinges couple. */
     void find_pairs(std::vector<JointRelease> &releases, const Lattice &lattice)
     {
-      const std::vector<RotationOwner> of_joint =
+      const std::vector<RotationOwner> joint_owners =
         joint_rotations(lattice, released_ends(releases, lattice));
       const std::vector<bool> is_of_part = joints_of_rigid_parts(lattice);
       for (JointRelease &release : releases)
@@ -181,7 +181,7 @@ namespace auxfem
               const RotationOwner              base =
                 base_of(at,
                         ends,
-                        of_joint[at.joint],
+                        joint_owners[at.joint],
                         definition,
                         lattice.dimension == 3 && is_of_part[at.joint]);
               for (const RotationOwner &end : ends)
@@ -230,7 +230,7 @@ namespace auxfem
   namespace
   {
     /** A force that follows its joint turns with it. */
-    bool turns(const JointLoadDefinition &load)
+    bool acts_on_rotation(const JointLoadDefinition &load)
     {
       return load.follows_joint ||
         std::any_of(load.components.begin() + first_rotation,
@@ -256,7 +256,7 @@ namespace auxfem
                joints_of(support, lattice, plan.scene.context))
             is_held[joint] = true;
       for (const JointLoadDefinition &load : plan.joint_loads())
-        if (turns(load))
+        if (acts_on_rotation(load))
           for (const unsigned int joint :
                joints_of(load, lattice, plan.scene.context))
             is_held[joint] = true;
@@ -267,12 +267,12 @@ namespace auxfem
     }
 
     /** Finds chains of struts from one ball hinge to the next. */
-    class Chains
+    class StrutChains
     {
     public:
-      Chains(const RunPlan                   &plan,
-             const Lattice                   &lattice,
-             const std::vector<JointRelease> &releases)
+      StrutChains(const RunPlan                   &plan,
+                  const Lattice                   &lattice,
+                  const std::vector<JointRelease> &releases)
         : lattice(lattice)
         , released(ties_of(releases, lattice).released)
         , is_coupled(lattice.struts.size(), {{false, false}})
@@ -291,7 +291,7 @@ namespace auxfem
       }
 
       /** That which begins at a strut's end; empty if none does. */
-      std::vector<unsigned int> from(const StrutEnd &first) const
+      std::vector<unsigned int> chain_from(const StrutEnd &first) const
       {
         std::vector<unsigned int> chain;
         StrutEnd                  end = first;
@@ -374,13 +374,13 @@ namespace auxfem
     std::vector<FreeSpin> spins;
     if (lattice.dimension == 2 || releases.empty())
       return spins;
-    const Chains      chains(plan, lattice, releases);
+    const StrutChains chains(plan, lattice, releases);
     std::vector<bool> is_found(lattice.struts.size(), false);
     for (unsigned int s = 0; s < lattice.struts.size(); ++s)
       for (unsigned int end = 0; end < 2; ++end)
         if (!is_found[s] && !lattice.struts[s].is_rigid())
           {
-            const std::vector<unsigned int> chain = chains.from({s, end});
+            const std::vector<unsigned int> chain = chains.chain_from({s, end});
             for (const unsigned int found : chain)
               is_found[found] = true;
             if (!chain.empty())

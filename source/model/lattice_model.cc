@@ -18,9 +18,9 @@ namespace auxfem
     }
 
     /** Whether a strut comes close to the direction of @p reference anywhere. */
-    bool leads_along(const Lattice              &lattice,
-                     const Strut                &strut,
-                     const dealii::Tensor<1, 3> &reference)
+    bool is_nearly_along(const Lattice              &lattice,
+                         const Strut                &strut,
+                         const dealii::Tensor<1, 3> &reference)
     {
       // Of a full circle every 5.6 degrees, where 10 are too close.
       const unsigned int n = strut.sagitta == 0 ? 1 : 64;
@@ -48,7 +48,7 @@ namespace auxfem
             continue;
           const SectionDefinition &definition = scene.sections[strut.section];
           const auto              &reference  = definition.section.reference;
-          if (reference && leads_along(lattice, strut, *reference))
+          if (reference && is_nearly_along(lattice, strut, *reference))
             throw InputError(
               definition.path + "/Reference vector: strut " +
               std::to_string(s) + " (joints " +

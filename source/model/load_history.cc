@@ -13,32 +13,31 @@ namespace auxfem
   namespace
   {
     /** Loads and motions are looked at this many times at most. */
-    constexpr unsigned long most_looks = 4096;
+    constexpr unsigned long max_samples = 4096;
 
-    unsigned long n_looks(const RunPlan &plan)
+    unsigned long n_samples(const RunPlan &plan)
     {
-      return std::min(plan.time.n_steps(), most_looks);
+      return std::min(plan.time.n_steps(), max_samples);
     }
 
-    /** All courses in time of the scene that are not zero. */
-    std::vector<TimeFunction> courses_of(const RunPlan &plan)
+    /** All loads in time of the scene that are not zero. */
+    std::vector<TimeFunction> load_histories(const RunPlan &plan)
     {
-      std::vector<TimeFunction> courses = functions_of_time(plan);
-      courses.erase(std::remove_if(courses.begin(),
-                                   courses.end(),
-                                   [](const TimeFunction &course) {
-                                     return course.is_zero();
-                                   }),
-                    courses.end());
-      return courses;
+      std::vector<TimeFunction> loads = functions_of_time(plan);
+      loads.erase(std::remove_if(loads.begin(),
+                                 loads.end(),
+                                 [](const TimeFunction &load) {
+                                   return load.is_zero();
+                                 }),
+                  loads.end());
+      return loads;
     }
 
-    bool jumps(const TimeFunction &course, const RunPlan &plan)
+    bool has_jump(const TimeFunction &load, const RunPlan &plan)
     {
-      if (!plan.time.static_start && course.value(0) != 0)
+      if (!plan.time.static_start && load.value(0) != 0)
         return true;
-      const std::vector<TimeEvent> events =
-        course.events(0, plan.time.end_time);
+      const std::vector<TimeEvent> events = load.events(0, plan.time.end_time);
       return std::any_of(events.begin(),
                          events.end(),
                          [](const TimeEvent &event) {
@@ -46,14 +45,14 @@ namespace auxfem
                          });
     }
 
-    double relative_rate(const TimeFunction &course, const RunPlan &plan)
+    double relative_rate(const TimeFunction &load, const RunPlan &plan)
     {
-      const unsigned long n        = n_looks(plan);
+      const unsigned long n        = n_samples(plan);
       const double        interval = plan.time.end_time / n;
-      double previous = course.value(0), largest = std::abs(previous), rate = 0;
+      double previous = load.value(0), largest = std::abs(previous), rate = 0;
       for (unsigned long i = 1; i <= n; ++i)
         {
-          const double value = course.value_before(i * interval);
+          const double value = load.value_before(i * interval);
           largest            = std::max(largest, std::abs(value));
           rate     = std::max(rate, std::abs(value - previous) / interval);
           previous = value;
@@ -61,26 +60,28 @@ namespace auxfem
       return largest > 0 ? rate / largest : 0;
     }
 
-    /** See uncommanded_motion(); of one course, which does not jump. */
-    double uncommanded_part(const TimeFunction &course,
+    /** See uncommanded_motion(); of one load, which does not jump. */
+    double uncommanded_part(const TimeFunction &load,
                             const RunPlan      &plan,
                             const double        frequency)
     {
       const double        end      = plan.time.end_time;
-      const unsigned long n        = n_looks(plan);
-      const auto          at_start = course.jet(0);
-      double largest = std::abs(at_start[0]), worst = std::abs(at_start[1]);
-      for (const TimeEvent &event : course.events(0, end))
-        worst = std::max(worst,
-                         std::abs(course.jet(event.time, TimeSide::after)[1] -
-                                  course.jet(event.time, TimeSide::before)[1]));
+      const unsigned long n        = n_samples(plan);
+      const auto          at_start = load.jet(0);
+      double              largest  = std::abs(at_start[0]),
+             uncommanded           = std::abs(at_start[1]);
+      for (const TimeEvent &event : load.events(0, end))
+        uncommanded =
+          std::max(uncommanded,
+                   std::abs(load.jet(event.time, TimeSide::after)[1] -
+                            load.jet(event.time, TimeSide::before)[1]));
       for (unsigned long i = 1; i <= n; ++i)
         {
-          const auto now = course.jet(end * i / n, TimeSide::before);
+          const auto now = load.jet(end * i / n, TimeSide::before);
           largest        = std::max(largest, std::abs(now[0]));
-          worst          = std::max(worst, std::abs(now[2]) / frequency);
+          uncommanded    = std::max(uncommanded, std::abs(now[2]) / frequency);
         }
-      return largest > 0 ? worst / frequency / largest : 0;
+      return largest > 0 ? uncommanded / frequency / largest : 0;
     }
   } // namespace
 
@@ -91,9 +92,8 @@ namespace auxfem
     double largest = 0;
     try
       {
-        for (const TimeFunction &course : courses_of(plan))
-          largest =
-            std::max(largest, uncommanded_part(course, plan, frequency));
+        for (const TimeFunction &load : load_histories(plan))
+          largest = std::max(largest, uncommanded_part(load, plan, frequency));
       }
     catch (const ComputationError &)
       {
@@ -106,26 +106,26 @@ namespace auxfem
   double resolved_frequency(const RunPlan &plan)
   {
     // The trapezoidal rule then errs by 0.8 %, which is not noticed.
-    constexpr double steps_of_a_period = 20;
-    return 2 * std::acos(-1.) / (steps_of_a_period * plan.time.step);
+    constexpr double steps_per_period = 20;
+    return 2 * std::acos(-1.) / (steps_per_period * plan.time.step);
   }
 
   LoadHistory load_history(const RunPlan &plan)
   {
-    const std::vector<TimeFunction> courses  = courses_of(plan);
+    const std::vector<TimeFunction> loads    = load_histories(plan);
     const double                    resolved = resolved_frequency(plan);
-    const bool falls = courses.empty() && !plan.scene.gravity.is_zero() &&
-      !plan.time.static_start;
-    if (falls || !plan.initial_velocities().empty())
+    const bool                      falls_freely =
+      loads.empty() && !plan.scene.gravity.is_zero() && !plan.time.static_start;
+    if (falls_freely || !plan.initial_velocities().empty())
       return {resolved, true};
     double rate = 0;
     try
       {
-        for (const TimeFunction &course : courses)
+        for (const TimeFunction &load : loads)
           {
-            if (jumps(course, plan))
+            if (has_jump(load, plan))
               return {resolved, true};
-            rate = std::max(rate, relative_rate(course, plan));
+            rate = std::max(rate, relative_rate(load, plan));
           }
       }
     catch (const ComputationError &)

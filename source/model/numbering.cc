@@ -9,21 +9,21 @@
 namespace auxfem
 {
   SpatialRotations::SpatialRotations(const unsigned int n_local_unknowns)
-    : of_unknown(n_local_unknowns, -1)
+    : rotation_index(n_local_unknowns, -1)
   {}
 
   void SpatialRotations::add(const std::array<int, 3> &spins)
   {
-    if (spins[0] < 0 || of_unknown[spins[0]] >= 0)
+    if (spins[0] < 0 || rotation_index[spins[0]] >= 0)
       return;
     for (const int spin : spins)
-      of_unknown[spin] = rotations.size();
+      rotation_index[spin] = rotations.size();
     rotations.push_back(spins);
   }
 
   unsigned int SpatialRotations::axis(const unsigned int unknown) const
   {
-    const std::array<int, 3> &spins = rotations[of_unknown[unknown]];
+    const std::array<int, 3> &spins = rotations[rotation_index[unknown]];
     return std::find(spins.begin(), spins.end(), static_cast<int>(unknown)) -
       spins.begin();
   }
@@ -42,26 +42,28 @@ namespace auxfem
                              const StrutPartition &partition,
                              const Ties           &ties,
                              const MPI_Comm        communicator)
-    : of_lattice(lattice)
-    , of_struts(partition.divisions)
+    : base_lattice(lattice)
+    , strut_divisions(partition.divisions)
     , node_components(components_of_nodes(lattice.dimension))
     , numbers(lattice,
               partition,
               node_components,
               ties,
               dealii::Utilities::MPI::n_mpi_processes(communicator))
-    , kept(find_kept(partition,
-                     ties,
-                     dealii::Utilities::MPI::this_mpi_process(communicator)))
-    , of_unknowns(UnknownLayout(communicator, kept.n_owned, kept.ghosts))
-    , of_constraints(numbers, layout(), kept.rigid_parts)
-    , in_space(layout().n_local())
+    , local_subset(find_local_subset(partition,
+                                     ties,
+                                     dealii::Utilities::MPI::this_mpi_process(
+                                       communicator)))
+    , unknown_data(
+        UnknownLayout(communicator, local_subset.n_owned, local_subset.ghosts))
+    , constraint_unknowns(numbers, layout(), local_subset.rigid_parts)
+    , spatial_rotations(layout().n_local())
   {
-    take_elements();
+    localize_elements();
     mark_unknowns();
     mark_constraints();
     mark_prescribed(ties.prescribed);
-    if (of_lattice.dimension == 3)
+    if (base_lattice.dimension == 3)
       find_rotations();
   }
 
@@ -69,29 +71,30 @@ namespace auxfem
   DofNumbering::find_struts(const StrutPartition &partition,
                             const unsigned int    rank) const
   {
-    const auto has_mine = [&](const GlobalNumbers::OfMotion &of_motion) {
-      return std::any_of(of_motion.begin(), of_motion.end(), [&](const int g) {
+    const auto has_mine = [&](const GlobalNumbers::MotionNumbers &motion) {
+      return std::any_of(motion.begin(), motion.end(), [&](const int g) {
         return numbers.owns(rank, g);
       });
     };
     std::vector<unsigned int> struts;
-    for (unsigned int s = 0; s < of_lattice.struts.size(); ++s)
-      if (const Strut &strut = of_lattice.struts[s]; !strut.is_rigid() &&
+    for (unsigned int s = 0; s < base_lattice.struts.size(); ++s)
+      if (const Strut &strut = base_lattice.struts[s]; !strut.is_rigid() &&
           (partition.ranks[s] == rank ||
            has_mine(numbers.joints[strut.joints[0]]) ||
            has_mine(numbers.joints[strut.joints[1]]) ||
-           has_mine(numbers.end_rotation(of_lattice, s, 0)) ||
-           has_mine(numbers.end_rotation(of_lattice, s, 1))))
+           has_mine(numbers.end_rotation(base_lattice, s, 0)) ||
+           has_mine(numbers.end_rotation(base_lattice, s, 1))))
         struts.push_back(s);
     return struts;
   }
 
-  DofNumbering::Kept DofNumbering::find_kept(const StrutPartition &partition,
-                                             const Ties           &ties,
-                                             const unsigned int    rank)
+  DofNumbering::LocalSubset
+  DofNumbering::find_local_subset(const StrutPartition &partition,
+                                  const Ties           &ties,
+                                  const unsigned int    rank)
   {
-    const auto is_mine = [&](const int g) { return numbers.owns(rank, g); };
-    Kept       result;
+    const auto  is_mine = [&](const int g) { return numbers.owns(rank, g); };
+    LocalSubset result;
     result.n_owned = numbers.first_owned[rank + 1] - numbers.first_owned[rank];
 
     std::vector<bool> is_known(numbers.first_owned.back(), false);
@@ -102,23 +105,23 @@ namespace auxfem
           result.ghosts.push_back(g);
         }
     };
-    const StrutMesh  mesh(of_struts, find_struts(partition, rank));
-    std::vector<int> of_element;
+    const StrutMesh  mesh(strut_divisions, find_struts(partition, rank));
+    std::vector<int> globals;
     for (const StrutInterval &interval : mesh.intervals())
       {
-        const unsigned int order = of_struts[interval.strut].order;
-        of_element.clear();
-        numbers.add_element(of_lattice, interval, order, of_element);
-        if (std::none_of(of_element.begin(), of_element.end(), is_mine))
+        const unsigned int order = strut_divisions[interval.strut].order;
+        globals.clear();
+        numbers.add_element(base_lattice, interval, order, globals);
+        if (std::none_of(globals.begin(), globals.end(), is_mine))
           continue;
-        std::for_each(of_element.begin(), of_element.end(), keep);
+        std::for_each(globals.begin(), globals.end(), keep);
         result.elements.push_back(result.numbers.size());
         result.numbers.insert(result.numbers.end(),
-                              of_element.begin(),
-                              of_element.end());
+                              globals.begin(),
+                              globals.end());
         // The rank of the last node owns an unknown of the element, so it
         // keeps the element; the rank of the strut may not.
-        element_list.push_back({interval, order, is_mine(of_element.back())});
+        element_list.push_back({interval, order, is_mine(globals.back())});
       }
     sort_elements(result);
     for (const JointPair &pair : ties.connected)
@@ -126,29 +129,33 @@ namespace auxfem
         if (mine != invalid_index && is_mine(numbers.joints[mine][0]))
           for (const unsigned int other : {pair.first, pair.second})
             if (other != invalid_index)
-              for (unsigned int component = 0; component < of_lattice.dimension;
+              for (unsigned int component = 0;
+                   component < base_lattice.dimension;
                    ++component)
                 keep(numbers.joints[other][component]);
-    for (const std::vector<int> &of_tie : numbers.coupled(ties))
-      if (std::any_of(of_tie.begin(), of_tie.end(), is_mine))
-        std::for_each(of_tie.begin(), of_tie.end(), keep);
+    for (const std::vector<int> &coupled_unknowns : numbers.coupled(ties))
+      if (std::any_of(coupled_unknowns.begin(),
+                      coupled_unknowns.end(),
+                      is_mine))
+        std::for_each(coupled_unknowns.begin(), coupled_unknowns.end(), keep);
     for (unsigned int p = 0; p < numbers.rigid_parts.size(); ++p)
       {
-        const std::vector<int> of_part = numbers.of_rigid_part(of_lattice, p);
-        if (std::none_of(of_part.begin(), of_part.end(), is_mine))
+        const std::vector<int> part_unknowns =
+          numbers.rigid_part_unknowns(base_lattice, p);
+        if (std::none_of(part_unknowns.begin(), part_unknowns.end(), is_mine))
           continue;
-        std::for_each(of_part.begin(), of_part.end(), keep);
+        std::for_each(part_unknowns.begin(), part_unknowns.end(), keep);
         result.rigid_parts.push_back(p);
       }
     return result;
   }
 
-  void DofNumbering::sort_elements(Kept &kept)
+  void DofNumbering::sort_elements(LocalSubset &subset)
   {
     std::set<unsigned int> used;
-    for (unsigned int strut = 0; strut < of_struts.size(); ++strut)
-      if (!of_lattice.struts[strut].is_rigid())
-        used.insert(of_struts[strut].order);
+    for (unsigned int strut = 0; strut < strut_divisions.size(); ++strut)
+      if (!base_lattice.struts[strut].is_rigid())
+        used.insert(strut_divisions[strut].order);
     std::vector<Element>     sorted;
     std::vector<std::size_t> sorted_numbers;
     for (const unsigned int order : used)
@@ -158,16 +165,16 @@ namespace auxfem
           if (element_list[e].order == order)
             {
               sorted.push_back(element_list[e]);
-              sorted_numbers.push_back(kept.elements[e]);
+              sorted_numbers.push_back(subset.elements[e]);
             }
         element_groups.push_back(
           {order, begin, static_cast<unsigned int>(sorted.size())});
       }
     element_list.swap(sorted);
-    kept.elements.swap(sorted_numbers);
+    subset.elements.swap(sorted_numbers);
   }
 
-  void DofNumbering::take_elements()
+  void DofNumbering::localize_elements()
   {
     first_number.assign(1, 0);
     for (std::size_t e = 0; e < element_list.size(); ++e)
@@ -175,10 +182,10 @@ namespace auxfem
         const unsigned int n = (element_list[e].order + 1) * n_components();
         for (unsigned int i = 0; i < n; ++i)
           element_numbers.push_back(
-            layout().local(kept.numbers[kept.elements[e] + i]));
+            layout().local(local_subset.numbers[local_subset.elements[e] + i]));
         first_number.push_back(element_numbers.size());
       }
-    kept = Kept();
+    local_subset = LocalSubset();
   }
 
   void DofNumbering::mark(const int          unknown,
@@ -187,23 +194,23 @@ namespace auxfem
   {
     if (unknown < 0)
       return;
-    of_unknowns.joint[unknown]     = node;
-    of_unknowns.component[unknown] = component;
+    unknown_data.joint[unknown]     = node;
+    unknown_data.component[unknown] = component;
     if (component < first_rotation)
       return;
-    of_unknowns.kinds[unknown]       = UnknownKind::rotation;
-    of_unknowns.is_rotation[unknown] = true;
+    unknown_data.kinds[unknown]       = UnknownKind::rotation;
+    unknown_data.is_rotation[unknown] = true;
   }
 
   void DofNumbering::mark_unknowns()
   {
-    std::vector<dealii::Point<3>> positions = of_lattice.joints;
-    of_unknowns.components                  = node_components;
-    const auto mark_all = [this](const GlobalNumbers::OfMotion &of_motion,
-                                 const unsigned int             node) {
+    std::vector<dealii::Point<3>> positions = base_lattice.joints;
+    unknown_data.components                 = node_components;
+    const auto mark_all = [this](const GlobalNumbers::MotionNumbers &motion,
+                                 const unsigned int                  node) {
       for (unsigned int c = 0; c < n_motion_components; ++c)
-        if (of_motion[c] >= 0)
-          mark(layout().local(of_motion[c]), node, c);
+        if (motion[c] >= 0)
+          mark(layout().local(motion[c]), node, c);
     };
     for (std::size_t e = 0; e < element_list.size(); ++e)
       for (unsigned int node = 0; node <= element_list[e].order; ++node)
@@ -213,22 +220,22 @@ namespace auxfem
               const int unknown =
                 element_unknowns(e)[node * n_components() + c];
               mark(unknown, 0, node_components[c]);
-              of_unknowns.strut[unknown] = element_list[e].interval.strut;
+              unknown_data.strut[unknown] = element_list[e].interval.strut;
             }
     for (unsigned int p = 0; p < numbers.rigid_parts.size(); ++p)
       {
-        const RigidPart &part = of_lattice.rigid_parts[p];
+        const RigidPart &part = base_lattice.rigid_parts[p];
         dealii::Point<3> middle;
         for (const unsigned int joint : part.joints)
-          middle += of_lattice.joints[joint] / double(part.joints.size());
+          middle += base_lattice.joints[joint] / double(part.joints.size());
         mark_all(numbers.rigid_parts[p].motion, positions.size());
         positions.push_back(middle);
       }
     for (unsigned int joint = 0; joint < numbers.joints.size(); ++joint)
       mark_all(numbers.joints[joint], joint);
-    for (const auto &[end, of_motion] : numbers.released_ends)
-      mark_all(of_motion, of_lattice.struts[end.first].joints[end.second]);
-    of_unknowns.positions =
+    for (const auto &[end, motion] : numbers.released_ends)
+      mark_all(motion, base_lattice.struts[end.first].joints[end.second]);
+    unknown_data.positions =
       std::make_shared<const std::vector<dealii::Point<3>>>(
         std::move(positions));
   }
@@ -239,15 +246,15 @@ namespace auxfem
       const int unknown = layout().local(global);
       if (unknown < 0)
         return;
-      of_unknowns.kinds[unknown] = UnknownKind::multiplier;
-      of_unknowns.joint[unknown] = joint;
+      unknown_data.kinds[unknown] = UnknownKind::multiplier;
+      unknown_data.joint[unknown] = joint;
     };
     for (unsigned int p = 0; p < numbers.rigid_parts.size(); ++p)
       for (unsigned int i = 0; i < numbers.rigid_parts[p].multipliers.size();
            ++i)
         mark_multiplier(numbers.rigid_parts[p].multipliers[i],
-                        numbers.constrained_joint(of_lattice, p, i));
-    for (const GlobalNumbers::OfHinge &hinge : numbers.hinges)
+                        numbers.constrained_joint(base_lattice, p, i));
+    for (const GlobalNumbers::HingeNumbers &hinge : numbers.hinges)
       for (const int global : hinge.multipliers)
         mark_multiplier(global, hinge.joint);
   }
@@ -257,26 +264,26 @@ namespace auxfem
     for (const JointMotion &motion : motions)
       if (const int unknown = joint_unknown(motion.joint, motion.component);
           unknown >= 0)
-        of_unknowns.kinds[unknown] = UnknownKind::prescribed;
+        unknown_data.kinds[unknown] = UnknownKind::prescribed;
   }
 
   void DofNumbering::find_rotations()
   {
-    const auto add_global = [this](const GlobalNumbers::OfMotion &of_motion) {
-      if (of_motion[first_rotation] >= 0)
-        in_space.add({{layout().local(of_motion[3]),
-                       layout().local(of_motion[4]),
-                       layout().local(of_motion[5])}});
+    const auto add_global = [this](const GlobalNumbers::MotionNumbers &motion) {
+      if (motion[first_rotation] >= 0)
+        spatial_rotations.add({{layout().local(motion[3]),
+                                layout().local(motion[4]),
+                                layout().local(motion[5])}});
     };
     for (std::size_t i = 0; i < element_numbers.size(); i += n_components())
-      in_space.add({{element_numbers[i + 3],
-                     element_numbers[i + 4],
-                     element_numbers[i + 5]}});
-    for (const GlobalNumbers::OfMotion &joint : numbers.joints)
+      spatial_rotations.add({{element_numbers[i + 3],
+                              element_numbers[i + 4],
+                              element_numbers[i + 5]}});
+    for (const GlobalNumbers::MotionNumbers &joint : numbers.joints)
       add_global(joint);
     for (const auto &end : numbers.released_ends)
       add_global(end.second);
-    for (const GlobalNumbers::OfRigidPart &part : numbers.rigid_parts)
+    for (const GlobalNumbers::RigidPartNumbers &part : numbers.rigid_parts)
       add_global(part.motion);
   }
 
@@ -284,10 +291,10 @@ namespace auxfem
                                  const unsigned int end,
                                  const unsigned int component) const
   {
-    if (of_lattice.struts[strut].is_rigid())
+    if (base_lattice.struts[strut].is_rigid())
       return -1;
     return layout().local(
-      numbers.end_rotation(of_lattice, strut, end)[component]);
+      numbers.end_rotation(base_lattice, strut, end)[component]);
   }
 
   int DofNumbering::rotation_unknown(const RotationOwner &rotation_owner,

@@ -13,7 +13,7 @@ namespace auxfem
   namespace
   {
     /** Keeps track of which support prescribes what, on all ranks. */
-    class Holders
+    class PrescribedMotions
     {
     public:
       /**
@@ -29,27 +29,27 @@ namespace auxfem
       {
         const bool at_rest = definition.motion[component].is_zero();
         // Joints of one rigid part may share a rotation.
-        const auto [holder, is_new] =
-          holders.insert({numbering.global().joints[joint][component],
-                          {&definition, at_rest}});
-        if (!is_new && !(at_rest && holder->second.at_rest) &&
-            holder->second.support != &definition)
+        const auto [prescription, is_new] =
+          prescriptions.insert({numbering.global().joints[joint][component],
+                                {&definition, at_rest}});
+        if (!is_new && !(at_rest && prescription->second.at_rest) &&
+            prescription->second.support != &definition)
           throw InputError(definition.path + ": the " +
                            motion_name(component, lattice.dimension) +
                            " of joint " + std::to_string(joint) +
                            " is already prescribed by " +
-                           holder->second.support->path +
+                           prescription->second.support->path +
                            ". Take the joint out of one of the two sets.");
         return is_new;
       }
 
     private:
-      struct Holder
+      struct Prescription
       {
         const SupportDefinition *support;
         bool                     at_rest;
       };
-      std::map<int, Holder> holders;
+      std::map<int, Prescription> prescriptions;
     };
 
     /** Whether a joint lacks a component that may be left out, as there. */
@@ -140,7 +140,7 @@ namespace auxfem
                                      const bool          large_rotations)
   {
     const std::vector<bool> is_of_rigid_part = joints_of_rigid_parts(lattice);
-    Holders                 holders;
+    PrescribedMotions       prescriptions;
     std::vector<Support>    supports;
     for (const SupportDefinition &definition : plan.scene.supports)
       {
@@ -157,7 +157,8 @@ namespace auxfem
                               c,
                               numbering,
                               is_of_rigid_part) ||
-                  !holders.is_first(definition, joint, c, lattice, numbering))
+                  !prescriptions
+                     .is_first(definition, joint, c, lattice, numbering))
                 continue;
               const int unknown = numbering.joint_unknown(joint, c);
               if (unknown >= 0)

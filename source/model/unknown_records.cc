@@ -37,14 +37,15 @@ namespace auxfem
                                     const GlobalNumbers &numbers,
                                     const int            global)
     {
-      const auto has = [global](const auto &of_kind) {
-        return std::find(of_kind.begin(), of_kind.end(), global) !=
-          of_kind.end();
+      const auto has = [global](const auto &globals) {
+        return std::find(globals.begin(), globals.end(), global) !=
+          globals.end();
       };
       for (unsigned int p = 0; p < numbers.rigid_parts.size(); ++p)
         {
-          const GlobalNumbers::OfMotion &motion = numbers.rigid_parts[p].motion;
-          std::ostringstream             words;
+          const GlobalNumbers::MotionNumbers &motion =
+            numbers.rigid_parts[p].motion;
+          std::ostringstream words;
           if (has(numbers.rigid_parts[p].multipliers))
             words << "constraint";
           else if (has(motion))
@@ -60,7 +61,7 @@ namespace auxfem
           words << (joints.size() > 4 ? " ..." : "");
           return words.str();
         }
-      for (const GlobalNumbers::OfHinge &hinge : numbers.hinges)
+      for (const GlobalNumbers::HingeNumbers &hinge : numbers.hinges)
         if (has(hinge.multipliers))
           return "constraint of the revolute hinge at joint " +
             std::to_string(hinge.joint);
@@ -78,9 +79,9 @@ namespace auxfem
     }
 
     /** Words for an unknown of a joint; empty for others. */
-    std::string describe_of_joint(const Lattice      &lattice,
-                                  const DofNumbering &numbering,
-                                  const int           global)
+    std::string describe_joint_unknown(const Lattice      &lattice,
+                                       const DofNumbering &numbering,
+                                       const int           global)
     {
       for (unsigned int j = 0; j < lattice.joints.size(); ++j)
         for (const unsigned int c : numbering.components())
@@ -99,9 +100,9 @@ namespace auxfem
     }
 
     /** Words for an unknown of a node inside a strut or of a released end. */
-    std::string describe_of_strut(const Lattice      &lattice,
-                                  const DofNumbering &numbering,
-                                  const unsigned int  unknown)
+    std::string describe_strut_unknown(const Lattice      &lattice,
+                                       const DofNumbering &numbering,
+                                       const unsigned int  unknown)
     {
       for (unsigned int e = 0; e < numbering.elements().size(); ++e)
         {
@@ -133,8 +134,8 @@ namespace auxfem
     std::string    words =
       describe_constraint(lattice, numbering.global(), global);
     if (words.empty())
-      words = describe_of_joint(lattice, numbering, global);
-    return words.empty() ? describe_of_strut(lattice, numbering, unknown)
+      words = describe_joint_unknown(lattice, numbering, global);
+    return words.empty() ? describe_strut_unknown(lattice, numbering, unknown)
                          : words;
   }
 
@@ -148,13 +149,13 @@ namespace auxfem
     const auto           found   = std::max_element(size.begin(), end);
     const double         largest = found == end ? -1. : *found;
     // Every rank gets the words of the lowest rank that has the largest value.
-    const unsigned int who =
+    const unsigned int lowest =
       MPI::min(largest == layout.largest(largest) ? layout.rank()
                                                   : layout.n_ranks(),
                layout.communicator());
     const std::string words =
-      who == layout.rank() ? describe(numbering, found - size.begin()) : "";
-    return text_of_rank(who, words, layout.communicator());
+      lowest == layout.rank() ? describe(numbering, found - size.begin()) : "";
+    return text_of_rank(lowest, words, layout.communicator());
   }
 
   std::string why_no_rotation(const DofNumbering &numbering,
@@ -205,15 +206,15 @@ namespace auxfem
     : lattice(lattice)
     , ties(ties)
     , rotation_of_joint(joint_rotations(lattice, ties.released))
-    , of_joint(lattice.joints.size())
-    , of_part(lattice.rigid_parts.size())
-    , of_hinge(ties.hinged.size())
+    , joint_unknowns(lattice.joints.size())
+    , part_unknowns(lattice.rigid_parts.size())
+    , hinge_unknowns(ties.hinged.size())
     , count(n_ranks, 0)
   {
     for (unsigned int s = 0; s < lattice.struts.size(); ++s)
       for (unsigned int end = 0; end < 2; ++end)
         if (!lattice.struts[s].is_rigid() && ties.released[s][end])
-          of_released_end[{s, end}];
+          released_end_unknowns[{s, end}];
   }
 
   void UnknownDistribution::assign(Unknown &unknown, const int rank)
@@ -235,11 +236,12 @@ namespace auxfem
     switch (rotation_owner.what)
       {
         case RotationOwner::What::strut_end:
-          return of_released_end.at({rotation_owner.index, rotation_owner.end});
+          return released_end_unknowns.at(
+            {rotation_owner.index, rotation_owner.end});
         case RotationOwner::What::rigid_part:
-          return of_part[rotation_owner.index].motion;
+          return part_unknowns[rotation_owner.index].motion;
         default:
-          return of_joint[rotation_owner.index];
+          return joint_unknowns[rotation_owner.index];
       }
   }
 
@@ -254,10 +256,10 @@ namespace auxfem
                                        const unsigned int component,
                                        const int          rank)
   {
-    const unsigned int joint  = lattice.struts[strut].joints[end];
-    Motion            &motion = component < first_rotation ? of_joint[joint]
-                 : ties.released[strut][end] ? of_released_end.at({strut, end})
-                                             : motion_of(rotation_of_joint[joint]);
+    const unsigned int joint = lattice.struts[strut].joints[end];
+    Motion &motion = component < first_rotation ? joint_unknowns[joint]
+      : ties.released[strut][end] ? released_end_unknowns.at({strut, end})
+                                  : motion_of(rotation_of_joint[joint]);
     assign(motion[component], rank);
   }
 
@@ -268,31 +270,31 @@ namespace auxfem
                                           const int          rank) {
       for (unsigned int component = 0; component < lattice.dimension;
            ++component)
-        assign(of_joint[joint][component], rank);
+        assign(joint_unknowns[joint][component], rank);
     };
     for (unsigned int s = 0; s < lattice.struts.size(); ++s)
       if (lattice.struts[s].is_rigid())
         for (const unsigned int joint : lattice.struts[s].joints)
           assign_displacements(joint, ranks[s]);
     // A joint without struts (a mass on connectors) has displacements only.
-    for (unsigned int joint = 0; joint < of_joint.size(); ++joint)
+    for (unsigned int joint = 0; joint < joint_unknowns.size(); ++joint)
       assign_displacements(joint, 0);
   }
 
   void UnknownDistribution::assign_rigid_parts()
   {
-    for (unsigned int p = 0; p < of_part.size(); ++p)
+    for (unsigned int p = 0; p < part_unknowns.size(); ++p)
       {
         const RigidPart   &part   = lattice.rigid_parts[p];
-        RigidPartUnknowns &claims = of_part[p];
-        const int          rank   = of_joint[part.joints[0]][0].owner;
+        RigidPartUnknowns &claims = part_unknowns[p];
+        const int          rank   = joint_unknowns[part.joints[0]][0].owner;
         const unsigned int d = lattice.dimension, n = part.joints.size();
         if (part.has_rotation)
           for (Unknown &unknown : claims.motion)
             assign(unknown, rank);
         else if (part.clamps_struts)
           for (const unsigned int joint : part.joints)
-            if (of_joint[joint][rotation_z].owner >= 0)
+            if (joint_unknowns[joint][rotation_z].owner >= 0)
               claims.clamped_joints.push_back(joint);
         claims.multipliers.resize(part.has_rotation ? d * n
                                                     : 1 + d * (n - 2) +
@@ -304,15 +306,15 @@ namespace auxfem
 
   void UnknownDistribution::assign_hinges()
   {
-    for (unsigned int h = 0; h < of_hinge.size(); ++h)
-      for (Unknown &multiplier : of_hinge[h])
+    for (unsigned int h = 0; h < hinge_unknowns.size(); ++h)
+      for (Unknown &multiplier : hinge_unknowns[h])
         assign(multiplier, motion_of(ties.hinged[h].end)[rotation_z].owner);
   }
 
   UnknownDistribution::Motion
   UnknownDistribution::joint(const unsigned int joint) const
   {
-    Motion        motion   = of_joint[joint];
+    Motion        motion   = joint_unknowns[joint];
     const Motion &rotation = motion_of(rotation_of_joint[joint]);
     if (rotation_of_joint[joint].what != RotationOwner::What::ground)
       std::copy(rotation.begin() + first_rotation,
@@ -332,7 +334,7 @@ namespace auxfem
     public:
       explicit SerialNumbers(const UnknownLayout &layout)
         : layout(layout)
-        , of_local(layout.n_local(), not_numbered)
+        , numbers(layout.n_local(), not_numbered)
       {}
 
       /** Of the next unknown, by its global number; -1: not there. */
@@ -341,7 +343,7 @@ namespace auxfem
         if (global < 0)
           return;
         if (const int local = layout.local(global); local >= 0)
-          of_local[local] = next;
+          numbers[local] = next;
         ++next;
       }
 
@@ -353,7 +355,7 @@ namespace auxfem
       }
 
       const UnknownLayout      &layout;
-      std::vector<unsigned int> of_local;
+      std::vector<unsigned int> numbers;
       unsigned int              next = 0;
     };
 
@@ -361,16 +363,16 @@ namespace auxfem
     void count_outside_struts(const GlobalNumbers &numbers,
                               SerialNumbers       &serial)
     {
-      for (const GlobalNumbers::OfMotion &joint : numbers.joints)
+      for (const GlobalNumbers::MotionNumbers &joint : numbers.joints)
         serial.count_all(joint);
       for (const auto &[end, rotation] : numbers.released_ends)
         serial.count_all(rotation);
-      for (const GlobalNumbers::OfRigidPart &part : numbers.rigid_parts)
+      for (const GlobalNumbers::RigidPartNumbers &part : numbers.rigid_parts)
         {
           serial.count_all(part.motion);
           serial.count_all(part.multipliers);
         }
-      for (const GlobalNumbers::OfHinge &hinge : numbers.hinges)
+      for (const GlobalNumbers::HingeNumbers &hinge : numbers.hinges)
         serial.count_all(hinge.multipliers);
     }
 
@@ -388,7 +390,7 @@ namespace auxfem
                ++node, unknowns += numbering.n_components())
             if (!interval.is_joint(node))
               for (unsigned int c = 0; c < numbering.n_components(); ++c)
-                serial.of_local[unknowns[c]] = serial.next +
+                serial.numbers[unknowns[c]] = serial.next +
                   (first[interval.strut] + order * interval.number() +
                    place_along(node, order)) *
                     numbering.n_components() +
@@ -401,7 +403,7 @@ namespace auxfem
       SerialNumbers serial(numbering.layout());
       count_outside_struts(numbering.global(), serial);
       count_inside_struts(numbering, serial);
-      return serial.of_local;
+      return serial.numbers;
     }
 
     /** Also of ghosts that the numbering does not know. */

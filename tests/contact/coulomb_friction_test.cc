@@ -87,15 +87,15 @@ TEST(CoulombFriction, ChangesAreDerivatives)
       const FrictionChange change = law_of_friction.change(
         law_of_friction.force(at.velocity, at.normal, at.pressure),
         at.normal);
-      const auto difference = [&](const Vector3 &of_velocity,
-                                  const Vector3 &of_normal,
-                                  const double   of_pressure) {
+      const auto difference = [&](const Vector3 &velocity_direction,
+                                  const Vector3 &normal_direction,
+                                  const double   pressure_direction) {
         const auto moved = [&](const double step) {
-          Vector3 normal = at.normal + step * of_normal;
+          Vector3 normal = at.normal + step * normal_direction;
           normal /= normal.norm();
-          return force(at.velocity + step * of_velocity,
+          return force(at.velocity + step * velocity_direction,
                        normal,
-                       at.pressure + step * of_pressure);
+                       at.pressure + step * pressure_direction);
         };
         return (moved(-h) - moved(h)) / (2 * h);
       };

@@ -61,8 +61,9 @@ TEST(SurfaceApproach, FindsAsNearAsTheCurveComesOnItsWay)
         EXPECT_FALSE(find_passage(*surface, first, last, least - spacing));
         const auto found = find_passage(*surface, first, last, least + spacing);
         ASSERT_TRUE(found);
-        const Vector3 place = (1 - found->way) * from.at(found->parameter) +
-          found->way * to.at(found->parameter);
+        const Vector3 place =
+          (1 - found->path_fraction) * from.at(found->parameter) +
+          found->path_fraction * to.at(found->parameter);
         EXPECT_LT(surface->distance(place), least + spacing);
       }
 }

@@ -35,12 +35,14 @@ namespace
     }
 
     bool update_couplings(const State      &accepted,
-                          std::vector<int> &wanted) override
+                          std::vector<int> &required_unknowns) override
     {
       if (acts || accepted.time < from_time)
         return false;
       acts = true;
-      wanted.insert(wanted.end(), numbers.begin(), numbers.end());
+      required_unknowns.insert(required_unknowns.end(),
+                               numbers.begin(),
+                               numbers.end());
       return true;
     }
 

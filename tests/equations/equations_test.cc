@@ -377,19 +377,20 @@ TEST(Equations, EvaluationsDoNotInfluenceEachOther)
       const EquationsOnRanks fresh(text, {}, MPI_COMM_SELF),
         other(text, {}, MPI_COMM_SELF), asked(text, {}, MPI_COMM_SELF);
       EvaluatedTrial first(fresh, 0.4), second(other, 0.25);
-      const auto     residual = first.residual(), of_second = second.residual();
-      const auto     tangent        = first.tangent(),
+      const auto     residual       = first.residual(),
+                 second_residual    = second.residual();
+      const auto tangent            = first.tangent(),
                  tangent_of_second  = second.tangent();
       const auto accepted           = first.accepted(),
                  accepted_of_second = second.accepted();
-      EXPECT_NE(residual, of_second);
+      EXPECT_NE(residual, second_residual);
       EXPECT_NE(tangent, tangent_of_second);
       EXPECT_NE(accepted, accepted_of_second);
 
       // The same, one in the middle of the other.
       EvaluatedTrial a(asked, 0.4), b(asked, 0.25);
       EXPECT_EQ(a.residual(), residual);
-      EXPECT_EQ(b.residual(), of_second);
+      EXPECT_EQ(b.residual(), second_residual);
       EXPECT_EQ(a.tangent(), tangent);
       EXPECT_EQ(b.tangent(), tangent_of_second);
       EXPECT_EQ(a.accepted(), accepted);
@@ -477,12 +478,13 @@ TEST(Equations, AStageInsideAStepHasTheForcesOfItsOwnTime)
     EvaluationResults results = of_scene.equations.make_results();
     of_scene.equations.residual(Evaluation::step(from, to, time), results);
 
-    State       plain          = without.equations.initial_state();
-    const State start          = plain;
-    plain.displacement[tip]    = rate * time;
-    (*plain.velocity)[tip]     = rate;
-    EvaluationResults of_plain = without.equations.make_results();
-    without.equations.residual(Evaluation::step(start, plain, time), of_plain);
+    State       plain               = without.equations.initial_state();
+    const State start               = plain;
+    plain.displacement[tip]         = rate * time;
+    (*plain.velocity)[tip]          = rate;
+    EvaluationResults plain_results = without.equations.make_results();
+    without.equations.residual(Evaluation::step(start, plain, time),
+                               plain_results);
     // The force of the connector and the load: what the strut does not do.
     return to.residual[tip] - plain.residual[tip];
   };

@@ -91,13 +91,13 @@ namespace
                  alone.on_ranks.model,
                  alone.product,
                  tolerance);
-    const EvaluationResults &of_all   = all.on_ranks.results,
-                            &of_alone = alone.on_ranks.results;
-    EXPECT_NEAR(of_all.force, of_alone.force, tolerance * of_alone.force);
-    EXPECT_NEAR(of_all.moment, of_alone.moment, tolerance * of_alone.moment);
-    EXPECT_NEAR(of_all.force_scale,
-                of_alone.force_scale,
-                tolerance * of_alone.force_scale);
+    const EvaluationResults &together = all.on_ranks.results,
+                            &single   = alone.on_ranks.results;
+    EXPECT_NEAR(together.force, single.force, tolerance * single.force);
+    EXPECT_NEAR(together.moment, single.moment, tolerance * single.moment);
+    EXPECT_NEAR(together.force_scale,
+                single.force_scale,
+                tolerance * single.force_scale);
     EXPECT_EQ(all.on_ranks.dofs().unknowns().n_free(),
               alone.on_ranks.dofs().unknowns().n_free());
     EXPECT_EQ(worst_unknown(all.on_ranks.model, all.to),
@@ -326,9 +326,9 @@ namespace
         mine[record.name] = record.items;
       }
     std::map<std::string, std::set<unsigned int>> all;
-    for (const auto &of_rank :
+    for (const auto &rank_items :
          dealii::Utilities::MPI::all_gather(communicator, mine))
-      for (const auto &[name, items] : of_rank)
+      for (const auto &[name, items] : rank_items)
         {
           all[name].insert(items.begin(), items.end());
           // No rank keeps an item twice.
@@ -374,12 +374,13 @@ namespace
     const auto wanted  = kept_values(alone);
     double     largest = 0;
     for (const auto &[name, values] : kept_values(all))
-      for (const auto &[item, of_item] : values)
-        for (unsigned int k = 0; k < of_item.size(); ++k)
+      for (const auto &[item, item_values] : values)
+        for (unsigned int k = 0; k < item_values.size(); ++k)
           {
             const double reference = wanted.at(name).at(item).at(k);
             largest                = std::max(largest, std::abs(reference));
-            EXPECT_NEAR(of_item[k], reference, 1e-10) << name << ' ' << item;
+            EXPECT_NEAR(item_values[k], reference, 1e-10)
+              << name << ' ' << item;
           }
     EXPECT_GT(largest, 1e-5);
   }

@@ -122,11 +122,11 @@ TEST(SolverKinds, SolveUnsymmetricTangentsAlike)
   const std::vector<std::string> all = {"auto", "klu", "gmres"};
   for (const TangentFactors &factors : {statics, short_step})
     {
-      const RealTangent of_plane("star-10x10.prm", plane, 1e-4, factors),
-        of_space("lattice-3d.prm", space, 1e-4, factors);
-      EXPECT_GT(of_space.matrix->asymmetry(), 1e-7);
-      expect_same_solution(of_plane, all, 1e-6);
-      expect_same_solution(of_space, all, 1e-6);
+      const RealTangent plane_tangent("star-10x10.prm", plane, 1e-4, factors),
+        space_tangent("lattice-3d.prm", space, 1e-4, factors);
+      EXPECT_GT(space_tangent.matrix->asymmetry(), 1e-7);
+      expect_same_solution(plane_tangent, all, 1e-6);
+      expect_same_solution(space_tangent, all, 1e-6);
     }
 }
 

@@ -283,7 +283,7 @@ TEST(SpaceTangent, MeanForcesBetweenStatesBalanceTheLedger)
       of_scene.residual(evaluation);
       // Constraints are not met here; that their forces do no work is seen in
       // whole runs.
-      double     work = 0, of_multipliers = 0;
+      double     work = 0, multiplier_work = 0;
       const auto without_multipliers = [&] {
         State free = to;
         for (unsigned int i = 0; i < free.displacement.size(); ++i)
@@ -297,9 +297,9 @@ TEST(SpaceTangent, MeanForcesBetweenStatesBalanceTheLedger)
         if (of_scene.dofs().unknowns().kinds[i] != UnknownKind::multiplier)
           {
             work += residual[i] * travel.of(i);
-            of_multipliers += (to.residual[i] - residual[i]) * travel.of(i);
+            multiplier_work += (to.residual[i] - residual[i]) * travel.of(i);
           }
-      EXPECT_GT(std::abs(of_multipliers), 1e-3);
+      EXPECT_GT(std::abs(multiplier_work), 1e-3);
       of_scene.residual(evaluation);
       of_scene.accept(evaluation);
       const Energies &start = from.energies, &end = to.energies;

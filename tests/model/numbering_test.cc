@@ -160,14 +160,14 @@ TEST(DofNumbering, ElementsOfAStrutShareTheNodeBetweenThem)
   const Numbered        tripods(tripod(), 2, 2, {}, MPI_COMM_SELF);
   std::set<int>         unknowns;
   const DofNumbering   &dofs = tripods.dofs;
-  std::vector<unsigned> of_first_strut;
+  std::vector<unsigned> first_strut_elements;
   for (unsigned int e = 0; e < dofs.elements().size(); ++e)
     if (dofs.elements()[e].interval.strut == 0)
-      of_first_strut.push_back(e);
-  ASSERT_EQ(of_first_strut.size(), 2u);
-  const int *first  = dofs.element_unknowns(of_first_strut[0]),
-            *second = dofs.element_unknowns(of_first_strut[1]);
-  if (dofs.elements()[of_first_strut[0]].interval.begin > 0)
+      first_strut_elements.push_back(e);
+  ASSERT_EQ(first_strut_elements.size(), 2u);
+  const int *first  = dofs.element_unknowns(first_strut_elements[0]),
+            *second = dofs.element_unknowns(first_strut_elements[1]);
+  if (dofs.elements()[first_strut_elements[0]].interval.begin > 0)
     std::swap(first, second);
   for (unsigned int c = 0; c < 3; ++c)
     EXPECT_EQ(first[3 + c], second[c]);

@@ -217,15 +217,15 @@ TEST(RigidParts, JointsOfPartsAreThoseFoundBySearch)
                four_struts,
                part("leg", "Struts = 0") + part("bar", "Joints = 4, 5"),
                sections_for("1, 2, 3"));
-  const std::vector<bool> of_part = joints_of_rigid_parts(lattice);
-  ASSERT_EQ(of_part.size(), lattice.joints.size());
+  const std::vector<bool> is_in_part = joints_of_rigid_parts(lattice);
+  ASSERT_EQ(is_in_part.size(), lattice.joints.size());
   for (unsigned int joint = 0; joint < lattice.joints.size(); ++joint)
     {
       bool is_found = false;
       for (const RigidPart &part : lattice.rigid_parts)
         is_found = is_found ||
           std::count(part.joints.begin(), part.joints.end(), joint) > 0;
-      EXPECT_EQ(of_part[joint], is_found) << joint;
+      EXPECT_EQ(is_in_part[joint], is_found) << joint;
     }
 }
 

@@ -33,11 +33,12 @@ TEST(UnknownRecords, SerialNumbersAreThoseOfOneRank)
                                   std::string(space_star_with_everything())})
     {
       const EquationsOnRanks alone(text, {}, MPI_COMM_SELF), together(text);
-      const UnknownRecords   of_alone(alone.dofs()), of_all(together.dofs());
+      const UnknownRecords   records_alone(alone.dofs()),
+        records_together(together.dofs());
 
       std::set<unsigned int> different;
       for (unsigned int i = 0; i < alone.dofs().layout().n_local(); ++i)
-        different.insert(of_alone.serial_number(i));
+        different.insert(records_alone.serial_number(i));
       EXPECT_EQ(different.size(), alone.dofs().layout().n_global());
 
       std::map<std::pair<unsigned int, double>, unsigned int> element_at;
@@ -45,18 +46,20 @@ TEST(UnknownRecords, SerialNumbersAreThoseOfOneRank)
         element_at[place_of(alone.dofs(), e)] = e;
       for (unsigned int e = 0; e < together.dofs().elements().size(); ++e)
         for (unsigned int i = 0; i < together.dofs().n_element_unknowns(e); ++i)
-          EXPECT_EQ(of_all.serial_number(unknown_of(together.dofs(), e, i)),
-                    of_alone.serial_number(
+          EXPECT_EQ(records_together.serial_number(
+                      unknown_of(together.dofs(), e, i)),
+                    records_alone.serial_number(
                       unknown_of(alone.dofs(),
                                  element_at.at(place_of(together.dofs(), e)),
                                  i)));
       const auto &multipliers = together.dofs().constraints().multipliers(),
                  &multipliers_alone = alone.dofs().constraints().multipliers();
-      std::set<unsigned int> of_multipliers;
+      std::set<unsigned int> multiplier_numbers;
       for (const int i : multipliers_alone)
-        of_multipliers.insert(of_alone.serial_number(i));
+        multiplier_numbers.insert(records_alone.serial_number(i));
       for (const int i : multipliers)
-        EXPECT_EQ(of_multipliers.count(of_all.serial_number(i)), 1u);
+        EXPECT_EQ(multiplier_numbers.count(records_together.serial_number(i)),
+                  1u);
     }
 }
 

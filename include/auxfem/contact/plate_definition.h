@@ -50,11 +50,11 @@ namespace auxfem
   {
     using Vector = dealii::Tensor<1, 3>;
 
-    Vector force;      ///< on the first body (N)
-    Vector slip;       ///< its velocity along the face of the other one (m/s)
-    double recess = 0; ///< its velocity away from that (m/s)
-    double scale  = 0; ///< sqrt(slip^2 + v0^2) (m/s); 0 without friction
-    double limit  = 0; ///< N
+    Vector force; ///< on the first body (N)
+    Vector slip;  ///< its velocity along the face of the other one (m/s)
+    double normal_velocity = 0; ///< its velocity away from that (m/s)
+    double scale = 0; ///< sqrt(slip^2 + v0^2) (m/s); 0 without friction
+    double limit = 0; ///< N
 
     /** What is lost (W), at least 0. */
     double lost_power() const

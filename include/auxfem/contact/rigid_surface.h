@@ -95,7 +95,7 @@ namespace auxfem
    */
   struct CurvePassage
   {
-    double parameter, way;
+    double parameter, path_fraction;
   };
 
   /** Sorted parameters from 0 to 1 between which the distances of a curve from

@@ -165,11 +165,11 @@ namespace auxfem
     /**
      * Brings what couples unknowns up to date with an accepted state, between
      * steps. Returns whether blocks must be registered anew.
-     * @param wanted receives global numbers of unknowns that the effect needs
+     * @param required_unknowns receives global numbers of unknowns that the effect needs
      *   from now on; they are local when blocks are registered. Collective.
      */
     virtual bool update_couplings(const State & /*accepted*/,
-                                  std::vector<int> & /*wanted*/)
+                                  std::vector<int> & /*required_unknowns*/)
     {
       return false;
     }
@@ -177,7 +177,7 @@ namespace auxfem
     /** As update_couplings(), from the state alone: what was found in states
      * before it is forgotten. */
     virtual bool restart_couplings(const State & /*accepted*/,
-                                   std::vector<int> & /*wanted*/)
+                                   std::vector<int> & /*required_unknowns*/)
     {
       return false;
     }

@@ -23,22 +23,22 @@ namespace auxfem
       return elements[0] / n_lanes;
     }
 
-    /** What @p of_element, a function of an element, gives for each. */
-    template <class OfElement>
-    auto each(const OfElement &of_element) const
+    /** What @p value_of, a function of an element, gives for each. */
+    template <class ElementFunction>
+    auto each(const ElementFunction &value_of) const
     {
-      EachLane<decltype(of_element(0u))> results;
+      EachLane<decltype(value_of(0u))> results;
       for (std::size_t lane = 0; lane < n_lanes; ++lane)
-        results[lane] = of_element(elements[lane]);
+        results[lane] = value_of(elements[lane]);
       return results;
     }
 
     /** The same of a number. */
-    template <class OfElement>
-    Lanes numbers(const OfElement &of_element) const
+    template <class ElementFunction>
+    Lanes numbers(const ElementFunction &value_of) const
     {
       return each_lane(
-        [&](const auto lane) { return of_element(elements[lane]); });
+        [&](const auto lane) { return value_of(elements[lane]); });
     }
   };
 
@@ -91,15 +91,15 @@ namespace auxfem
       (value_at(c, unknowns, i) - value_at(c, unknowns, other));
   }
 
-  /** Adds those of one @p lane of @p of_lanes to @p values. */
+  /** Adds those of one @p lane of @p lane_values to @p values. */
   template <std::size_t n>
-  void add_lane(const Lanes (&of_lanes)[n],
+  void add_lane(const Lanes (&lane_values)[n],
                 const std::size_t lane,
                 const int        *unknowns,
                 double           *values)
   {
     for (std::size_t i = 0; i < n; ++i)
-      values[unknowns[i]] += number_in(of_lanes[i], lane);
+      values[unknowns[i]] += number_in(lane_values[i], lane);
   }
   ///@}
 } // namespace auxfem

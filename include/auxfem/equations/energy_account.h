@@ -44,7 +44,7 @@ namespace auxfem
      * x.M y.
      */
     template <class Product>
-    double taken_from_kinetic(const Product &product) const
+    double kinetic_energy_defect(const Product &product) const
     {
       return dt *
         (product(rate, excess_acceleration) +
@@ -95,7 +95,7 @@ namespace auxfem
     /**
      * Adds what a constant mass matrix has now, x.M x / 2 of the velocities,
      * and what the scheme takes from it in the step.
-     * @param product as for StepMotion::taken_from_kinetic()
+     * @param product as for StepMotion::kinetic_energy_defect()
      */
     template <class Product>
     void add_inertia(const unsigned int kinetic_entry,
@@ -104,7 +104,7 @@ namespace auxfem
     {
       add(kinetic_entry, product(*step.to.velocity, *step.to.velocity) / 2);
       if (takes_time() && has_excess())
-        add_in_step(numerical_entry, motion().taken_from_kinetic(product));
+        add_in_step(numerical_entry, motion().kinetic_energy_defect(product));
       if (step.taken_from_kinetic != nullptr)
         for (const Evaluation::Pair &pair : *step.taken_from_kinetic)
           add_in_step(numerical_entry, product(pair.first, pair.second));

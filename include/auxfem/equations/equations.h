@@ -300,7 +300,9 @@ namespace auxfem
                    const EvaluationResults &results,
                    EnergyAccount           &account) const;
     /** As update_couplings(), for what effects have changed and want. */
-    bool couple(bool changed, const std::vector<int> &wanted, State &accepted);
+    bool couple(bool                    changed,
+                const std::vector<int> &required_unknowns,
+                State                  &accepted);
 
     /** An effect that implements a further interface. */
     template <class Terms>

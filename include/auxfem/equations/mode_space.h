@@ -109,7 +109,7 @@ namespace auxfem
     Vector shape(const std::vector<double> &owned) const;
 
   private:
-    void turn_up(Vector &shape) const;
+    void normalize_sign(Vector &shape) const;
 
     TangentSolver       &solver;
     const Unknowns      &unknowns;

@@ -112,7 +112,7 @@ namespace auxfem
         return rotations.spatial_increment(
                  step,
                  i)[numbering.rotations().axis(unknown)] /
-          angle_per_cayley_rotation(turn_of(i));
+          angle_per_cayley_rotation(rotation_angle(i));
       const double moved = u1[unknown] - u0[unknown];
       return is_plane_rotation(unknown) ? cayley_rotation(moved) : moved;
     }
@@ -121,7 +121,7 @@ namespace auxfem
     double increment_per_travel(const int unknown) const
     {
       if (const int i = space_rotation(unknown); i >= 0)
-        return angle_per_cayley_rotation(turn_of(i));
+        return angle_per_cayley_rotation(rotation_angle(i));
       return is_plane_rotation(unknown)
         ? angle_per_cayley_rotation(u1[unknown] - u0[unknown])
         : 1.;
@@ -141,7 +141,7 @@ namespace auxfem
     }
 
     /** Angle of rotation @p i in the step (rad). */
-    double turn_of(const unsigned int i) const
+    double rotation_angle(const unsigned int i) const
     {
       return rotations.material_increment(step, i).norm();
     }

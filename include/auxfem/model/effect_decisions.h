@@ -34,7 +34,7 @@ namespace auxfem
 
   /** Of effects without which a run takes as long (measured, doc/effects.md).
    */
-  std::string saves_nothing(const SimulatedEffects &before);
+  std::string no_saving_reason(const SimulatedEffects &before);
 
   /**
    * An effect that `Effects` switches. A new one is a file in
@@ -62,7 +62,8 @@ namespace auxfem
      * decided before it: `but leaving it out saves nothing`. Empty if it may be
      * left out.
      */
-    std::string (*why_kept)(const SimulatedEffects &before) = saves_nothing;
+    std::string (*retention_reason)(const SimulatedEffects &before) =
+      no_saving_reason;
   };
 
   /** @name Effects, one per file source/model/effects/<name>.cc. */

@@ -87,18 +87,18 @@ namespace auxfem
   struct GlobalNumbers
   {
     /** By component of motion. */
-    using OfMotion = std::array<int, n_motion_components>;
+    using MotionNumbers = std::array<int, n_motion_components>;
 
-    struct OfRigidPart
+    struct RigidPartNumbers
     {
       std::vector<unsigned int> clamped_joints; ///< in the plane
       /** Displacement of its centre of mass and rotation, if they are unknowns
        * of its own. */
-      OfMotion         motion;
+      MotionNumbers    motion;
       std::vector<int> multipliers;
     };
 
-    struct OfHinge
+    struct HingeNumbers
     {
       unsigned int       joint;
       std::array<int, 2> multipliers;
@@ -111,11 +111,12 @@ namespace auxfem
                   const Ties                      &ties,
                   unsigned int                     n_ranks);
 
-    std::vector<OfMotion> joints;
+    std::vector<MotionNumbers> joints;
     /** Rotations of the released ends of elastic struts, by strut and end. */
-    std::map<std::pair<unsigned int, unsigned int>, OfMotion> released_ends;
-    std::vector<OfRigidPart>                                  rigid_parts;
-    std::vector<OfHinge>                                      hinges;
+    std::map<std::pair<unsigned int, unsigned int>, MotionNumbers>
+                                  released_ends;
+    std::vector<RigidPartNumbers> rigid_parts;
+    std::vector<HingeNumbers>     hinges;
     /**
      * Of each strut the first of its nodes, if those of all struts are numbered
      * one after the other, and the end of the last; joints count anew at each
@@ -135,9 +136,9 @@ namespace auxfem
 
     /** Of the rotation of the end of an elastic strut, released or not, as
      * rotation(). */
-    const OfMotion &end_rotation(const Lattice &lattice,
-                                 unsigned int   strut,
-                                 unsigned int   end) const;
+    const MotionNumbers &end_rotation(const Lattice &lattice,
+                                      unsigned int   strut,
+                                      unsigned int   end) const;
 
     /**
      * Adds to @p result those of the nodes of an element of @p order, in the
@@ -149,11 +150,11 @@ namespace auxfem
                      std::vector<int>    &result) const;
 
     /** Of a rotation; components below first_rotation are -1. */
-    OfMotion rotation(const RotationOwner &rotation_owner) const;
+    MotionNumbers rotation(const RotationOwner &rotation_owner) const;
 
     /** Of all unknowns that the constraints of a rigid part couple. */
-    std::vector<int> of_rigid_part(const Lattice &lattice,
-                                   unsigned int   rigid_part) const;
+    std::vector<int> rigid_part_unknowns(const Lattice &lattice,
+                                         unsigned int   rigid_part) const;
 
     /** Joint that multiplier @p number of a rigid part holds to the others. */
     unsigned int constrained_joint(const Lattice &lattice,
@@ -167,7 +168,7 @@ namespace auxfem
     std::vector<std::vector<int>> coupled(const Ties &ties) const;
 
   private:
-    void take(const UnknownDistribution &distribution);
+    void assign_numbers(const UnknownDistribution &distribution);
 
     std::vector<unsigned int> components; ///< of motion that nodes have
   };
@@ -187,7 +188,7 @@ namespace auxfem
     /** Rigid parts kept on this rank, with all their unknowns. */
     const std::vector<unsigned int> &rigid_parts() const
     {
-      return kept_rigid_parts;
+      return local_rigid_parts;
     }
 
     /**
@@ -197,14 +198,14 @@ namespace auxfem
     int motion(const unsigned int rigid_part,
                const unsigned int component) const
     {
-      return of_rigid_part[rigid_part].motion[component];
+      return rigid_part_numbers[rigid_part].motion[component];
     }
 
     /** In the plane: joints whose rotation is tied to that of a rigid part. */
     const std::vector<unsigned int> &
     clamped_joints(const unsigned int rigid_part) const
     {
-      return of_rigid_part[rigid_part].clamped_joints;
+      return rigid_part_numbers[rigid_part].clamped_joints;
     }
 
     /**
@@ -216,43 +217,43 @@ namespace auxfem
     int multiplier(const unsigned int rigid_part,
                    const unsigned int number) const
     {
-      return of_rigid_part[rigid_part].multipliers[number];
+      return rigid_part_numbers[rigid_part].multipliers[number];
     }
 
     /** Number of multipliers of a rigid part; the same on every rank. */
     unsigned int n_multipliers(const unsigned int rigid_part) const
     {
-      return of_rigid_part[rigid_part].multipliers.size();
+      return rigid_part_numbers[rigid_part].multipliers.size();
     }
 
     /** Multiplier @p number (0, 1) of a pair of Ties::hinged. */
     int hinge_multiplier(const unsigned int hinge,
                          const unsigned int number) const
     {
-      return of_hinge[hinge][number];
+      return hinge_numbers[hinge][number];
     }
 
     /** The multipliers kept on this rank. */
     const std::vector<int> &multipliers() const
     {
-      return kept_multipliers;
+      return local_multipliers;
     }
 
     /** Number of all multipliers, over all ranks. */
     unsigned int n_multipliers() const;
 
   private:
-    struct OfRigidPart
+    struct RigidPartNumbers
     {
       std::array<int, n_motion_components> motion;
       std::vector<unsigned int>            clamped_joints;
       std::vector<int>                     multipliers;
     };
 
-    std::vector<unsigned int>       kept_rigid_parts;
-    std::vector<OfRigidPart>        of_rigid_part;
-    std::vector<std::array<int, 2>> of_hinge;
-    std::vector<int>                kept_multipliers;
+    std::vector<unsigned int>       local_rigid_parts;
+    std::vector<RigidPartNumbers>   rigid_part_numbers;
+    std::vector<std::array<int, 2>> hinge_numbers;
+    std::vector<int>                local_multipliers;
   };
 } // namespace auxfem
 

@@ -46,7 +46,7 @@ namespace auxfem
     /** Index of the rotation that a local unknown is a spin of; -1: none. */
     int with(const unsigned int unknown) const
     {
-      return of_unknown[unknown];
+      return rotation_index[unknown];
     }
 
     /** Axis, 0 to 2, about which a local unknown is the spin. */
@@ -54,7 +54,7 @@ namespace auxfem
 
   private:
     std::vector<std::array<int, 3>> rotations;
-    std::vector<int>                of_unknown;
+    std::vector<int>                rotation_index;
   };
 
   /**
@@ -103,13 +103,13 @@ namespace auxfem
 
     const Lattice &lattice() const
     {
-      return of_lattice;
+      return base_lattice;
     }
 
     /** The elements of the struts, by strut. */
     const std::vector<StrutDivision> &divisions() const
     {
-      return of_struts;
+      return strut_divisions;
     }
 
     /** Unknowns a node: 3 in the plane, 6 in space. */
@@ -129,25 +129,25 @@ namespace auxfem
      */
     const UnknownLayout &layout() const
     {
-      return of_unknowns.layout;
+      return unknown_data.layout;
     }
 
     /** What kinds of unknowns they are. */
     const Unknowns &unknowns() const
     {
-      return of_unknowns;
+      return unknown_data;
     }
 
     /** Unknowns of rigid parts and hinges. */
     const ConstraintUnknowns &constraints() const
     {
-      return of_constraints;
+      return constraint_unknowns;
     }
 
     /** The rotations in space. */
     const SpatialRotations &rotations() const
     {
-      return in_space;
+      return spatial_rotations;
     }
 
     /** Elements kept on this rank by ascending order, those of a strut one
@@ -220,7 +220,7 @@ namespace auxfem
 
   private:
     /** Marks in order what each rank keeps of the unknowns of others. */
-    struct Kept
+    struct LocalSubset
     {
       unsigned int     n_owned = 0;
       std::vector<int> ghosts;
@@ -230,35 +230,35 @@ namespace auxfem
       std::vector<unsigned int> rigid_parts;
     };
 
-    Kept find_kept(const StrutPartition &partition,
-                   const Ties           &ties,
-                   unsigned int          rank);
+    LocalSubset find_local_subset(const StrutPartition &partition,
+                                  const Ties           &ties,
+                                  unsigned int          rank);
 
     /** Elastic struts that may have an unknown of this rank. */
     std::vector<unsigned int> find_struts(const StrutPartition &partition,
                                           unsigned int          rank) const;
 
-    void sort_elements(Kept &kept);
-    void take_elements();
+    void sort_elements(LocalSubset &subset);
+    void localize_elements();
     void mark_unknowns();
     void mark(int unknown, unsigned int node, unsigned int component);
     void mark_constraints();
     void mark_prescribed(const std::vector<JointMotion> &motions);
     void find_rotations();
 
-    const Lattice                   &of_lattice;
-    const std::vector<StrutDivision> of_struts;
+    const Lattice                   &base_lattice;
+    const std::vector<StrutDivision> strut_divisions;
     const std::vector<unsigned int>  node_components;
     GlobalNumbers                    numbers;
     std::vector<Element>             element_list;
     std::vector<Group>               element_groups;
-    Kept                             kept; ///< emptied after set-up
+    LocalSubset                      local_subset; ///< emptied after set-up
     std::vector<int>                 element_numbers;
     /** Of each element, and the end of the last. */
     std::vector<std::size_t> first_number;
-    Unknowns                 of_unknowns;
-    ConstraintUnknowns       of_constraints;
-    SpatialRotations         in_space;
+    Unknowns                 unknown_data;
+    ConstraintUnknowns       constraint_unknowns;
+    SpatialRotations         spatial_rotations;
   };
 
   /**

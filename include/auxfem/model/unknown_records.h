@@ -81,7 +81,7 @@ namespace auxfem
 
     unsigned int n_joints() const
     {
-      return of_joint.size();
+      return joint_unknowns.size();
     }
 
     /** Number of unknowns of each rank. */
@@ -97,7 +97,7 @@ namespace auxfem
     const std::map<std::pair<unsigned int, unsigned int>, Motion> &
     released_ends() const
     {
-      return of_released_end;
+      return released_end_unknowns;
     }
 
     /** A rigid part's own unknowns, if it has a rotation of its own. */
@@ -109,13 +109,13 @@ namespace auxfem
     };
     const std::vector<RigidPartUnknowns> &rigid_parts() const
     {
-      return of_part;
+      return part_unknowns;
     }
 
     /** Multipliers of Ties::hinged. */
     const std::vector<std::array<Unknown, 2>> &hinges() const
     {
-      return of_hinge;
+      return hinge_unknowns;
     }
 
   private:
@@ -126,14 +126,15 @@ namespace auxfem
     Motion       &motion_of(const RotationOwner &rotation_owner);
     const Motion &motion_of(const RotationOwner &rotation_owner) const;
 
-    const Lattice                                          &lattice;
-    const Ties                                             &ties;
-    const std::vector<RotationOwner>                        rotation_of_joint;
-    std::vector<Motion>                                     of_joint;
-    std::map<std::pair<unsigned int, unsigned int>, Motion> of_released_end;
-    std::vector<RigidPartUnknowns>                          of_part;
-    std::vector<std::array<Unknown, 2>>                     of_hinge;
-    std::vector<int>                                        count;
+    const Lattice                   &lattice;
+    const Ties                      &ties;
+    const std::vector<RotationOwner> rotation_of_joint;
+    std::vector<Motion>              joint_unknowns;
+    std::map<std::pair<unsigned int, unsigned int>, Motion>
+                                        released_end_unknowns;
+    std::vector<RigidPartUnknowns>      part_unknowns;
+    std::vector<std::array<Unknown, 2>> hinge_unknowns;
+    std::vector<int>                    count;
   };
 
   /**

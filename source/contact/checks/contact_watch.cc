@@ -72,9 +72,9 @@ namespace auxfem
                        const double                      time,
                        Occurrences                      &occurrences)
       {
-        if (deepest && deepest->part > 0)
+        if (deepest && deepest->fraction > 0)
           occurrences.add(
-            {deepest->part, time, deepest->strut, deepest->other});
+            {deepest->fraction, time, deepest->strut, deepest->other});
       }
 
       static bool is_doubtful(const std::optional<Occurrence> &largest)
@@ -126,7 +126,7 @@ namespace auxfem
                 const EvaluationResults & /*results*/,
                 TangentSolver & /*solver*/) override
       {
-        if (const auto found = proximity.first_too_deep(step))
+        if (const auto found = proximity.first_excessive_penetration(step))
           in_plates.add(
             {found->depth, step.to.time, found->strut, found->plate});
       }

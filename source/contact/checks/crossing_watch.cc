@@ -56,11 +56,11 @@ namespace auxfem
        * all are as near as that. */
       double motion_between_searches(const double mean_strut_length) const
       {
-        const double of_half_thickness = lattice.dimension == 2 ? 2 : 1;
-        double       motion            = mean_strut_length / 10;
+        const double per_half_thickness = lattice.dimension == 2 ? 2 : 1;
+        double       motion             = mean_strut_length / 10;
         for (unsigned int s = 0; s < lattice.struts.size(); ++s)
           if (!lattice.struts[s].is_rigid() && half_thickness(s) > 0)
-            motion = std::min(motion, of_half_thickness * half_thickness(s));
+            motion = std::min(motion, per_half_thickness * half_thickness(s));
         return motion;
       }
 
@@ -186,15 +186,15 @@ namespace auxfem
         const auto touch = touched.first(), crossing = crossed.first();
         if (!touch && !crossing)
           return {};
-        const bool is_told_by_touch =
+        const bool touch_comes_first =
           touch && (!crossing || touch->time < crossing->time);
         std::ostringstream text;
-        if (is_told_by_touch)
+        if (touch_comes_first)
           text << "Struts " << touch->number << " and " << touch->group
                << " touch" << time_text(*touch);
         if (crossing)
           {
-            text << (is_told_by_touch ? "; s" : "S");
+            text << (touch_comes_first ? "; s" : "S");
             if (crossing->number == crossing->group)
               text << "trut " << crossing->number << " crosses itself";
             else
@@ -205,7 +205,7 @@ namespace auxfem
         text << ": contact is left out. What the lattice does from there on "
                 "holds only if its struts can pass each other; if they cannot, "
              << advice();
-        const Occurrence &first = is_told_by_touch ? *touch : *crossing;
+        const Occurrence &first = touch_comes_first ? *touch : *crossing;
         return {{Verdict::doubtful,
                  text.str(),
                  first.time,

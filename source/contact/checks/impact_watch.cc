@@ -112,10 +112,11 @@ namespace auxfem
         , unresolved(
             run.statistics.number("impacts: impulse not resolved (N s)"))
         , impulse(run.statistics.number("impacts: impulse (N s)"))
-        , n_steps_of_worst(run.statistics.number("impacts: steps of the worst"))
-        , on_plates(run.statistics.occurrences("impacts on plates"))
-        , on_struts(run.statistics.occurrences("impacts on struts"))
-        , going_on(run.statistics.list("impacts: contacts that last"))
+        , n_steps_of_largest(
+            run.statistics.number("impacts: steps of the worst"))
+        , plate_impacts(run.statistics.occurrences("impacts on plates"))
+        , strut_impacts(run.statistics.occurrences("impacts on struts"))
+        , ongoing(run.statistics.list("impacts: contacts that last"))
       {
         const unsigned int n_plates =
           run.equations.reporting().plates != nullptr
@@ -132,18 +133,18 @@ namespace auxfem
       {
         kinetic = std::max(kinetic, step.to.energies.kinetic());
         std::map<TouchingPair, Impact>    now;
-        std::vector<dealii::Tensor<1, 3>> of_plates(peaks.size());
-        for (const ContactForce &force : forces_of_all(step.to, results))
+        std::vector<dealii::Tensor<1, 3>> plate_forces(peaks.size());
+        for (const ContactForce &force : all_forces(step.to, results))
           {
             const dealii::Tensor<1, 3> vector(force.components);
             if (force.pair[2] != 0)
-              of_plates[force.pair[1]] += vector;
+              plate_forces[force.pair[1]] += vector;
             Impact &impact = now.try_emplace(force.pair).first->second;
             impact.impulse += vector.norm() * step.dt;
             impact.n_steps = 1;
             impact.begin   = step.to.time;
           }
-        for (auto i = going_on.begin(); i < going_on.end(); i += n_values)
+        for (auto i = ongoing.begin(); i < ongoing.end(); i += n_values)
           {
             const TouchingPair pair = {
               {number(i[0]), number(i[1]), number(i[2])}};
@@ -153,19 +154,19 @@ namespace auxfem
                               before.n_steps + 1,
                               before.begin};
             else
-              end(pair, before);
+              finish(pair, before);
           }
-        going_on.clear();
+        ongoing.clear();
         for (const auto &[pair, impact] : now)
           {
-            going_on.insert(going_on.end(), pair.begin(), pair.end());
-            going_on.insert(going_on.end(),
-                            {impact.impulse,
-                             double(impact.n_steps),
-                             impact.begin});
+            ongoing.insert(ongoing.end(), pair.begin(), pair.end());
+            ongoing.insert(ongoing.end(),
+                           {impact.impulse,
+                            double(impact.n_steps),
+                            impact.begin});
           }
         for (unsigned int i = 0; i < peaks.size(); ++i)
-          peaks[i].add(of_plates[i].norm(), step.dt, step.to.time);
+          peaks[i].add(plate_forces[i].norm(), step.dt, step.to.time);
       }
 
       std::vector<Finding> findings() const override
@@ -187,18 +188,22 @@ namespace auxfem
           unresolved > doubtful_share * impulse;
         if (!counts && unresolved <= doubtful_anyway * (largest + impulse))
           return {};
-        const auto plate = on_plates.largest(), strut = on_struts.largest();
+        const auto plate    = plate_impacts.largest(),
+                   strut    = strut_impacts.largest();
         const bool is_plate = plate && (!strut || plate->size >= strut->size);
-        const Occurrence  &worst    = is_plate ? *plate : *strut;
-        const std::string  location = "strut " + std::to_string(worst.number);
+        const Occurrence &largest_impact = is_plate ? *plate : *strut;
+        const std::string location =
+          "strut " + std::to_string(largest_impact.number);
         std::ostringstream text;
         text.precision(3);
-        text << "At t = " << worst.time << " s " << location << " hits "
-             << (is_plate ? touched_plate(
-                              equations.reporting().plates->name(worst.group))
-                          : touched_strut(worst.number, worst.group))
-             << " for " << n_steps_of_worst
-             << (n_steps_of_worst == 1 ? " step" : " steps")
+        text << "At t = " << largest_impact.time << " s " << location
+             << " hits "
+             << (is_plate
+                   ? touched_plate(
+                       equations.reporting().plates->name(largest_impact.group))
+                   : touched_strut(largest_impact.number, largest_impact.group))
+             << " for " << n_steps_of_largest
+             << (n_steps_of_largest == 1 ? " step" : " steps")
              << " only: the impulse, and what comes after it, depend on how "
                 "long steps are. Contact as short as that leaves open ";
         text.precision(2);
@@ -206,7 +211,7 @@ namespace auxfem
              << " of the largest momentum; answers may err by ten times as "
                 "much. "
              << advice();
-        return {{Verdict::doubtful, text.str(), worst.time, location}};
+        return {{Verdict::doubtful, text.str(), largest_impact.time, location}};
       }
 
       Finding note_on_peak(const unsigned int plate) const
@@ -241,7 +246,7 @@ namespace auxfem
 
       /** At all points that touch. Collective. */
       std::vector<ContactForce>
-      forces_of_all(const State &state, const EvaluationResults &results) const
+      all_forces(const State &state, const EvaluationResults &results) const
       {
         const ReportingEffects   &effects = equations.reporting();
         std::vector<ContactForce> mine;
@@ -258,7 +263,7 @@ namespace auxfem
         return over_all_ranks(mine, equations.unknowns().layout.communicator());
       }
 
-      void end(const TouchingPair &pair, const Impact &impact)
+      void finish(const TouchingPair &pair, const Impact &impact)
       {
         unresolved += impact.unresolved();
         impulse += impact.impulse;
@@ -266,9 +271,10 @@ namespace auxfem
           const auto &largest = occurrences.largest_here();
           return largest ? largest->size : 0.;
         };
-        if (impact.unresolved() > std::max(size(on_plates), size(on_struts)))
-          n_steps_of_worst = impact.n_steps;
-        (pair[2] != 0 ? on_plates : on_struts)
+        if (impact.unresolved() >
+            std::max(size(plate_impacts), size(strut_impacts)))
+          n_steps_of_largest = impact.n_steps;
+        (pair[2] != 0 ? plate_impacts : strut_impacts)
           .add({impact.unresolved(), impact.begin, pair[0], pair[1]});
       }
 
@@ -286,7 +292,7 @@ namespace auxfem
         return text.str();
       }
 
-      /** Of a contact in `going_on`. */
+      /** Of a contact in `ongoing`. */
       static constexpr unsigned int n_values = 6;
 
       static unsigned int number(const double value)
@@ -301,11 +307,11 @@ namespace auxfem
       double                &kinetic; ///< J
       /** Of contact that has ended (N s). */
       double &unresolved, &impulse;
-      double &n_steps_of_worst;
+      double &n_steps_of_largest;
       /** By Impact::unresolved(); the same on all ranks. */
-      Occurrences &on_plates, &on_struts;
+      Occurrences &plate_impacts, &strut_impacts;
       /** Of each contact that lasts the pair and what an Impact has. */
-      std::vector<double> &going_on;
+      std::vector<double> &ongoing;
     };
   } // namespace
 

@@ -19,7 +19,7 @@ namespace auxfem
   {
     const bool has_power = step.kind == Evaluation::Kind::step;
     const auto add       = [&](const Sliding &sliding) {
-      const double work = -(sliding.friction.force * sliding.way);
+      const double work = -(sliding.friction.force * sliding.displacement);
       if (!has_power)
         {
           account.add_in_step(friction_entry, work);

@@ -16,8 +16,8 @@ namespace auxfem
     /** A point of a strut that touches a plate. */
     struct PlateTouch : Touch
     {
-      PressingPoint point;
-      unsigned int  plate; ///< in the order of the scene
+      ContactQuadraturePoint point;
+      unsigned int           plate; ///< in the order of the scene
       /** Shape functions of the axis' nodes at the point. */
       std::array<double, AxisCurve::max_degree + 1> shape = {};
       /** From the point of reference of the plate (m). */
@@ -26,8 +26,8 @@ namespace auxfem
        * states not quite of length 1. */
       Vector3 normal = {};
       /** By minus this the depth changes with the position. */
-      Vector3 now     = {};
-      Tensor  turning = {}; ///< of `normal`, by the position (1/m)
+      Vector3 now             = {};
+      Tensor  normal_gradient = {}; ///< of `normal`, by the position (1/m)
 
       /** Of the plate on the strut (N). */
       Vector3 whole_force() const
@@ -141,7 +141,7 @@ namespace auxfem
 
       std::string rejection_reason(const Evaluation &step) const override
       {
-        const auto found = proximity.first_too_deep(step);
+        const auto found = proximity.first_excessive_penetration(step);
         if (!found)
           return "";
         std::ostringstream why;
@@ -171,17 +171,17 @@ namespace auxfem
               for (unsigned int c = 0; c < 3; ++c)
                 forces[3 * touch.plate + c] -= force[c];
               double &largest = penetrations[touch.plate];
-              largest         = std::max(largest, penetration(touch).part);
+              largest         = std::max(largest, penetration(touch).fraction);
             }
         const UnknownLayout &layout = model.numbering.layout();
         forces                      = layout.sum(forces);
-        std::vector<PlateReport> of_plates;
+        std::vector<PlateReport> plate_reports;
         for (unsigned int i = 0; i < n_plates(); ++i)
-          of_plates.push_back(
+          plate_reports.push_back(
             {displacements[i],
              Vector3({forces[3 * i], forces[3 * i + 1], forces[3 * i + 2]}),
              layout.largest(penetrations[i])});
-        return of_plates;
+        return plate_reports;
       }
 
       std::vector<ContactReport> contacts(const EffectCache &results,
@@ -242,9 +242,11 @@ namespace auxfem
       std::vector<int> unknowns_of(const PlatePair &pair) const override
       {
         std::vector<int>        unknowns = axes[pair.axis].unknowns;
-        const std::vector<int> &of_plate =
+        const std::vector<int> &plate_unknowns =
           proximity.plates()[pair.plate].unknowns;
-        unknowns.insert(unknowns.end(), of_plate.begin(), of_plate.end());
+        unknowns.insert(unknowns.end(),
+                        plate_unknowns.begin(),
+                        plate_unknowns.end());
         return unknowns;
       }
 
@@ -298,11 +300,12 @@ namespace auxfem
       Vector3 motion_of_plate(const unsigned int pair,
                               const Vector      &values) const
       {
-        const Coupled    &of_pair = coupled[pair];
-        const std::size_t first = axes[of_pair.pair.axis].n_nodes() * dimension;
-        Vector3           result;
+        const Coupled    &coupled_pair = coupled[pair];
+        const std::size_t first =
+          axes[coupled_pair.pair.axis].n_nodes() * dimension;
+        Vector3 result;
         for (unsigned int c = 0; c < dimension; ++c)
-          result[c] = values[of_pair.unknowns[first + c]];
+          result[c] = values[coupled_pair.unknowns[first + c]];
         return result;
       }
 
@@ -310,12 +313,12 @@ namespace auxfem
       AxisCurve curve_at(const unsigned int pair,
                          const Vector      &displacement) const
       {
-        const Coupled &of_pair = coupled[pair];
-        AxisCurve      curve   = curves.curve(of_pair.pair.axis,
-                                       of_pair.unknowns.data(),
+        const Coupled &coupled_pair = coupled[pair];
+        AxisCurve      curve        = curves.curve(coupled_pair.pair.axis,
+                                       coupled_pair.unknowns.data(),
                                        displacement.data());
         curve.coefficients[0] -=
-          proximity.plates()[of_pair.pair.plate].definition->position +
+          proximity.plates()[coupled_pair.pair.plate].definition->position +
           motion_of_plate(pair, displacement);
         return curve;
       }
@@ -332,23 +335,25 @@ namespace auxfem
           curve_at(pair, evaluation.to.displacement)};
         if (evaluation.kind == Evaluation::Kind::discrete_gradient)
           at_times.push_back(curve_at(pair, evaluation.from.displacement));
-        for (const PressingPoint &point : points_of_axes.pressing(
+        for (const ContactQuadraturePoint &point :
+             points_of_axes.quadrature_points(
                axis,
                {surface, axes[axis].half_thickness, smoothing(axis)},
                at_times))
-          if (const auto touch = press(evaluation,
-                                       surface,
-                                       at_times,
-                                       {{pair, axis}, point, plate}))
+          if (const auto touch = contact_at(evaluation,
+                                            surface,
+                                            at_times,
+                                            {{pair, axis}, point, plate}))
             points.push_back(*touch);
       }
 
       /** Contact of a point of a near pair, if it touches.
        * @param curves at the end and, in a step between two states, the start */
-      std::optional<PlateTouch> press(const Evaluation             &evaluation,
-                                      const RigidSurface           &surface,
-                                      const std::vector<AxisCurve> &at_times,
-                                      PlateTouch                    touch) const
+      std::optional<PlateTouch>
+      contact_at(const Evaluation             &evaluation,
+                 const RigidSurface           &surface,
+                 const std::vector<AxisCurve> &at_times,
+                 PlateTouch                    touch) const
       {
         const bool is_between =
           evaluation.kind == Evaluation::Kind::discrete_gradient;
@@ -375,14 +380,14 @@ namespace auxfem
             touch.force             = law.mean_force(depth_before, touch.depth);
             touch.slope             = law.mean_slope(depth_before, touch.depth);
             touch.normal            = mean.direction;
-            touch.turning           = mean.change;
+            touch.normal_gradient   = mean.change;
           }
         else
           {
-            touch.force   = law.force(touch.depth);
-            touch.slope   = law.slope(touch.depth);
-            touch.normal  = now.normal;
-            touch.turning = now.curvature;
+            touch.force           = law.force(touch.depth);
+            touch.slope           = law.slope(touch.depth);
+            touch.normal          = now.normal;
+            touch.normal_gradient = now.curvature;
           }
         if (friction.coefficient > 0 &&
             evaluation.kind != Evaluation::Kind::equilibrium)
@@ -421,11 +426,11 @@ namespace auxfem
         std::size_t at = 0;
         add_to_unknowns(
           touch,
-          [&](const int, const unsigned int a, const double of_row) {
+          [&](const int, const unsigned int a, const double row_share) {
             add_to_unknowns(
               touch,
-              [&](const int, const unsigned int b, const double of_column) {
-                block[at++] += of_row * of_column * stiffness[a][b];
+              [&](const int, const unsigned int b, const double column_share) {
+                block[at++] += row_share * column_share * stiffness[a][b];
               });
           });
       }
@@ -436,20 +441,20 @@ namespace auxfem
                           const double      by_position,
                           const double      by_velocity) const
       {
-        const Tensor of_pressure =
+        const Tensor pressure_stiffness =
           touch.slope * dealii::outer_product(touch.normal, touch.now) -
-          touch.force * touch.turning;
+          touch.force * touch.normal_gradient;
         if (touch.friction.scale == 0)
-          return by_position * of_pressure;
+          return by_position * pressure_stiffness;
 
-        const double         length    = touch.normal.norm();
-        const Vector3        n         = touch.normal / length;
-        const FrictionChange change    = friction.change(touch.friction, n);
-        const Tensor         of_normal = touch.turning / length -
-          dealii::outer_product(n, n * touch.turning) / length;
+        const double         length        = touch.normal.norm();
+        const Vector3        n             = touch.normal / length;
+        const FrictionChange change        = friction.change(touch.friction, n);
+        const Tensor         normal_change = touch.normal_gradient / length -
+          dealii::outer_product(n, n * touch.normal_gradient) / length;
         return by_velocity * change.by_velocity +
           by_position *
-          (of_pressure + change.by_normal * of_normal -
+          (pressure_stiffness + change.by_normal * normal_change -
            touch.slope * dealii::outer_product(change.by_pressure, touch.now));
       }
 

@@ -28,8 +28,8 @@ namespace auxfem
   }
 
   std::vector<ControlPolygon>
-  PlateContactPoints::touchable(const unsigned int a,
-                                const AxisCurve   &curve) const
+  PlateContactPoints::touchable_parts(const unsigned int a,
+                                      const AxisCurve   &curve) const
   {
     if (!is_rigid_arc(a))
       return {{curve, std::max(curve.degree, axes[a].order)}};
@@ -39,17 +39,17 @@ namespace auxfem
     return ends;
   }
 
-  std::vector<PressingPoint>
-  PlateContactPoints::pressing(const unsigned int            a,
-                               const PlateSide              &side,
-                               const std::vector<AxisCurve> &curves) const
+  std::vector<ContactQuadraturePoint> PlateContactPoints::quadrature_points(
+    const unsigned int            a,
+    const PlateSide              &side,
+    const std::vector<AxisCurve> &curves) const
   {
     // Exact on planes for struts of order 6: energy and tangent have three
     // times its degree there.
-    static const dealii::QGauss<1> rule(11);
-    const ContactAxis             &axis   = axes[a];
-    const bool                     is_arc = is_rigid_arc(a);
-    std::vector<PressingPoint>     points;
+    static const dealii::QGauss<1>      rule(11);
+    const ContactAxis                  &axis   = axes[a];
+    const bool                          is_arc = is_rigid_arc(a);
+    std::vector<ContactQuadraturePoint> points;
     for (const unsigned int end : {0, 1})
       if (const double length =
             ((end == 0 ? axis.begin == 0 : axis.end == 1) ? axis.half_thickness
@@ -125,11 +125,12 @@ namespace auxfem
     const std::vector<PlateDefinition> &definitions = model.plan.scene.plates;
     for (unsigned int i = 0; i < definitions.size(); ++i)
       {
-        const GlobalNumbers::OfMotion &of_joint =
+        const GlobalNumbers::MotionNumbers &joint_numbers =
           model.numbering.global().joints[model.lattice.joint_of_plate(i)];
         all_plates.push_back(
           {&definitions[i],
-           std::vector<int>(of_joint.begin(), of_joint.begin() + dimension)});
+           std::vector<int>(joint_numbers.begin(),
+                            joint_numbers.begin() + dimension)});
       }
     for (const ContactAxis &axis : axes)
       {
@@ -247,7 +248,7 @@ namespace auxfem
 
   double PlateProximity::least_gap(const PlatePair &pair,
                                    const Vector    &displacement,
-                                   const Vector3   &of_plate) const
+                                   const Vector3   &plate_displacement) const
   {
     const ContactAxis     &axis = axes[pair.axis];
     std::array<Vector3, 2> ends = {{axis.ends[0], axis.ends[1]}};
@@ -262,13 +263,13 @@ namespace auxfem
       0.55 * std::max(axis.length, (ends[1] - ends[0]).norm());
     const PlateDefinition &plate = *all_plates[pair.plate].definition;
     return plate.surface->distance((ends[0] + ends[1]) / 2 - plate.position -
-                                   of_plate) -
+                                   plate_displacement) -
       reach - axis.half_thickness;
   }
 
   double PlateProximity::largest_motion(const unsigned int a,
                                         const Vector      &increment,
-                                        const Vector3     &of_plate) const
+                                        const Vector3 &plate_displacement) const
   {
     const std::vector<int> &unknowns = owned_unknowns[a];
     double                  largest  = 0;
@@ -276,7 +277,8 @@ namespace auxfem
       {
         double square = 0;
         for (unsigned int c = 0; c < dimension; ++c)
-          square += std::pow(increment[unknowns[node + c]] - of_plate[c], 2);
+          square +=
+            std::pow(increment[unknowns[node + c]] - plate_displacement[c], 2);
         largest = std::max(largest, square);
       }
     return std::sqrt(largest);
@@ -336,7 +338,7 @@ namespace auxfem
     // What will come near in the next step counts too, and twice as much; what
     // is near stays so until it is twice as far away, as the pattern of the
     // tangent is made anew with each change.
-    constexpr double            steps = 2, leaving = 2;
+    constexpr double            lookahead = 2, hysteresis = 2;
     const std::optional<Vector> motion = motion_of_step(accepted);
     const std::vector<Vector3>  places = plate_values(accepted.displacement),
                                motions = motion
@@ -350,11 +352,11 @@ namespace auxfem
           {
             double margin = least_margin();
             if (motion)
-              margin += steps * largest_motion(a, *motion, motions[p]);
+              margin += lookahead * largest_motion(a, *motion, motions[p]);
             if (std::binary_search(near_pairs.begin(),
                                    near_pairs.end(),
                                    PlatePair{a, p}))
-              margin *= leaving;
+              margin *= hysteresis;
             const double gap =
               least_gap({a, p}, accepted.displacement, places[p]);
             clearance = std::min(clearance, gap);
@@ -372,12 +374,12 @@ namespace auxfem
 
   bool PlateProximity::follow(const State &accepted)
   {
-    const double next_way = step_length > 0
+    const double next_motion = step_length > 0
       ? step_length * largest_displacement(*accepted.velocity)
       : accepted.before ? largest_displacement(accepted.displacement,
                                                accepted.before->displacement)
                         : 0;
-    if (are_clear(accepted.displacement, next_way, least_margin()))
+    if (are_clear(accepted.displacement, next_motion, least_margin()))
       return false;
     std::vector<PlatePair> now = find_near(accepted);
     if (now == near_pairs)
@@ -395,7 +397,7 @@ namespace auxfem
   }
 
   std::optional<PlateProximity::Depth>
-  PlateProximity::first_too_deep(const Evaluation &step) const
+  PlateProximity::first_excessive_penetration(const Evaluation &step) const
   {
     if (are_clear(step.to.displacement,
                   largest_displacement(step.to.displacement,
@@ -412,17 +414,19 @@ namespace auxfem
           // Between its nodes an axis may move by more than they.
           if (least_gap({a, p}, step.to.displacement, places[p]) <
               2 * largest_motion(a, increment, motions[p]))
-            if (const auto found =
-                  too_deep({a, p}, step, places[p] - motions[p], places[p]))
+            if (const auto found = excessive_penetration({a, p},
+                                                         step,
+                                                         places[p] - motions[p],
+                                                         places[p]))
               return found;
     return {};
   }
 
   std::optional<PlateProximity::Depth>
-  PlateProximity::too_deep(const PlatePair  &pair,
-                           const Evaluation &step,
-                           const Vector3    &before,
-                           const Vector3    &now) const
+  PlateProximity::excessive_penetration(const PlatePair  &pair,
+                                        const Evaluation &step,
+                                        const Vector3    &before,
+                                        const Vector3    &now) const
   {
     const ContactAxis     &axis  = axes[pair.axis];
     const PlateDefinition &plate = *all_plates[pair.plate].definition;
@@ -430,17 +434,18 @@ namespace auxfem
       std::binary_search(near_pairs.begin(), near_pairs.end(), pair);
     const double allowed =
       is_coupled ? allowed_part * thickness(pair.axis) : 0.;
-    const auto curve_at = [&](const State &state, const Vector3 &of_plate) {
+    const auto curve_at = [&](const State   &state,
+                              const Vector3 &plate_displacement) {
       AxisCurve curve = curves.curve(pair.axis,
                                      owned_unknowns[pair.axis].data(),
                                      state.displacement.data());
-      curve.coefficients[0] -= plate.position + of_plate;
+      curve.coefficients[0] -= plate.position + plate_displacement;
       return curve;
     };
     const AxisCurve from = curve_at(step.from, before),
                     to   = curve_at(step.to, now);
-    const auto starts    = points_of_axes.touchable(pair.axis, from),
-               ends      = points_of_axes.touchable(pair.axis, to);
+    const auto starts    = points_of_axes.touchable_parts(pair.axis, from),
+               ends      = points_of_axes.touchable_parts(pair.axis, to);
     for (std::size_t i = 0; i < starts.size(); ++i)
       if (const auto found = find_passage(*plate.surface,
                                           starts[i],
@@ -449,8 +454,9 @@ namespace auxfem
         {
           // A part that is a point has no other parameter.
           const double  parameter = starts[i].degree > 0 ? found->parameter : i;
-          const Vector3 place     = (1 - found->way) * from.at(parameter) +
-            found->way * to.at(parameter);
+          const Vector3 place =
+            (1 - found->path_fraction) * from.at(parameter) +
+            found->path_fraction * to.at(parameter);
           return Depth{axis.strut,
                        pair.plate,
                        axis.half_thickness - plate.surface->distance(place),

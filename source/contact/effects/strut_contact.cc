@@ -32,13 +32,13 @@ namespace auxfem
         ContactEffect::register_blocks(pattern);
         std::vector<AxisPair> pairs;
         local_unknowns.clear();
-        for (const Coupled &of_pair : coupled)
+        for (const Coupled &coupled_pair : coupled)
           {
-            pairs.push_back(of_pair.pair);
-            auto first = of_pair.unknowns.begin();
-            for (const unsigned int axis : of_pair.pair)
+            pairs.push_back(coupled_pair.pair);
+            auto first = coupled_pair.unknowns.begin();
+            for (const unsigned int axis : coupled_pair.pair)
               {
-                if (first == of_pair.unknowns.end())
+                if (first == coupled_pair.unknowns.end())
                   break; // An axis with itself.
                 const auto end = first + axes[axis].unknowns.size();
                 local_unknowns.try_emplace(axis, first, end);
@@ -111,7 +111,7 @@ namespace auxfem
             account.takes_time())
           for (const StrutTouch &touch : points_of(results))
             if (is_owned(touch))
-              account.add_in_step(numerical_entry, touch.missed);
+              account.add_in_step(numerical_entry, touch.stored_energy_defect);
       }
 
       void row_force_bounds(const Evaluation & /*evaluation*/,
@@ -144,7 +144,7 @@ namespace auxfem
       {
         const UnknownLayout &layout = model.numbering.layout();
         std::vector<double>  before, after;
-        const auto           found = proximity.first_too_near(
+        const auto           found = proximity.first_excessive_approach(
           by_global_number(step.from.displacement, layout, before),
           by_global_number(step.to.displacement, layout, after),
           parameters.largest_penetration);
@@ -246,12 +246,12 @@ namespace auxfem
         if (evaluation.kind == Evaluation::Kind::discrete_gradient)
           {
             const NearCurves before = curves_at(evaluation.from);
-            for (const FacingStrut &of_axis : facing)
-              touch_between(of_axis, before, now, evaluation, points);
+            for (const FacingStrut &facing_strut : facing)
+              add_mean_contacts(facing_strut, before, now, evaluation, points);
           }
         else
-          for (const FacingStrut &of_axis : facing)
-            touch(of_axis, now, evaluation, points);
+          for (const FacingStrut &facing_strut : facing)
+            add_instant_contacts(facing_strut, now, evaluation, points);
         return points;
       }
 
@@ -292,16 +292,20 @@ namespace auxfem
 
       StrutTouchMotion motion_of(const StrutTouch &touch) const
       {
-        const Coupled &of_pair = coupled[touch.pair];
-        return {curves, dimension, touch, of_pair.pair, of_pair.unknowns};
+        const Coupled &coupled_pair = coupled[touch.pair];
+        return {curves,
+                dimension,
+                touch,
+                coupled_pair.pair,
+                coupled_pair.unknowns};
       }
 
       /** A point that touches, without forces. */
-      StrutTouch touch_of(const FacingStrut    &of_axis,
-                          const NearestOfStrut &found,
-                          const unsigned int    point) const
+      StrutTouch contact_without_force(const FacingStrut    &facing_strut,
+                                       const NearestOfStrut &found,
+                                       const unsigned int    point) const
       {
-        const unsigned int axis = of_axis.axis, other = found.target.axis;
+        const unsigned int axis = facing_strut.axis, other = found.target.axis;
         const double       depth =
           curves.thickness(axis, other) - found.point.distance;
         return {{found.target.pair, axis, depth},
@@ -313,20 +317,21 @@ namespace auxfem
       }
 
       /** Adds the points that touch at an instant. */
-      void touch(const FacingStrut       &of_axis,
-                 const NearCurves        &now,
-                 const Evaluation        &evaluation,
-                 std::vector<StrutTouch> &points) const
+      void add_instant_contacts(const FacingStrut       &facing_strut,
+                                const NearCurves        &now,
+                                const Evaluation        &evaluation,
+                                std::vector<StrutTouch> &points) const
       {
-        for (const auto &[i, found] : points_of_axes.touching(of_axis, now))
+        for (const auto &[i, found] :
+             points_of_axes.touching(facing_strut, now))
           {
             const SpaceVector point =
-              now.at(of_axis.axis)
-                .at(points_of_axes.parameter(of_axis.axis, i));
-            StrutTouch       touch = touch_of(of_axis, found, i);
-            const ContactLaw law   = law_at(touch);
-            touch.force            = law.force(touch.depth);
-            touch.slope            = law.slope(touch.depth);
+              now.at(facing_strut.axis)
+                .at(points_of_axes.parameter(facing_strut.axis, i));
+            StrutTouch touch = contact_without_force(facing_strut, found, i);
+            const ContactLaw law = law_at(touch);
+            touch.force          = law.force(touch.depth);
+            touch.slope          = law.slope(touch.depth);
             const SpaceVector away =
               point - now.at(touch.other).at(found.point.parameter);
             const SpaceVector normal = away / found.point.distance;
@@ -334,36 +339,33 @@ namespace auxfem
                        {found.point.parameter, normal, normal, found.point.distance}};
             if (friction.coefficient > 0 &&
                 evaluation.kind != Evaluation::Kind::equilibrium)
-              rub(evaluation, touch);
+              add_friction(evaluation, touch);
             points.push_back(touch);
           }
       }
 
       /** Adds those that touch at an end of a step between two states. */
-      void touch_between(const FacingStrut       &of_axis,
-                         const NearCurves        &before,
-                         const NearCurves        &now,
-                         const Evaluation        &step,
-                         std::vector<StrutTouch> &points) const
+      void add_mean_contacts(const FacingStrut       &facing_strut,
+                             const NearCurves        &before,
+                             const NearCurves        &now,
+                             const Evaluation        &step,
+                             std::vector<StrutTouch> &points) const
       {
         std::set<unsigned int> touching;
-        for (const NearCurves *const curves_then : {&before, &now})
+        for (const NearCurves *const curves_at_end : {&before, &now})
           for (const TouchingPoint &point :
-               points_of_axes.touching(of_axis, *curves_then))
+               points_of_axes.touching(facing_strut, *curves_at_end))
             touching.insert(point.point);
         for (const unsigned int i : touching)
           {
-            const double      at   = points_of_axes.parameter(of_axis.axis, i);
-            const SpaceVector from = before.at(of_axis.axis).at(at),
-                              to   = now.at(of_axis.axis).at(at);
-            const NearestOfStrut first = points_of_axes.nearest(of_axis,
-                                                                before,
-                                                                from,
-                                                                at),
-                                 last =
-                                   points_of_axes.nearest(of_axis, now, to, at);
-            StrutTouch       touch = touch_of(of_axis, last, i);
-            const ContactLaw law   = law_at(touch);
+            const double at = points_of_axes.parameter(facing_strut.axis, i);
+            const SpaceVector from = before.at(facing_strut.axis).at(at),
+                              to   = now.at(facing_strut.axis).at(at);
+            const NearestOfStrut
+              first = points_of_axes.nearest(facing_strut, before, from, at),
+              last  = points_of_axes.nearest(facing_strut, now, to, at);
+            StrutTouch touch     = contact_without_force(facing_strut, last, i);
+            const ContactLaw law = law_at(touch);
             const double     depth_before =
               curves.thickness(touch.axis, touch.other) - first.point.distance;
             touch.force   = law.mean_force(depth_before, touch.depth);
@@ -384,16 +386,16 @@ namespace auxfem
                   {parameter, (q0 + q1) / sum, q1 / q1.norm(), sum});
                 gained += (q1.norm() - q0.norm()) / 2;
               }
-            touch.missed = -touch.force *
+            touch.stored_energy_defect = -touch.force *
               (gained - (last.point.distance - first.point.distance));
             if (friction.coefficient > 0)
-              rub(step, touch);
+              add_friction(step, touch);
             points.push_back(touch);
           }
       }
 
       /** Finds the friction at a point that has all else. */
-      void rub(const Evaluation &evaluation, StrutTouch &touch) const
+      void add_friction(const Evaluation &evaluation, StrutTouch &touch) const
       {
         touch.friction =
           friction.force(sliding_velocity(evaluation,

@@ -197,10 +197,10 @@ namespace auxfem
         if (basis.coefficients.empty())
           basis = make_basis(order);
         basis_of.push_back(&basis);
-        std::array<unsigned int, 2> &of_strut = axes_of_struts[axes[a].strut];
-        if (of_strut[0] == of_strut[1])
-          of_strut[0] = a;
-        of_strut[1] = a + 1;
+        std::array<unsigned int, 2> &axis_range = axes_of_struts[axes[a].strut];
+        if (axis_range[0] == axis_range[1])
+          axis_range[0] = a;
+        axis_range[1] = a + 1;
         if (model.lattice.struts[axes[a].strut].sagitta != 0)
           arcs.emplace(a, arc_at_rest(axes[a]));
       }
@@ -267,8 +267,8 @@ namespace auxfem
     return std::sqrt(largest);
   }
 
-  double StrutCurves::turning(const unsigned int  axis,
-                              const double *const motion) const
+  double StrutCurves::axis_rotation(const unsigned int  axis,
+                                    const double *const motion) const
   {
     const Basis &basis = *basis_of[axis];
     return (model.lattice.dimension == 2 ? basis.largest_slope<2>(motion)
@@ -276,8 +276,8 @@ namespace auxfem
       axes[axis].length;
   }
 
-  double StrutCurves::largest_turning(const unsigned int axis,
-                                      const double       motion) const
+  double StrutCurves::largest_axis_rotation(const unsigned int axis,
+                                            const double       motion) const
   {
     return basis_of[axis]->steepest * motion / axes[axis].length;
   }
@@ -450,9 +450,10 @@ namespace auxfem
     return ranges;
   }
 
-  ParameterRanges StrutCurves::parts_apart(const unsigned int axis,
-                                           const double       parameter,
-                                           const unsigned int other) const
+  ParameterRanges
+  StrutCurves::self_contact_ranges(const unsigned int axis,
+                                   const double       parameter,
+                                   const unsigned int other) const
   {
     const ContactAxis &one = axes[axis], &target = axes[other];
     const double       length = one.length / (one.end - one.begin),

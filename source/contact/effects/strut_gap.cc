@@ -93,9 +93,9 @@ namespace auxfem
     }
 
     /** By how much the tangents of elements of a strut may turn each (rad). */
-    double turning_left_of_strut(const AxisCurve &one,
-                                 const AxisCurve &other,
-                                 const double     least)
+    double rotation_margin_within_strut(const AxisCurve &one,
+                                        const AxisCurve &other,
+                                        const double     least)
     {
       // The line between the ends turns with the tangents.
       constexpr double safety = 2;
@@ -107,7 +107,7 @@ namespace auxfem
     }
 
     /** Of turning until axes with a common node come near each other. */
-    constexpr double safety_of_turning = 1.5;
+    constexpr double rotation_safety_factor = 1.5;
 
     using Curves = std::array<AxisCurve, 2>;
 
@@ -168,31 +168,31 @@ namespace auxfem
                               const AxisCurve &other) const
   {
     return curves.list()[pair[0]].strut == curves.list()[pair[1]].strut
-      ? of_strut(pair, one, other)
-      : of_ranges(pair, one, other);
+      ? gap_within_strut(pair, one, other)
+      : gap_between_struts(pair, one, other);
   }
 
-  double StrutGap::of_ranges(const AxisPair  &pair,
-                             const AxisCurve &one,
-                             const AxisCurve &other) const
+  double StrutGap::gap_between_struts(const AxisPair  &pair,
+                                      const AxisCurve &one,
+                                      const AxisCurve &other) const
   {
     // Of what is allowed to a pair that is near this is little.
     constexpr double digits    = 0.02;
     const double     thickness = curves.thickness(pair[0], pair[1]);
     double           least     = std::numeric_limits<double>::infinity();
-    const auto look = [&](const CurvePart &first, const CurvePart &second) {
+    const auto check = [&](const CurvePart &first, const CurvePart &second) {
       lower_to_distance(first, second, digits * thickness, least);
     };
     for (const auto &range : curves.free_ranges(pair[0], pair[1]))
-      look(CurvePart(one, range[0], range[1]), CurvePart(other, 0, 1));
+      check(CurvePart(one, range[0], range[1]), CurvePart(other, 0, 1));
     for (const auto &range : curves.free_ranges(pair[1], pair[0]))
-      look(CurvePart(one, 0, 1), CurvePart(other, range[0], range[1]));
+      check(CurvePart(one, 0, 1), CurvePart(other, range[0], range[1]));
     return least - thickness;
   }
 
-  double StrutGap::of_strut(const AxisPair  &pair,
-                            const AxisCurve &one,
-                            const AxisCurve &other) const
+  double StrutGap::gap_within_strut(const AxisPair  &pair,
+                                    const AxisCurve &one,
+                                    const AxisCurve &other) const
   {
     const double thickness = curves.thickness(pair[0], pair[1]);
     if (pair[1] > pair[0] + 1)
@@ -212,7 +212,7 @@ namespace auxfem
     double                 least = std::numeric_limits<double>::infinity();
     for (unsigned int i = 0; i <= n; ++i)
       for (const auto &part :
-           curves.parts_apart(pair[0], double(i) / n, pair[1]))
+           curves.self_contact_ranges(pair[0], double(i) / n, pair[1]))
         least =
           std::min(least,
                    nearest_point(other, one.at(double(i) / n), part[0], part[1])
@@ -230,23 +230,24 @@ namespace auxfem
       curve.coefficients[1] == rest.coefficients[1];
   }
 
-  double StrutGap::turning_left(const AxisPair  &pair,
-                                const AxisCurve &one,
-                                const AxisCurve &other,
-                                const double     least) const
+  double StrutGap::rotation_margin(const AxisPair  &pair,
+                                   const AxisCurve &one,
+                                   const AxisCurve &other,
+                                   const double     least) const
   {
     if (curves.list()[pair[0]].strut == curves.list()[pair[1]].strut)
-      return turning_left_of_strut(one, other, least);
+      return rotation_margin_within_strut(one, other, least);
     if (are_lines_at_rest(pair, one, other))
-      if (const double left = turning_left_at_rest(pair, least); left > 0)
-        return left;
+      if (const double margin = rotation_margin_at_rest(pair, least);
+          margin > 0)
+        return margin;
     constexpr unsigned int n = 4;
     const double apart       = (1 + least) * curves.thickness(pair[0], pair[1]);
-    double       left        = dealii::numbers::PI;
-    const auto   look        = [&](const unsigned int first,
-                          const AxisCurve   &axis,
-                          const AxisCurve   &opposite,
-                          const CommonNode  &node) {
+    double       margin      = dealii::numbers::PI;
+    const auto   check       = [&](const unsigned int first,
+                           const AxisCurve   &axis,
+                           const AxisCurve   &opposite,
+                           const CommonNode  &node) {
       const double length          = curves.list()[pair[first]].length,
                    opposite_length = curves.list()[pair[1 - first]].length;
       for (const auto &range : curves.free_ranges(pair[first], pair[1 - first]))
@@ -257,24 +258,24 @@ namespace auxfem
             const double       arm = std::abs(at - node.end[first]) * length +
               std::abs(nearest.parameter - node.end[1 - first]) *
                 opposite_length;
-            left =
-              std::min(left,
-                       (nearest.distance - apart) / (safety_of_turning * arm));
+            margin = std::min(margin,
+                              (nearest.distance - apart) /
+                                (rotation_safety_factor * arm));
           }
     };
     for (const CommonNode &node : curves.common_nodes(pair[0], pair[1]))
       {
-        look(0, one, other, node);
-        look(1, other, one, node);
+        check(0, one, other, node);
+        check(1, other, one, node);
       }
-    return std::max(left, 0.);
+    return std::max(margin, 0.);
   }
 
-  double StrutGap::turning_left_at_rest(const AxisPair &pair,
-                                        const double    least) const
+  double StrutGap::rotation_margin_at_rest(const AxisPair &pair,
+                                           const double    least) const
   {
-    const double apart = (1 + least) * curves.thickness(pair[0], pair[1]);
-    double       left  = dealii::numbers::PI;
+    const double apart  = (1 + least) * curves.thickness(pair[0], pair[1]);
+    double       margin = dealii::numbers::PI;
     for (const CommonNode &node : curves.common_nodes(pair[0], pair[1]))
       {
         AxisCurve::Vector lines[2];
@@ -287,24 +288,25 @@ namespace auxfem
         // the lines.
         const double cosine   = std::max(lines[0] * lines[1], 0.),
                      distance = std::sqrt((1 - cosine) / (1 + cosine));
-        left                  = std::min(left,
-                        distance *
-                          (1 - apart / curves.free_distance(pair[0], pair[1])) /
-                          safety_of_turning);
+        margin =
+          std::min(margin,
+                   distance *
+                     (1 - apart / curves.free_distance(pair[0], pair[1])) /
+                     rotation_safety_factor);
       }
-    return left;
+    return margin;
   }
 
-  bool StrutGap::comes_below(const AxisPair                 &pair,
+  bool StrutGap::falls_below(const AxisPair                 &pair,
                              const std::array<AxisCurve, 2> &from,
                              const std::array<AxisCurve, 2> &to,
                              const double                    least) const
   {
-    constexpr unsigned int most_looks = 40;
+    constexpr unsigned int max_checks = 40;
     constexpr double       start = 1e-3, digits = 0.05;
     const double           largest = relative_motion(from, to);
-    double                 left    = (*this)(pair, to[0], to[1]) - least;
-    if (left < 0)
+    double                 margin  = (*this)(pair, to[0], to[1]) - least;
+    if (margin < 0)
       return true;
     // More than gaps are off, so that what stays where it was accepted is not
     // taken for something that comes below.
@@ -312,17 +314,17 @@ namespace auxfem
     // From the end back to the start, which was accepted: no more of a gap can
     // be lost on a part of the way than there is motion in it.
     double part = 1;
-    for (unsigned int look = 0; look < most_looks; ++look)
+    for (unsigned int i = 0; i < max_checks; ++i)
       {
-        part -= (left + slack) / std::max(largest, left + slack);
+        part -= (margin + slack) / std::max(largest, margin + slack);
         if (part <= start)
           return false;
-        left = (*this)(pair,
-                       between(from[0], to[0], part),
-                       between(from[1], to[1], part)) -
+        margin = (*this)(pair,
+                         between(from[0], to[0], part),
+                         between(from[1], to[1], part)) -
           least;
         // What is looked for is come to from above and never quite reached.
-        if (left <= -slack / 2)
+        if (margin <= -slack / 2)
           return true;
       }
     // Axes that hang together stay near however far they move.

@@ -14,10 +14,10 @@ namespace auxfem
      * near.
      * @tuned judgement
      */
-    constexpr double looks_ahead = 4;
+    constexpr double n_lookahead_checks = 4;
 
     /** By how much more than its nodes a point of an axis may move. */
-    constexpr double safety_of_motion = 2;
+    constexpr double motion_safety_factor = 2;
   } // namespace
 
   StrutProximity::StrutProximity(const LatticeModel &model,
@@ -25,7 +25,7 @@ namespace auxfem
     : model(model)
     , curves(curves)
     , gap_of(curves)
-    , reach(model.mean_strut_length / 4)
+    , search_distance(model.mean_strut_length / 4)
     , connected_of_axis(curves.list().size(),
                         [&curves](const auto &add) {
                           const std::vector<AxisPair> &pairs =
@@ -35,8 +35,9 @@ namespace auxfem
                               add(axis, i);
                         })
     , connected(curves.connected().size())
-    , allowed_turning(curves.list().size(), 0.)
-    , turning_due(curves.list().size(), std::numeric_limits<double>::infinity())
+    , allowed_rotation(curves.list().size(), 0.)
+    , rotation_due(curves.list().size(),
+                   std::numeric_limits<double>::infinity())
   {
     thinnest             = std::numeric_limits<double>::infinity();
     std::size_t n_values = 0;
@@ -48,9 +49,9 @@ namespace auxfem
         first_of_axis.push_back(n_values);
         n_values += axis.unknowns.size();
       }
-    turned_at.assign(n_values, 0.);
+    reference_displacements.assign(n_values, 0.);
     find_nodes();
-    forget_turning();
+    invalidate_rotations();
     find_near_at_rest();
   }
 
@@ -59,8 +60,9 @@ namespace auxfem
     std::vector<dealii::BoundingBox<3>> boxes;
     boxes.reserve(curves.list().size());
     for (unsigned int a = 0; a < curves.list().size(); ++a)
-      boxes.push_back(box_around(curves.at_rest(a),
-                                 curves.list()[a].half_thickness + reach / 2));
+      boxes.push_back(
+        box_around(curves.at_rest(a),
+                   curves.list()[a].half_thickness + search_distance / 2));
     std::vector<AxisPair> pairs = pairs_in(boxes);
     overlaps_at_rest = find_overlaps(curves, pairs, model.numbering.layout());
     for (const StrutOverlap &overlap : overlaps_at_rest)
@@ -72,7 +74,7 @@ namespace auxfem
                                  return never_touch(pair);
                                }),
                 pairs.end());
-    set_pairs_in_reach(pairs);
+    set_candidate_pairs(pairs);
   }
 
   void StrutProximity::find_nodes()
@@ -120,19 +122,21 @@ namespace auxfem
 
   double StrutProximity::near_gap(const AxisPair &pair) const
   {
-    return near_part * curves.thickness(pair[0], pair[1]);
+    return near_gap_fraction * curves.thickness(pair[0], pair[1]);
   }
 
-  bool StrutProximity::comes_near(const AxisPair            &pair,
-                                  const double               gap,
-                                  const std::vector<double> &u,
-                                  const double               least) const
+  bool StrutProximity::is_approaching(const AxisPair            &pair,
+                                      const double               gap,
+                                      const std::vector<double> &u,
+                                      const double               least) const
   {
-    // The motion of its nodes tells what need not be looked at.
+    // The motion of its nodes tells what need not be checked_displacements at.
     if (gap <= least)
       return true;
-    return gap <= least + looks_ahead * relative_motion(pair, looked, u) &&
-      gap <= least + looks_ahead * (this->gap(pair, looked) - gap);
+    return gap <= least +
+        n_lookahead_checks * relative_motion(pair, checked_displacements, u) &&
+      gap <= least +
+        n_lookahead_checks * (this->gap(pair, checked_displacements) - gap);
   }
 
   template <unsigned int dimension>
@@ -209,54 +213,53 @@ namespace auxfem
       passing.count({{struts.first, struts.second}}) > 0;
   }
 
-  void StrutProximity::set_pairs_in_reach(const std::vector<AxisPair> &pairs)
+  void StrutProximity::set_candidate_pairs(const std::vector<AxisPair> &pairs)
   {
-    in_reach.clear();
+    candidate_pairs.clear();
     for (const AxisPair &pair : pairs)
-      in_reach.push_back({pair, 0., false});
-    // What is not among them is more than the reach apart, and comes nearer by
-    // twice of what the nodes travel; a quarter is left for one step.
-    list_due = travelled + 3 * reach / 8;
+      candidate_pairs.push_back({pair, 0., false});
+    // What is not among them is more than the search_distance apart, and comes
+    // nearer by twice of what the nodes travel; a quarter is left for one step.
+    list_update_due = total_motion + 3 * search_distance / 8;
   }
 
-  void StrutProximity::look_at_pairs(const std::vector<double> &u)
+  void StrutProximity::check_candidate_pairs(const std::vector<double> &u)
   {
-    struct Look
+    struct PairCheck
     {
       double due;
       bool   is_near;
     };
-    std::vector<unsigned int> looked_at;
-    for (unsigned int i = 0; i < in_reach.size(); ++i)
-      if (travelled >= in_reach[i].due || in_reach[i].is_near)
-        looked_at.push_back(i);
-    const auto looks =
-      shared_results(looked_at.size(),
-                     model.numbering.layout(),
-                     [&](const std::size_t k) {
-                       const AxisPair &pair = in_reach[looked_at[k]].pair;
-                       const double    gap  = this->gap(pair, u),
-                                    least   = near_gap(pair);
-                       return Look{travelled + std::max(gap - least, 0.) / 2,
-                                   comes_near(pair, gap, u, least)};
-                     });
-    for (std::size_t k = 0; k < looks.size(); ++k)
+    std::vector<unsigned int> due_pairs;
+    for (unsigned int i = 0; i < candidate_pairs.size(); ++i)
+      if (total_motion >= candidate_pairs[i].due || candidate_pairs[i].is_near)
+        due_pairs.push_back(i);
+    const auto checks = shared_results(
+      due_pairs.size(),
+      model.numbering.layout(),
+      [&](const std::size_t k) {
+        const AxisPair &pair = candidate_pairs[due_pairs[k]].pair;
+        const double    gap = this->gap(pair, u), least = near_gap(pair);
+        return PairCheck{total_motion + std::max(gap - least, 0.) / 2,
+                         is_approaching(pair, gap, u, least)};
+      });
+    for (std::size_t k = 0; k < checks.size(); ++k)
       {
-        in_reach[looked_at[k]].due     = looks[k].due;
-        in_reach[looked_at[k]].is_near = looks[k].is_near;
+        candidate_pairs[due_pairs[k]].due     = checks[k].due;
+        candidate_pairs[due_pairs[k]].is_near = checks[k].is_near;
       }
   }
 
-  double StrutProximity::unseen_motion() const
+  double StrutProximity::unchecked_motion() const
   {
     // Pairs that are not near may lose nine tenths of what is left by it.
-    return 0.9 * near_part * thinnest / 2;
+    return 0.9 * near_gap_fraction * thinnest / 2;
   }
 
   bool StrutProximity::collect_near(const std::vector<double> &u)
   {
     std::vector<AxisPair> now;
-    for (const Reach &pair : in_reach)
+    for (const CandidatePair &pair : candidate_pairs)
       if (pair.is_near)
         now.push_back(pair.pair);
     for (unsigned int i = 0; i < connected.size(); ++i)
@@ -276,42 +279,46 @@ namespace auxfem
     const std::vector<double> &u) const
   {
     for (std::size_t i = 0; i < near_pairs.size(); ++i)
-      if (comes_near(near_pairs[i], near_gaps[i], u, 2 * unseen_motion()))
+      if (is_approaching(near_pairs[i],
+                         near_gaps[i],
+                         u,
+                         2 * unchecked_motion()))
         return true;
     return false;
   }
 
-  double StrutProximity::way_to(const std::vector<double> &u) const
+  double StrutProximity::largest_motion_to(const std::vector<double> &u) const
   {
     if (!(thickest > 0))
       return 0;
     // At first that is at rest.
-    return looked.empty() ? motion(std::vector<double>(u.size(), 0.), u)
-                          : motion(looked, u);
+    return checked_displacements.empty()
+      ? motion(std::vector<double>(u.size(), 0.), u)
+      : motion(checked_displacements, u);
   }
 
   bool StrutProximity::follow(const std::vector<double> &u, const double way)
   {
     if (!(thickest > 0))
       return false;
-    const bool is_first = looked.empty();
+    const bool is_first = checked_displacements.empty();
     if (is_first)
-      looked = std::vector<double>(u.size(), 0.);
-    else if (way < unseen_motion())
+      checked_displacements = std::vector<double>(u.size(), 0.);
+    else if (way < unchecked_motion())
       return false;
-    travelled += way;
-    if (travelled >= list_due)
-      set_pairs_in_reach(pairs_in_boxes(u, u, reach / 2));
-    return look(u);
+    total_motion += way;
+    if (total_motion >= list_update_due)
+      set_candidate_pairs(pairs_in_boxes(u, u, search_distance / 2));
+    return update_near_pairs(u);
   }
 
-  bool StrutProximity::look(const std::vector<double> &u)
+  bool StrutProximity::update_near_pairs(const std::vector<double> &u)
   {
-    look_at_pairs(u);
-    look_at_connected(u);
+    check_candidate_pairs(u);
+    check_connected_pairs(u);
     const bool has_changed = collect_near(u);
-    touches_soon           = any_rank_has_contact_candidates(u);
-    looked                 = u;
+    is_contact_imminent    = any_rank_has_contact_candidates(u);
+    checked_displacements  = u;
     return has_changed;
   }
 
@@ -319,65 +326,65 @@ namespace auxfem
   {
     if (!(thickest > 0))
       return false;
-    travelled = 0;
-    looked    = u;
+    total_motion          = 0;
+    checked_displacements = u;
     connected.assign(connected.size(), {});
-    forget_turning();
-    set_pairs_in_reach(pairs_in_boxes(u, u, reach / 2));
-    return look(u);
+    invalidate_rotations();
+    set_candidate_pairs(pairs_in_boxes(u, u, search_distance / 2));
+    return update_near_pairs(u);
   }
 
-  bool StrutProximity::comes_too_near(const AxisPair            &pair,
-                                      const std::vector<double> &from,
-                                      const std::vector<double> &to,
-                                      const double               least) const
+  bool StrutProximity::gap_falls_below(const AxisPair            &pair,
+                                       const std::vector<double> &from,
+                                       const std::vector<double> &to,
+                                       const double               least) const
   {
-    return gap_of.comes_below(pair,
+    return gap_of.falls_below(pair,
                               {{curve(pair[0], from), curve(pair[1], from)}},
                               {{curve(pair[0], to), curve(pair[1], to)}},
                               least);
   }
 
   std::optional<AxisPair>
-  StrutProximity::first_too_near(const std::vector<double> &from,
-                                 const std::vector<double> &to,
-                                 const double               allowed,
-                                 const double               way) const
+  StrutProximity::first_excessive_approach(const std::vector<double> &from,
+                                           const std::vector<double> &to,
+                                           const double               allowed,
+                                           const double               way) const
   {
     // Without a state to start from nothing is known.
-    if (!(thickest > 0) || looked.empty())
+    if (!(thickest > 0) || checked_displacements.empty())
       return {};
     for (std::size_t i = 0; i < near_pairs.size(); ++i)
       {
         const AxisPair &pair  = near_pairs[i];
         const double    least = -allowed * curves.thickness(pair[0], pair[1]);
         // No distance changes by more than nodes move against each other.
-        if (near_gaps[i] - least < safety_of_motion *
-                std::max(relative_motion(pair, looked, from),
-                         relative_motion(pair, looked, to)) &&
-            comes_too_near(pair, from, to, least))
+        if (near_gaps[i] - least < motion_safety_factor *
+                std::max(relative_motion(pair, checked_displacements, from),
+                         relative_motion(pair, checked_displacements, to)) &&
+            gap_falls_below(pair, from, to, least))
           return pair;
       }
-    if (way < unseen_motion())
+    if (way < unchecked_motion())
       return {};
     const auto is_bad = [&](const AxisPair &pair) {
       return !std::binary_search(near_pairs.begin(), near_pairs.end(), pair) &&
-        comes_too_near(pair, from, to, 0.);
+        gap_falls_below(pair, from, to, 0.);
     };
-    if (travelled + way >= list_due + reach / 8)
+    if (total_motion + way >= list_update_due + search_distance / 8)
       {
         for (const AxisPair &pair : pairs_in_boxes(from, to, 0.))
           if (is_bad(pair))
             return pair;
       }
     else
-      for (const Reach &pair : in_reach)
-        if (travelled + way >= pair.due && is_bad(pair.pair))
+      for (const CandidatePair &pair : candidate_pairs)
+        if (total_motion + way >= pair.due && is_bad(pair.pair))
           return pair.pair;
-    for (unsigned int axis = 0; axis < turning_due.size(); ++axis)
-      if (travelled + way >= turning_due[axis] &&
-          motion(axis, looked, to) >= unseen_motion() &&
-          turning(axis, to) >= allowed_turning[axis])
+    for (unsigned int axis = 0; axis < rotation_due.size(); ++axis)
+      if (total_motion + way >= rotation_due[axis] &&
+          motion(axis, checked_displacements, to) >= unchecked_motion() &&
+          axis_rotation(axis, to) >= allowed_rotation[axis])
         for (const unsigned int i : connected_of_axis[axis])
           if (is_bad(curves.connected()[i]))
             return curves.connected()[i];
@@ -393,11 +400,12 @@ namespace auxfem
     is_following = true;
     const std::vector<double> &end =
       by_global_number(to.displacement, layout, room);
-    const double way   = proximity.way_to(end);
-    const auto   found = proximity.first_too_near(proximity.last_look(),
-                                                end,
-                                                /*allowed=*/0,
-                                                way);
+    const double way = proximity.largest_motion_to(end);
+    const auto   found =
+      proximity.first_excessive_approach(proximity.last_checked_displacements(),
+                                         end,
+                                         /*allowed=*/0,
+                                         way);
     proximity.follow(end, way);
     if (!found)
       return {};

@@ -75,8 +75,8 @@ namespace auxfem
   {
     NearestOfStrut result{{0, 0},
                           {0, std::numeric_limits<double>::infinity(), false}};
-    const auto     look = [&](const FacingStrut::Target   &target,
-                          const std::array<double, 2> &part) {
+    const auto     update = [&](const FacingStrut::Target   &target,
+                            const std::array<double, 2> &part) {
       const NearestPoint found =
         nearest_point(now.at(target.axis), point, part[0], part[1]);
       if (found.distance < result.point.distance)
@@ -85,10 +85,10 @@ namespace auxfem
     for (const FacingStrut::Target &target : facing.targets)
       if (curves.list()[facing.axis].strut == facing.strut)
         for (const auto &part :
-             curves.parts_apart(facing.axis, parameter, target.axis))
-          look(target, part);
+             curves.self_contact_ranges(facing.axis, parameter, target.axis))
+          update(target, part);
       else
-        look(target, {{0., 1.}});
+        update(target, {{0., 1.}});
     return result;
   }
 
@@ -106,14 +106,14 @@ namespace auxfem
     const double         at      = parameter(facing.axis, middle);
     const NearestOfStrut found =
       nearest(facing, now, now.at(facing.axis).at(at), at);
-    const double left = found.point.distance -
+    const double gap = found.point.distance -
       curves.thickness(facing.axis, facing.targets.front().axis);
-    if (left < 0)
+    if (gap < 0)
       points.push_back({middle, found});
     const double spacing =
       stretch * curves.list()[facing.axis].length / (n_points(facing.axis) - 1);
     const auto skipped =
-      static_cast<unsigned int>(std::min(std::max(left, 0.) / spacing, 1e6));
+      static_cast<unsigned int>(std::min(std::max(gap, 0.) / spacing, 1e6));
     if (middle > begin + skipped)
       find_touching(facing, now, begin, middle - 1 - skipped, points);
     if (middle + skipped < end)
@@ -287,10 +287,10 @@ namespace auxfem
     const StrutTouch::Opposite &opposite = touch.opposites.back();
     const dealii::Tensor<1, 3> &n        = opposite.normal;
     const double at = opposite.parameter, distance = opposite.length;
-    const std::vector<double> of_normal = gradient(at, n);
+    const std::vector<double> normal_gradient = gradient(at, n);
     add_product(by_position * (touch.slope + touch.force / distance),
-                of_normal,
-                of_normal,
+                normal_gradient,
+                normal_gradient,
                 block);
     for (unsigned int c = 0; c < dimension; ++c)
       {
@@ -300,34 +300,39 @@ namespace auxfem
     if (!touch.is_inside)
       return;
     // The nearest point moves along the other axis.
-    const std::vector<double>  moving  = nearest_change(other);
-    const dealii::Tensor<1, 3> tangent = other.tangent(at);
+    const std::vector<double>  nearest_gradient = nearest_change(other);
+    const dealii::Tensor<1, 3> tangent          = other.tangent(at);
     add_product(by_position * touch.force *
                   (tangent * tangent / distance - n * other.bend(at)),
-                moving,
-                moving,
+                nearest_gradient,
+                nearest_gradient,
                 block);
   }
 
   void StrutTouchMotion::add_mean_block(std::vector<double> &block) const
   {
-    const StrutTouch::Opposite &last   = touch.opposites.back();
-    const std::vector<double> of_depth = gradient(last.parameter, last.normal);
-    const double              part     = 1. / touch.opposites.size();
+    const StrutTouch::Opposite &last = touch.opposites.back();
+    const std::vector<double>   depth_gradient =
+      gradient(last.parameter, last.normal);
+    const double part = 1. / touch.opposites.size();
     for (const StrutTouch::Opposite &opposite : touch.opposites)
       {
-        const std::vector<double> of_direction =
+        const std::vector<double> direction_gradient =
           gradient(opposite.parameter, opposite.direction);
-        add_product(part * touch.slope, of_direction, of_depth, block);
-        const double turning = -part * touch.force / opposite.length;
+        add_product(part * touch.slope,
+                    direction_gradient,
+                    depth_gradient,
+                    block);
+        const double direction_stiffness =
+          -part * touch.force / opposite.length;
         for (unsigned int c = 0; c < dimension; ++c)
           {
             const std::vector<double> along =
               gradient(opposite.parameter, unit(c));
-            add_product(turning, along, along, block);
+            add_product(direction_stiffness, along, along, block);
           }
-        add_product(-turning,
-                    of_direction,
+        add_product(-direction_stiffness,
+                    direction_gradient,
                     gradient(opposite.parameter, opposite.normal),
                     block);
       }
@@ -343,12 +348,12 @@ namespace auxfem
     const dealii::Tensor<1, 3> &n      = last.normal;
     const FrictionChange        change = friction.change(touch.friction, n);
     const auto                  across = change.by_normal / touch.distance;
-    std::vector<double>         moving;
-    dealii::Tensor<1, 3>        by_moving;
+    std::vector<double>         nearest_gradient;
+    dealii::Tensor<1, 3>        by_nearest;
     if (touch.is_inside)
       {
-        moving    = nearest_change(other);
-        by_moving = factors.stiffness *
+        nearest_gradient = nearest_change(other);
+        by_nearest       = factors.stiffness *
           (change.by_velocity *
              sliding_velocity(evaluation,
                               [&](const Vector &u) {
@@ -358,7 +363,7 @@ namespace auxfem
         // The point that the force acts on moves too.
         add_product(factors.stiffness,
                     tangent_gradient(touch.friction.force),
-                    moving,
+                    nearest_gradient,
                     block);
       }
     for (unsigned int c = 0; c < dimension; ++c)
@@ -368,10 +373,14 @@ namespace auxfem
           factors.stiffness *
             (across[c] - (across[c] * n) * n -
              touch.slope * change.by_pressure[c] * n);
-        std::vector<double> of_force = gradient(last.parameter, by_motion);
-        for (std::size_t i = 0; i < moving.size(); ++i)
-          of_force[i] += by_moving[c] * moving[i];
-        add_product(1., gradient(last.parameter, unit(c)), of_force, block);
+        std::vector<double> force_gradient =
+          gradient(last.parameter, by_motion);
+        for (std::size_t i = 0; i < nearest_gradient.size(); ++i)
+          force_gradient[i] += by_nearest[c] * nearest_gradient[i];
+        add_product(1.,
+                    gradient(last.parameter, unit(c)),
+                    force_gradient,
+                    block);
       }
   }
 } // namespace auxfem

@@ -37,17 +37,17 @@ namespace
 
 TEST(PlateContact, TangentIsTheDerivativeOfTheForces)
 {
-  for (const ContactCase &of_case : contact_cases)
+  for (const ContactCase &contact_case : contact_cases)
     for (const double friction : {0., 0.6})
       for (const Kind kind : {Kind::equilibrium,
                               Kind::step,
                               Kind::static_step,
                               Kind::discrete_gradient})
         {
-          SCOPED_TRACE(of_case.name + ", friction " +
+          SCOPED_TRACE(contact_case.name + ", friction " +
                        testing_support::text(friction) + ", kind " +
                        std::to_string(int(kind)));
-          PressedStep step(above_plate(of_case, friction),
+          PressedStep step(above_plate(contact_case, friction),
                            kind == Kind::discrete_gradient);
           // Of differences over 2e-6 of forces of about one.
           EXPECT_LT(error_of_tangent(step, kind), 1e-8);
@@ -56,11 +56,11 @@ TEST(PlateContact, TangentIsTheDerivativeOfTheForces)
 
 TEST(PlateContact, ForcesOnStrutsAndPlateAreOpposite)
 {
-  for (const ContactCase &of_case : contact_cases)
+  for (const ContactCase &contact_case : contact_cases)
     for (const Kind kind : {Kind::step, Kind::discrete_gradient})
       {
-        SCOPED_TRACE(of_case.name);
-        PressedStep step(above_plate(of_case, 0.6),
+        SCOPED_TRACE(contact_case.name);
+        PressedStep step(above_plate(contact_case, 0.6),
                          kind == Kind::discrete_gradient);
         const auto  forces =
           EvaluatedAlone(step.contact, step.evaluation(kind)).residual;
@@ -77,10 +77,10 @@ TEST(PlateContact, ForcesOnStrutsAndPlateAreOpposite)
 
 TEST(PlateContact, ForcesAreTheGradientOfTheStoredEnergy)
 {
-  for (const ContactCase &of_case : contact_cases)
+  for (const ContactCase &contact_case : contact_cases)
     {
-      SCOPED_TRACE(of_case.name);
-      PressedStep      step(above_plate(of_case, 0), false);
+      SCOPED_TRACE(contact_case.name);
+      PressedStep      step(above_plate(contact_case, 0), false);
       const Evaluation at     = step.evaluation(Kind::equilibrium);
       const auto       forces = EvaluatedAlone(step.contact, at).residual;
       const double     h      = 1e-6;
@@ -102,11 +102,11 @@ TEST(PlateContact, ForcesAreTheGradientOfTheStoredEnergy)
 
 TEST(PlateContact, MeanForcesDoTheWorkThatIsStoredOrLost)
 {
-  for (const ContactCase &of_case : contact_cases)
+  for (const ContactCase &contact_case : contact_cases)
     for (const double friction : {0., 0.6})
       {
-        SCOPED_TRACE(of_case.name);
-        PressedStep  step(above_plate(of_case, friction), true);
+        SCOPED_TRACE(contact_case.name);
+        PressedStep  step(above_plate(contact_case, friction), true);
         State        at_start = step.from;
         const double stored_before =
           EvaluatedAlone(step.contact,
@@ -214,9 +214,9 @@ namespace
                                const double       y,
                                const bool         is_near)
   {
-    ContactCase of_case = contact_cases[0];
-    of_case.plate       = plate;
-    EquationsOnRanks of_scene(above_plate(of_case, 0), {}, MPI_COMM_SELF);
+    ContactCase contact_case = contact_cases[0];
+    contact_case.plate       = plate;
+    EquationsOnRanks of_scene(above_plate(contact_case, 0), {}, MPI_COMM_SELF);
     State            from = of_scene.equations.initial_state();
     if (is_near)
       of_scene.equations.update_couplings(from);
@@ -259,14 +259,14 @@ TEST(PlateContact, StepsIntoOrThroughAPlateAreNotAccepted)
 namespace
 {
   /** What an evaluation gives, by names of unknowns, and sums of all ranks. */
-  struct OfRanks
+  struct RankResults
   {
-    OfRanks(const ContactCase &of_case,
-            const Kind         kind,
-            const MPI_Comm     of_ranks)
-      : step(above_plate(of_case, 0.6),
+    RankResults(const ContactCase &contact_case,
+                const Kind         kind,
+                const MPI_Comm     communicator)
+      : step(above_plate(contact_case, 0.6),
              kind == Kind::discrete_gradient,
-             of_ranks)
+             communicator)
     {
       const Evaluation  evaluation = step.evaluation(kind);
       EquationsOnRanks &on_ranks   = step.of_scene;
@@ -307,12 +307,12 @@ namespace
 
 TEST(PlateContactOnRanks, IsTheSame)
 {
-  for (const ContactCase &of_case : contact_cases)
+  for (const ContactCase &contact_case : contact_cases)
     for (const Kind kind : {Kind::step, Kind::discrete_gradient})
       {
-        SCOPED_TRACE(of_case.name);
-        const OfRanks all(of_case, kind, MPI_COMM_WORLD),
-          alone(of_case, kind, MPI_COMM_SELF);
+        SCOPED_TRACE(contact_case.name);
+        const RankResults all(contact_case, kind, MPI_COMM_WORLD),
+          alone(contact_case, kind, MPI_COMM_SELF);
         expect_equal(all.forces, alone.forces);
         expect_equal(all.product, alone.product);
         EXPECT_NEAR(all.stored, alone.stored, 1e-14);

@@ -23,7 +23,7 @@ namespace auxfem
 
     /** A beam and a post on it, half a thickness of 0.1 m (in space 0.05 m),
      * above a plate that is free. */
-    inline SceneText above_plate(const ContactCase &of_case,
+    inline SceneText above_plate(const ContactCase &contact_case,
                                  const double       friction)
     {
       SceneText text;
@@ -32,12 +32,12 @@ namespace auxfem
         .mesh(3, 1)
         .time(1, contact_step, "newmark")
         .add("Plates/plate",
-             of_case.plate +
+             contact_case.plate +
                " | Displacement x = free | Displacement y = free | Mass = 2")
         .add("Contact",
              "Slip velocity = 0.4 | Smoothing = 0.2 | Friction coefficient = " +
                testing_support::text(friction));
-      if (of_case.dimension == 3)
+      if (contact_case.dimension == 3)
         text.dimension(3)
           .set("Lattice/Joints", "0 0 0; 1 0 0; 0.3 1 0.4")
           .set("Plates/plate/Displacement z", "free");
@@ -138,13 +138,13 @@ namespace auxfem
     inline double error_of_tangent(PressedStep           &step,
                                    const Evaluation::Kind kind)
     {
-      const double         of_velocity = velocity_factor(step, kind);
-      const Evaluation     evaluation  = step.evaluation(kind);
+      const double         velocity_weight = velocity_factor(step, kind);
+      const Evaluation     evaluation      = step.evaluation(kind);
       const EvaluatedAlone evaluated(step.contact, evaluation);
       TangentMatrix        matrix(step.of_scene.equations.pattern());
       step.contact.add_tangent(evaluation,
                                evaluated.results.get(),
-                               {1., of_velocity, 0.},
+                               {1., velocity_weight, 0.},
                                matrix);
       const double h     = 1e-6;
       double       error = 0, largest = 0;
@@ -156,7 +156,7 @@ namespace auxfem
           const auto rows_at = [&](const double change) {
             const State kept = step.to;
             step.to.displacement[k] += change;
-            (*step.to.velocity)[k] += change * of_velocity;
+            (*step.to.velocity)[k] += change * velocity_weight;
             const auto rows = EvaluatedAlone(step.contact, evaluation).residual;
             step.to         = kept;
             return rows;

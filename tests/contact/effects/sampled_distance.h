@@ -35,21 +35,22 @@ namespace auxfem
 
     /** Bound of the length of a vector that is a polynomial of a parameter in
      * [0, 1], from its coefficients of powers: the longest of Bernstein's. */
-    inline double longest(const std::vector<AxisCurve::Vector> &of_powers)
+    inline double
+    longest(const std::vector<AxisCurve::Vector> &power_coefficients)
     {
-      const unsigned int degree = of_powers.size() - 1;
+      const unsigned int degree = power_coefficients.size() - 1;
       double             bound  = 0;
       for (unsigned int i = 0; i <= degree; ++i)
         {
-          AxisCurve::Vector of_bernstein;
+          AxisCurve::Vector bernstein_coefficient;
           double            part = 1;
           for (unsigned int k = 0; k <= i; ++k)
             {
-              of_bernstein += part * of_powers[k];
+              bernstein_coefficient += part * power_coefficients[k];
               if (k < degree)
                 part *= double(i - k) / (degree - k);
             }
-          bound = std::max(bound, of_bernstein.norm());
+          bound = std::max(bound, bernstein_coefficient.norm());
         }
       return bound;
     }

@@ -22,12 +22,12 @@ namespace
 
 TEST(SmallBodyContact, HasThePotentialAndTheWorkOfLargeOnes)
 {
-  for (const ContactCase &of_case : small_bodies)
+  for (const ContactCase &contact_case : small_bodies)
     for (const Evaluation::Kind kind :
          {Evaluation::Kind::equilibrium, Evaluation::Kind::discrete_gradient})
       {
-        SCOPED_TRACE(of_case.name);
-        PressedStep step(above_plate(of_case, 0),
+        SCOPED_TRACE(contact_case.name);
+        PressedStep step(above_plate(contact_case, 0),
                          kind == Evaluation::Kind::discrete_gradient);
         EXPECT_LT(error_of_tangent(step, kind), 1e-6);
         State        at_start = step.from;

@@ -52,8 +52,8 @@ namespace
       add_noise(0.004, to.displacement);
       add_noise(0.5, *to.velocity);
       to.time = dt;
-      std::vector<int> wanted;
-      effect.update_couplings(to, wanted);
+      std::vector<int> required_unknowns;
+      effect.update_couplings(to, required_unknowns);
       tangent = std::make_unique<TangentAlone>(effect, of_scene.dofs());
     }
 
@@ -201,21 +201,21 @@ TEST(StrutContact, MeanForcesConserveMomentumAndTellWhatEnergyTheyMiss)
         for (const auto &[name, i] : unknowns)
           if (std::get<3>(name) == 0)
             {
-              dealii::Tensor<1, 3> position, of_node;
+              dealii::Tensor<1, 3> position, node_force;
               for (unsigned int c = 0; c < dimension; ++c)
                 {
-                  auto of_component         = name;
-                  std::get<3>(of_component) = c;
-                  const unsigned int k      = unknowns.at(of_component);
-                  of_node[c]                = step.residual[k];
-                  position[c]               = names[k].position[c] +
+                  auto component_name         = name;
+                  std::get<3>(component_name) = c;
+                  const unsigned int k        = unknowns.at(component_name);
+                  node_force[c]               = step.residual[k];
+                  position[c]                 = names[k].position[c] +
                     (pressed.from.displacement[k] +
                      pressed.to.displacement[k]) /
                       2;
                 }
-              force += of_node;
-              moment += dealii::cross_product_3d(position, of_node);
-              size += of_node.norm();
+              force += node_force;
+              moment += dealii::cross_product_3d(position, node_force);
+              size += node_force.norm();
             }
         EXPECT_LT(force.norm(), 1e-13 * size);
         EXPECT_LT(moment.norm(), 1e-13 * size);

@@ -123,16 +123,16 @@ TEST(StrutGap, StraightWaysThroughEachOtherAreSeen)
         axes.move(0, down, to);
         axes.move(1, -down, to);
         for (const double least : {0., -0.05})
-          EXPECT_TRUE(axes.gap.comes_below(Axes::pair,
+          EXPECT_TRUE(axes.gap.falls_below(Axes::pair,
                                            axes.at(axes.rest()),
                                            axes.at(to),
                                            least));
         // Up and away, and aside.
         EXPECT_FALSE(
-          axes.gap.comes_below(Axes::pair, axes.at(to), axes.at(to), -10));
+          axes.gap.falls_below(Axes::pair, axes.at(to), axes.at(to), -10));
         std::vector<double> away = axes.rest();
         axes.move(1, down, away);
-        EXPECT_FALSE(axes.gap.comes_below(Axes::pair,
+        EXPECT_FALSE(axes.gap.falls_below(Axes::pair,
                                           axes.at(axes.rest()),
                                           axes.at(away),
                                           0));
@@ -168,7 +168,7 @@ TEST(StrutGap, ComesBelowFindsWhatHappensInTheMiddleOfAStep)
               return axes.sampled_gap(axes.at(on_the_way(from, to, part)));
             },
             1e9);
-          const bool found = axes.gap.comes_below(Axes::pair, begin, end, 0);
+          const bool found = axes.gap.falls_below(Axes::pair, begin, end, 0);
           // It may miss what goes in by a twentieth of the thickness, and take
           // for touching what comes as near.
           if (least < -0.06 * thickness)
@@ -207,7 +207,7 @@ TEST(StrutGap, AxesThatTurnByNoMoreThanIsLeftDoNotTouch)
         const double      least = number(0, 0.2);
         const auto        now   = axes.at(axes.rest());
         const double      left =
-          axes.gap.turning_left(Axes::pair, now[0], now[1], least);
+          axes.gap.rotation_margin(Axes::pair, now[0], now[1], least);
         if (axes.sampled_gap(now) > 0.5 * Axes::thickness)
           {
             EXPECT_GT(left, 0.01);

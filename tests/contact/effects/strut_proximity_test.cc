@@ -126,19 +126,19 @@ TEST(StrutProximity, WhatPassesThroughInOneStepIsSeen)
   const std::vector<double> rest(stars.of_scene.dofs().layout().n_global(), 0.);
   stars.proximity.follow(rest);
   EXPECT_TRUE(stars.proximity.near().empty());
-  EXPECT_FALSE(stars.proximity.first_too_near(rest, rest, 0.5));
+  EXPECT_FALSE(stars.proximity.first_excessive_approach(rest, rest, 0.5));
   // All moves on far; nothing comes nearer to anything.
   std::vector<double> moved = rest;
   for (const ContactAxis &axis : stars.axes)
     for (std::size_t i = 0; i < axis.unknowns.size(); i += 2)
       moved[axis.unknowns[i]] = 50;
-  EXPECT_FALSE(stars.proximity.first_too_near(rest, moved, 0.5));
+  EXPECT_FALSE(stars.proximity.first_excessive_approach(rest, moved, 0.5));
   // One strut alone goes through the others, to the other side of them.
   std::vector<double> thrown = rest;
   const ContactAxis  &axis   = stars.axes.front();
   for (std::size_t i = 0; i < axis.unknowns.size(); i += 2)
     thrown[axis.unknowns[i]] = 50;
-  EXPECT_TRUE(stars.proximity.first_too_near(rest, thrown, 0.5));
+  EXPECT_TRUE(stars.proximity.first_excessive_approach(rest, thrown, 0.5));
 }
 
 TEST(StrutProximityOnRanks, SharedLooksFindWhatOneRankFinds)
@@ -147,13 +147,14 @@ TEST(StrutProximityOnRanks, SharedLooksFindWhatOneRankFinds)
   Stars shared(MPI_COMM_WORLD, 8, "50 deg", "0.2"),
     alone(MPI_COMM_SELF, 8, "50 deg", "0.2");
   ASSERT_GT(alone.curves.connected().size(), 1000u);
-  const std::vector<StrutOverlap> &of_ranks = shared.proximity.overlaps(),
-                                  &of_one   = alone.proximity.overlaps();
-  EXPECT_FALSE(of_one.empty());
-  ASSERT_EQ(of_ranks.size(), of_one.size());
-  for (std::size_t i = 0; i < of_one.size(); ++i)
+  const std::vector<StrutOverlap> &overlaps_on_ranks =
+                                    shared.proximity.overlaps(),
+                                  &overlaps_alone = alone.proximity.overlaps();
+  EXPECT_FALSE(overlaps_alone.empty());
+  ASSERT_EQ(overlaps_on_ranks.size(), overlaps_alone.size());
+  for (std::size_t i = 0; i < overlaps_alone.size(); ++i)
     {
-      const StrutOverlap &one = of_ranks[i], &two = of_one[i];
+      const StrutOverlap &one = overlaps_on_ranks[i], &two = overlaps_alone[i];
       EXPECT_EQ(one.struts, two.struts);
       EXPECT_EQ(one.is_passing, two.is_passing);
     }

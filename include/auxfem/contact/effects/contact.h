@@ -12,7 +12,7 @@ namespace auxfem
   /** How deep a strut has gone into what it touches. */
   struct Penetration
   {
-    double       part; ///< of the thickness
+    double       fraction; ///< of the thickness
     unsigned int strut;
     unsigned int other; ///< the strut or plate that it touches
   };

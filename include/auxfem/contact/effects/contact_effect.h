@@ -42,7 +42,7 @@ namespace auxfem
   struct Sliding
   {
     FrictionForce        friction;
-    dealii::Tensor<1, 3> way; ///< m
+    dealii::Tensor<1, 3> displacement; ///< m
   };
 
   /** What friction takes from the energy. */
@@ -120,15 +120,16 @@ namespace auxfem
           const std::vector<int> globals = unknowns_of(pair);
           if (!has_rows_of(globals))
             continue;
-          Coupled of_pair{pair, {}};
+          Coupled coupled_pair{pair, {}};
           for (const int global : globals)
-            of_pair.unknowns.push_back(pattern.unknowns().layout.local(global));
+            coupled_pair.unknowns.push_back(
+              pattern.unknowns().layout.local(global));
           const std::size_t block =
-            pattern.register_block(of_pair.unknowns.data(),
-                                   of_pair.unknowns.size());
+            pattern.register_block(coupled_pair.unknowns.data(),
+                                   coupled_pair.unknowns.size());
           if (coupled.empty())
             first_block = block;
-          coupled.push_back(std::move(of_pair));
+          coupled.push_back(std::move(coupled_pair));
         }
     }
 
@@ -153,21 +154,21 @@ namespace auxfem
       for (const Point &point : points_of(&results))
         if (is_owned(point))
           if (const Penetration here = penetration(point);
-              here.part > (found ? found->part : 0.))
+              here.fraction > (found ? found->fraction : 0.))
             found = here;
       return found;
     }
 
     bool update_couplings(const State      &accepted,
-                          std::vector<int> &wanted) override
+                          std::vector<int> &required_unknowns) override
     {
-      return couple(follow(accepted), wanted);
+      return couple(follow(accepted), required_unknowns);
     }
 
     bool restart_couplings(const State      &accepted,
-                           std::vector<int> &wanted) override
+                           std::vector<int> &required_unknowns) override
     {
-      return couple(restart(accepted), wanted);
+      return couple(restart(accepted), required_unknowns);
     }
 
     void account_step(const Evaluation  &step,
@@ -267,16 +268,19 @@ namespace auxfem
     std::size_t                    first_block = 0;
 
   private:
-    /** If near() has changed, adds to @p wanted the unknowns of the pairs that
+    /** If near() has changed, adds to @p required_unknowns the unknowns of the pairs that
      * this rank has rows of. Returns whether it has. */
-    bool couple(const bool has_changed, std::vector<int> &wanted) const
+    bool couple(const bool        has_changed,
+                std::vector<int> &required_unknowns) const
     {
       if (!has_changed)
         return false;
       for (const Pair &pair : near())
         if (const std::vector<int> globals = unknowns_of(pair);
             has_rows_of(globals))
-          wanted.insert(wanted.end(), globals.begin(), globals.end());
+          required_unknowns.insert(required_unknowns.end(),
+                                   globals.begin(),
+                                   globals.end());
       return true;
     }
 

@@ -14,7 +14,7 @@
 namespace auxfem
 {
   /** A point of an axis that presses on a surface. */
-  struct PressingPoint
+  struct ContactQuadraturePoint
   {
     double parameter;
     double weight; ///< length that it stands for (m)
@@ -45,17 +45,17 @@ namespace auxfem
 
     /** @param curves of the axis from the point of reference of the plate (m);
      * of two, points that press in either count */
-    std::vector<PressingPoint>
-    pressing(unsigned int                  axis,
-             const PlateSide              &side,
-             const std::vector<AxisCurve> &curves) const;
+    std::vector<ContactQuadraturePoint>
+    quadrature_points(unsigned int                  axis,
+                      const PlateSide              &side,
+                      const std::vector<AxisCurve> &curves) const;
 
     /**
      * The parts of an axis that a plate can touch. A rigid arc's ends alone:
      * between them it does not move as they do.
      */
-    std::vector<ControlPolygon> touchable(unsigned int     axis,
-                                          const AxisCurve &curve) const;
+    std::vector<ControlPolygon> touchable_parts(unsigned int     axis,
+                                                const AxisCurve &curve) const;
 
   private:
     bool is_rigid_arc(unsigned int axis) const;
@@ -128,7 +128,8 @@ namespace auxfem
     /** A strut of this rank that goes too deep into a plate on the straight way
      * between the states of a step: one that is near() deeper than it may,
      * another that touches it. Collective. */
-    std::optional<Depth> first_too_deep(const Evaluation &step) const;
+    std::optional<Depth>
+    first_excessive_penetration(const Evaluation &step) const;
 
     /** All, in the order of the scene. */
     const std::vector<Plate> &plates() const
@@ -169,12 +170,12 @@ namespace auxfem
     /** Gap (m) that an owned axis has at least; the plate is displaced. */
     double least_gap(const PlatePair   &pair,
                      const Vector      &displacement,
-                     const SpaceVector &of_plate) const;
+                     const SpaceVector &plate_displacement) const;
 
     /** Of the nodes of an owned axis against the plate (m). */
     double largest_motion(unsigned int       axis,
                           const Vector      &increment,
-                          const SpaceVector &of_plate) const;
+                          const SpaceVector &plate_displacement) const;
 
     /** Also keeps how far all others are from all plates. Collective. */
     std::vector<PlatePair> find_near(const State &accepted);
@@ -198,12 +199,12 @@ namespace auxfem
       return 4 * thickest;
     }
 
-    /** As first_too_deep(), of a pair whose plate has gone from one place to
-     * another. */
-    std::optional<Depth> too_deep(const PlatePair   &pair,
-                                  const Evaluation  &step,
-                                  const SpaceVector &before,
-                                  const SpaceVector &now) const;
+    /** As first_excessive_penetration(), of a pair whose plate has gone from
+     * one place to another. */
+    std::optional<Depth> excessive_penetration(const PlatePair   &pair,
+                                               const Evaluation  &step,
+                                               const SpaceVector &before,
+                                               const SpaceVector &now) const;
 
     const LatticeModel             &model;
     const StrutCurves              &curves;

@@ -94,11 +94,11 @@ namespace auxfem
     /** By how much an axis turns (rad): the largest derivative of the motion
      * along it, at as many points as it has nodes.
      * @param motion of its nodes, dimension of space at each (m) */
-    double turning(unsigned int axis, const double *motion) const;
+    double axis_rotation(unsigned int axis, const double *motion) const;
 
     /** How much it turns at most if none of its nodes moves by more than this
      * (rad). */
-    double largest_turning(unsigned int axis, double motion) const;
+    double largest_axis_rotation(unsigned int axis, double motion) const;
 
     /** Whether two axes belong to one strut or to struts with a common joint.
      */
@@ -141,8 +141,9 @@ namespace auxfem
     /** The parts of @p other, of the same strut, that are so far along it from a
      * point of @p axis that these can touch: bent round, half a circle of its
      * thickness. */
-    ParameterRanges
-    parts_apart(unsigned int axis, double parameter, unsigned int other) const;
+    ParameterRanges self_contact_ranges(unsigned int axis,
+                                        double       parameter,
+                                        unsigned int other) const;
 
     /** Axes of a strut: [begin, end) in the list. */
     std::array<unsigned int, 2> axes_of(const unsigned int strut) const

@@ -34,10 +34,10 @@ namespace auxfem
      * With some safety for what it does not see: that other points than
      * those which are nearest now come near, and that the axes stretch.
      */
-    double turning_left(const AxisPair  &pair,
-                        const AxisCurve &one,
-                        const AxisCurve &other,
-                        double           least) const;
+    double rotation_margin(const AxisPair  &pair,
+                           const AxisCurve &one,
+                           const AxisCurve &other,
+                           double           least) const;
 
     /** Whether two axes are straight and where they are at rest: neighbours
      * are then farther apart than they are thick where they may touch. */
@@ -50,21 +50,21 @@ namespace auxfem
 
     /** Whether a gap becomes smaller than @p least (m) on the straight way from
      * curves to others, of which the first ones are not. */
-    bool comes_below(const AxisPair                 &pair,
+    bool falls_below(const AxisPair                 &pair,
                      const std::array<AxisCurve, 2> &from,
                      const std::array<AxisCurve, 2> &to,
                      double                          least) const;
 
   private:
-    double of_ranges(const AxisPair  &pair,
-                     const AxisCurve &one,
-                     const AxisCurve &other) const;
-    double of_strut(const AxisPair  &pair,
-                    const AxisCurve &one,
-                    const AxisCurve &other) const;
-    /** turning_left() of axes that are straight and at rest, or less, also
+    double gap_between_struts(const AxisPair  &pair,
+                              const AxisCurve &one,
+                              const AxisCurve &other) const;
+    double gap_within_strut(const AxisPair  &pair,
+                            const AxisCurve &one,
+                            const AxisCurve &other) const;
+    /** rotation_margin() of axes that are straight and at rest, or less, also
      * than zero, without a look at points. */
-    double turning_left_at_rest(const AxisPair &pair, double least) const;
+    double rotation_margin_at_rest(const AxisPair &pair, double least) const;
     /** Whether an axis is straight and where it is at rest. */
     bool is_line_at_rest(unsigned int axis, const AxisCurve &curve) const;
 

@@ -11,15 +11,16 @@
 namespace auxfem
 {
   /**
-   * Which struts of a lattice come near each other. Pairs are looked at again
-   * only when they may have come nearer than they were allowed to: axes with a
-   * common node when one of them has turned by what was left, others
-   * when nodes have moved by half of the distance that was left. These come
-   * from a tree of boxes (R-tree), made anew when nodes may have moved farther
-   * than the boxes are wide.
+   * Which struts of a lattice come near each other. Pairs are
+   * checked_displacements at again only when they may have come nearer than
+   * they were allowed to: axes with a common node when one of them has turned
+   * by what was left, others when nodes have moved by half of the distance that
+   * was left. These come from a tree of boxes (R-tree), made anew when nodes
+   * may have moved farther than the boxes are wide.
    *
    * Displacements are those of all ranks, by global number; each rank knows
-   * all pairs. Many that are to be looked at are shared out among the ranks.
+   * all pairs. Many that are to be checked_displacements at are shared out
+   * among the ranks.
    */
   class StrutProximity
   {
@@ -35,15 +36,15 @@ namespace auxfem
     }
 
     /** Largest motion of a node since the last look (m). */
-    double way_to(const std::vector<double> &displacements) const;
+    double largest_motion_to(const std::vector<double> &displacements) const;
 
     /** Follows an accepted state; whether near() has changed. Collective.
-     * @param way way_to() there */
+     * @param way largest_motion_to() there */
     ///@{
     bool follow(const std::vector<double> &displacements, double way);
     bool follow(const std::vector<double> &displacements)
     {
-      return follow(displacements, way_to(displacements));
+      return follow(displacements, largest_motion_to(displacements));
     }
     ///@}
 
@@ -55,18 +56,19 @@ namespace auxfem
 
     /** Displacements at the last look; nothing has touched since, while nodes
      * have gone no farther than needs a look. */
-    const std::vector<double> &last_look() const
+    const std::vector<double> &last_checked_displacements() const
     {
-      return looked;
+      return checked_displacements;
     }
 
-    /** Motion of nodes that no pair need be looked at for (m). */
-    double unseen_motion() const;
+    /** Motion of nodes that no pair need be checked_displacements at for (m).
+     */
+    double unchecked_motion() const;
 
     /** Whether one of them touches, or does so soon. */
     bool has_contact_candidates() const
     {
-      return touches_soon;
+      return is_contact_imminent;
     }
 
     /** Looks at all struts in an accepted state, as if nothing were known of
@@ -79,18 +81,20 @@ namespace auxfem
      * was followed. Collective.
      * @param allowed penetration of near pairs over half their thickness;
      *   others may not touch
-     * @param way way_to() the second state
+     * @param way largest_motion_to() the second state
      */
     ///@{
-    std::optional<AxisPair> first_too_near(const std::vector<double> &from,
-                                           const std::vector<double> &to,
-                                           double                     allowed,
-                                           double way) const;
-    std::optional<AxisPair> first_too_near(const std::vector<double> &from,
-                                           const std::vector<double> &to,
-                                           const double allowed) const
+    std::optional<AxisPair>
+    first_excessive_approach(const std::vector<double> &from,
+                             const std::vector<double> &to,
+                             double                     allowed,
+                             double                     way) const;
+    std::optional<AxisPair>
+    first_excessive_approach(const std::vector<double> &from,
+                             const std::vector<double> &to,
+                             const double               allowed) const
     {
-      return first_too_near(from, to, allowed, way_to(to));
+      return first_excessive_approach(from, to, allowed, largest_motion_to(to));
     }
     ///@}
 
@@ -99,24 +103,25 @@ namespace auxfem
      * Gap of a pair that has forces of its own, over half its thickness.
      * @tuned judgement
      */
-    static constexpr double near_part = 0.15;
+    static constexpr double near_gap_fraction = 0.15;
 
-    /** A pair within reach of each other. */
-    struct Reach
+    /** A pair within search_distance of each other. */
+    struct CandidatePair
     {
       AxisPair pair;
-      /** It need not be looked at before the nodes have travelled so far (m).
+      /** It need not be checked_displacements at before the nodes have
+       * total_motion so far (m).
        */
       double due;
       bool   is_near;
     };
 
     /** A pair with a common node. */
-    struct Connected
+    struct ConnectedPair
     {
       /** What its axes may have turned since they were remembered before they
        * are near (rad). */
-      std::array<double, 2> turning_left{};
+      std::array<double, 2> rotation_margin{};
       bool                  is_near = false;
     };
 
@@ -136,10 +141,10 @@ namespace auxfem
     /** Whether the gap of a pair (m) is smaller than @p least or becomes so
      * soon, if it goes on shrinking as it did since the last look, up to @p u.
      */
-    bool comes_near(const AxisPair            &pair,
-                    double                     gap,
-                    const std::vector<double> &u,
-                    double                     least) const;
+    bool is_approaching(const AxisPair            &pair,
+                        double                     gap,
+                        const std::vector<double> &u,
+                        double                     least) const;
 
     double gap(const AxisPair &pair, const std::vector<double> &u) const
     {
@@ -156,42 +161,44 @@ namespace auxfem
          pairs_in(const std::vector<dealii::BoundingBox<3>> &boxes) const;
     bool never_touch(const AxisPair &pair) const;
     void find_near_at_rest();
-    /** Makes the list anew. @param pairs less than the reach apart */
-    void set_pairs_in_reach(const std::vector<AxisPair> &pairs);
+    /** Makes the list anew. @param pairs less than the search_distance apart */
+    void set_candidate_pairs(const std::vector<AxisPair> &pairs);
     /** Looks at what may have come near, and remembers @p u as the last look;
      * whether near() has changed. */
-    bool look(const std::vector<double> &u);
-    void look_at_pairs(const std::vector<double> &u);
-    void look_at_connected(const std::vector<double> &u);
+    bool update_near_pairs(const std::vector<double> &u);
+    void check_candidate_pairs(const std::vector<double> &u);
+    void check_connected_pairs(const std::vector<double> &u);
     /** Several of them, by number. */
-    void      look_at_connected(const std::vector<unsigned int> &pairs,
-                                const std::vector<double>       &u);
-    Connected look_at_connected(const AxisPair            &pair,
-                                const std::vector<double> &u) const;
-    /** How much an axis has turned since it was looked at (rad). */
-    double turning(unsigned int axis, const std::vector<double> &u) const;
-    /** How much it may turn until it is looked at again (rad). */
-    double turning_allowed(unsigned int axis) const;
+    void          check_connected_pairs(const std::vector<unsigned int> &pairs,
+                                        const std::vector<double>       &u);
+    ConnectedPair check_connected_pairs(const AxisPair            &pair,
+                                        const std::vector<double> &u) const;
+    /** How much an axis has turned since it was checked_displacements at (rad).
+     */
+    double axis_rotation(unsigned int axis, const std::vector<double> &u) const;
+    /** How much it may turn until it is checked_displacements at again (rad).
+     */
+    double compute_allowed_rotation(unsigned int axis) const;
     /** Travel of the nodes before which an axis that has @p turned (rad) cannot
      * have turned by as much as it may (m). */
-    double earliest_turn(unsigned int axis, double turned) const;
+    double earliest_rotation_check(unsigned int axis, double turned) const;
     /** Axes that have turned by as much as they may. */
-    std::vector<unsigned int> find_turned(const std::vector<double> &u);
+    std::vector<unsigned int> find_rotated_axes(const std::vector<double> &u);
     /** Of them the pairs with a common node. */
     std::vector<unsigned int>
-    connected_to(const std::vector<unsigned int> &turned) const;
-    /** All axes with a common node are looked at next. */
-    void forget_turning();
-    void remember_turning(unsigned int axis, const std::vector<double> &u);
+    pairs_connected_to(const std::vector<unsigned int> &turned) const;
+    /** All axes with a common node are checked_displacements at next. */
+    void invalidate_rotations();
+    void store_reference(unsigned int axis, const std::vector<double> &u);
     /** Makes near() of what was found; whether it has changed. */
     bool collect_near(const std::vector<double> &u);
     bool any_rank_has_contact_candidates(const std::vector<double> &u) const;
 
     /** Whether a gap becomes smaller than @p least (m) on the straight way. */
-    bool comes_too_near(const AxisPair            &pair,
-                        const std::vector<double> &from,
-                        const std::vector<double> &to,
-                        double                     least) const;
+    bool gap_falls_below(const AxisPair            &pair,
+                         const std::vector<double> &from,
+                         const std::vector<double> &to,
+                         double                     least) const;
 
     /** Largest motion of a node (m). */
     ///@{
@@ -209,32 +216,33 @@ namespace auxfem
     const LatticeModel &model;
     const StrutCurves  &curves;
     const StrutGap      gap_of;
-    const double        reach; ///< between axes that are kept in the list (m)
+    const double
+      search_distance; ///< between axes that are kept in the list (m)
     std::vector<StrutOverlap> overlaps_at_rest;
     /** Struts that pass each other at rest. */
     std::set<std::array<unsigned int, 2>> passing;
     double thickest = 0, thinnest = 0; ///< half (m)
 
-    std::vector<Reach>    in_reach;
-    std::vector<AxisPair> near_pairs;
-    std::vector<double>   near_gaps; ///< of these, in `looked` (m)
+    std::vector<CandidatePair> candidate_pairs;
+    std::vector<AxisPair>      near_pairs;
+    std::vector<double> near_gaps; ///< of these, in `checked_displacements` (m)
     /** Displacements by axis, node and component when pairs with a common node
-     * were looked at. */
-    std::vector<double> turned_at;
-    /** Of each axis, in `turned_at`. */
+     * were checked_displacements at. */
+    std::vector<double> reference_displacements;
+    /** Of each axis, in `reference_displacements`. */
     std::vector<std::size_t> first_of_axis;
     /** Global numbers of the displacements of each node of any axis, once. */
     std::vector<std::array<int, 3>> nodes;
-    IndexLists             connected_of_axis; ///< pairs with a common node
-    std::vector<Connected> connected;
-    std::vector<double>    allowed_turning; ///< of each axis (rad)
-    /** Of each axis, travel of the nodes at which its turning is looked at
-     * again (m). */
-    std::vector<double> turning_due;
-    bool                touches_soon = false;
-    std::vector<double> looked;        ///< displacements
-    double              travelled = 0; ///< up to `looked` (m)
-    double              list_due = 0; ///< travel at which the list is made anew
+    IndexLists                 connected_of_axis; ///< pairs with a common node
+    std::vector<ConnectedPair> connected;
+    std::vector<double>        allowed_rotation; ///< of each axis (rad)
+    /** Of each axis, travel of the nodes at which its axis_rotation is
+     * checked_displacements at again (m). */
+    std::vector<double> rotation_due;
+    bool                is_contact_imminent = false;
+    std::vector<double> checked_displacements; ///< displacements
+    double              total_motion = 0; ///< up to `checked_displacements` (m)
+    double list_update_due = 0; ///< travel at which the list is made anew
   };
 
   /** Follows a motion without contact, step by step, and finds the first struts

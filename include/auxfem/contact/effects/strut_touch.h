@@ -111,7 +111,7 @@ namespace auxfem
     /** At an instant the nearest point; in a step between two states those of
      * both, each with half of the force; the last is that of the end. */
     std::vector<Opposite> opposites = {};
-    double                missed    = 0; ///< work that is not stored (J)
+    double stored_energy_defect     = 0; ///< work that is not stored (J)
   };
 
   /**
