@@ -9,14 +9,14 @@
 namespace auxfem
 {
   /**
-   * The axis of an element now: a polynomial of a parameter in [0, 1] along it,
-   * in powers of that. Pure geometry.
+   * The current axis of an element as a polynomial of a parameter in [0, 1],
+   * given by its monomial coefficients. Pure geometry.
    */
   struct AxisCurve
   {
     using Vector = dealii::Tensor<1, 3>;
 
-    /** Enough for struts of order 6 and arcs up to a full circle. */
+    /** Suffices for struts of order 6 and arcs up to a full circle. */
     static constexpr unsigned int max_degree = 14;
 
     unsigned int                       degree = 1;
@@ -30,7 +30,7 @@ namespace auxfem
       return result;
     }
 
-    /** Derivative by the parameter (m). */
+    /** Derivative with respect to the parameter (m). */
     Vector tangent(const double parameter) const
     {
       Vector result = degree * coefficients[degree];
@@ -39,7 +39,7 @@ namespace auxfem
       return result;
     }
 
-    /** Second derivative by the parameter (m). */
+    /** Second derivative with respect to the parameter (m). */
     Vector bend(const double parameter) const
     {
       Vector result;
@@ -49,20 +49,20 @@ namespace auxfem
     }
   };
 
-  /** The point of a curve that is nearest to another one. */
+  /** The point of a curve nearest to a given point. */
   struct NearestPoint
   {
     double parameter;
     double distance; ///< m
-    /** Whether the line between the points is normal to the curve: else the
-     * point is an end of the part looked at. */
+    /** Whether the connecting line is normal to the curve; otherwise the
+     * nearest point is an end of the searched interval. */
     bool is_inside;
   };
 
   /**
-   * The point nearest to @p point on the part of @p curve between two
-   * parameters: the best of some points along it, then Newton's method, kept
-   * between the neighbours of that.
+   * Finds the point of @p curve nearest to @p point between two parameters.
+   * Samples bracket the minima, and a safeguarded Newton iteration refines
+   * each.
    */
   NearestPoint nearest_point(const AxisCurve         &curve,
                              const AxisCurve::Vector &point,
@@ -70,10 +70,10 @@ namespace auxfem
                              double                   end   = 1);
 
   /**
-   * A polynomial on [0, 1] by its Bernstein coefficients. All its values lie
-   * between the smallest and the largest of them; the first and the last are
-   * its values at the ends. G. Farin, Curves and Surfaces for CAGD, 5th ed.,
-   * 2002, chapter 6.
+   * A polynomial on [0, 1] in the Bernstein basis. Its values lie between the
+   * smallest and the largest coefficient; the first and last coefficients are
+   * its end values. G. Farin, Curves and Surfaces for CAGD, 5th ed., 2002,
+   * chapter 6.
    */
   struct BernsteinPolynomial
   {
@@ -84,7 +84,7 @@ namespace auxfem
 
     double at(double parameter) const;
 
-    /** On [0, 1/2] and [1/2, 1], each over [0, 1]. */
+    /** Restrictions to [0, 1/2] and [1/2, 1], each mapped to [0, 1]. */
     std::array<BernsteinPolynomial, 2> halves() const;
 
     /** @name Bounds: all coefficients have this sign or are zero. */
@@ -93,24 +93,26 @@ namespace auxfem
     bool is_nowhere_positive() const;
     ///@}
 
-    /** Appends the parameters at which the sign changes, in any order; two that
-     * are closer together than 1e-9 may count as one. */
+    /** Appends the unsorted parameters of sign changes; two within 1e-9 may be
+     * reported as one. */
     void add_sign_changes(std::vector<double> &parameters) const;
   };
 
-  /** The control points of a curve (m), which lies in their convex hull. */
+  /**
+   * Bezier control points of a curve (m). The curve lies in their convex hull.
+   */
   struct ControlPolygon
   {
     ControlPolygon() = default;
 
-    /** @param degree at least that of the curve */
+    /** @param degree not less than that of the curve */
     ControlPolygon(const AxisCurve &curve, unsigned int degree);
 
     unsigned int                                             degree = 0;
     std::array<AxisCurve::Vector, AxisCurve::max_degree + 1> points;
   };
 
-  /** The product of two curves of one degree. */
+  /** Scalar product of two curves of equal degree. */
   BernsteinPolynomial product(const ControlPolygon &one,
                               const ControlPolygon &other);
 } // namespace auxfem

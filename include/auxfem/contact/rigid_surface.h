@@ -11,29 +11,30 @@
 
 namespace auxfem
 {
-  /** Where a point lies to a surface. */
+  /** Signed distance of a point from a surface, with derivatives. */
   struct SurfaceDistance
   {
-    /** m, negative inside the body behind the surface. */
+    /** Signed distance (m), negative inside the body. */
     double distance;
-    /** Its gradient by the point: unit normal, out of the body. */
+    /** Gradient of the distance: outward unit normal. */
     dealii::Tensor<1, 3> normal;
-    /** Its second derivative (1/m). */
+    /** Hessian of the distance (1/m). */
     dealii::Tensor<2, 3> curvature;
   };
 
-  /** The same in a step between two positions of the point. */
+  /** Discrete gradient of the distance between two positions of the point. */
   struct MeanDistance
   {
-    /** The product with the motion is the change of the distance. */
+    /** Its product with the displacement equals the change of the distance. */
     dealii::Tensor<1, 3> direction;
-    /** Derivative of the direction by the second position (1/m). */
+    /** Derivative of the direction with respect to the second position
+     * (1/m). */
     dealii::Tensor<2, 3> change;
   };
 
   /**
-   * The surface of a rigid body that does not turn. Positions are relative to a
-   * point of reference of the body (m). Pure geometry.
+   * Surface of a rigid, non-rotating body. Positions are relative to the
+   * reference point of the body (m). Pure geometry.
    */
   class RigidSurface
   {
@@ -42,8 +43,7 @@ namespace auxfem
 
     virtual ~RigidSurface() = default;
 
-    /** m, as SurfaceDistance::distance; changes by at most the length of a
-     * motion. */
+    /** SurfaceDistance::distance (m); Lipschitz constant 1. */
     virtual double distance(const Vector &position) const = 0;
 
     virtual SurfaceDistance at(const Vector &position) const = 0;
@@ -52,65 +52,70 @@ namespace auxfem
                                  const Vector &to) const = 0;
 
     /**
-     * The symmetric bilinear form L(one, other) of two curves of one degree, by
-     * their parameter. L(curve, curve) is negative where, and only where, the
-     * curve is nearer to the surface than @p distance (m). On the straight way
-     * (1 - t) from + t to this is
-     * (1 - t)^2 L(from, from) + 2 t (1 - t) L(from, to) + t^2 L(to, to).
-     * Coefficients that are round-off are zero.
+     * Symmetric bilinear form L(one, other) of two curves of equal degree, as a
+     * polynomial of their parameter. L(curve, curve) is negative exactly where
+     * the curve is closer to the surface than @p distance (m). On the straight
+     * path (1 - t) from + t to it is (1 - t)^2 L(from, from) + 2 t (1 - t)
+     * L(from, to) + t^2 L(to, to). Coefficients at round-off level are set to
+     * zero.
      */
     virtual BernsteinPolynomial level(const ControlPolygon &one,
                                       const ControlPolygon &other,
                                       double                distance) const = 0;
 
-    /**
-     * Lines that show the body (m), each through points: relative to the point
-     * of reference.
-     * @param size what extends without end is shown as far as this (m)
-     * @param dimension of space
-     */
+    /** Polylines that draw the body (m), relative to the reference point.
+     * @param size drawn extent of unbounded surfaces (m)
+     * @param dimension of space */
     virtual std::vector<std::vector<Vector>>
     outline(double size, unsigned int dimension) const = 0;
   };
 
   /** @name Surfaces */
   ///@{
-  /** Everything behind a plane through the point of reference.
-   * @param normal unit vector out of the body */
+  /**
+   * Half space behind a plane through the reference point.
+   * @param normal outward unit vector
+   */
   std::shared_ptr<const RigidSurface>
   make_plane_surface(const dealii::Tensor<1, 3> &normal);
 
-  /** A ball about the point of reference, in the plane a disc.
-   * @param radius m */
+  /**
+   * Ball about the reference point; a disc in the plane.
+   * @param radius m
+   */
   std::shared_ptr<const RigidSurface> make_sphere_surface(double radius);
 
-  /** A cylinder without ends, its axis through the point of reference.
+  /**
+   * Infinite cylinder whose axis passes through the reference point.
    * @param axis unit vector
-   * @param radius m */
+   * @param radius m
+   */
   std::shared_ptr<const RigidSurface>
   make_cylinder_surface(const dealii::Tensor<1, 3> &axis, double radius);
   ///@}
 
-  /** A parameter of a curve, and a part of its way from one place to another.
-   */
+  /** A parameter of a moving curve and the fraction of its path. */
   struct CurvePassage
   {
     double parameter, path_fraction;
   };
 
-  /** Sorted parameters from 0 to 1 between which the distances of a curve from
-   * a
-   * surface lie on one side of each of @p levels (m).
-   * @param curves of one degree; all of them count */
+  /**
+   * Sorted parameters from 0 to 1 that split a curve where its distance from a
+   * surface crosses one of @p levels (m).
+   * @param curves of equal degree; the crossings of all are merged
+   */
   std::vector<double>
   parameters_between_levels(const RigidSurface                &surface,
                             const std::vector<ControlPolygon> &curves,
                             const std::vector<double>         &levels);
 
-  /** Where a curve comes nearer to a surface than @p distance (m) on the
-   * straight way from @p from to @p to, if anywhere; subdivision of polynomials
-   * with bounds finds it, however short it is.
-   * @param from, to of one degree */
+  /**
+   * Finds where a curve gets closer to a surface than @p distance (m) on the
+   * straight path from @p from to @p to. Bounded subdivision of polynomials
+   * also finds arbitrarily short passages.
+   * @param from, to of equal degree
+   */
   std::optional<CurvePassage> find_passage(const RigidSurface   &surface,
                                            const ControlPolygon &from,
                                            const ControlPolygon &to,

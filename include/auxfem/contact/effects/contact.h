@@ -9,29 +9,30 @@
 
 namespace auxfem
 {
-  /** How deep a strut has gone into what it touches. */
+  /** Penetration of a strut into a plate or a strut. */
   struct Penetration
   {
     double       fraction; ///< of the thickness
     unsigned int strut;
-    unsigned int other; ///< the strut or plate that it touches
+    unsigned int other; ///< touched strut or plate
   };
 
-  /** A point of a strut that touches something. */
+  /** A contact point of a strut, for output. */
   struct ContactReport
   {
     unsigned int         strut;
-    unsigned int         other;        ///< the strut or plate that it touches
+    unsigned int         other;        ///< touched strut or plate
     dealii::Point<3>     rest;         ///< on the axis (m)
     dealii::Tensor<1, 3> displacement; ///< m
-    /** From the face that touches to the axis, now (m). */
+    /** Current vector from the touching face to the axis (m). */
     dealii::Tensor<1, 3> to_face;
     dealii::Tensor<1, 3> force; ///< on the strut (N)
     double               depth; ///< of penetration (m)
   };
 
-  /** @name What a strut touches, in the user's words: `the plate "table"`, `strut
-   * 3`, `itself`. */
+  /**
+   * @name Text for the touched body: `the plate "table"`, `strut 3`, `itself`.
+   */
   ///@{
   inline std::string touched_plate(const std::string &name)
   {
@@ -45,37 +46,36 @@ namespace auxfem
   }
   ///@}
 
-  /** Contact of struts, whatever they touch, as output sees it. */
+  /** Contact of struts with plates or struts; the interface for output. */
   class Contact : public Effect, public StageTerms, public ChangingCouplings
   {
   public:
-    /** The largest of the struts of this rank, if any touches. */
+    /** Largest penetration on this rank; empty without contact. */
     virtual std::optional<Penetration>
     deepest(const EffectCache &results) const = 0;
 
-    /** All points of this rank that touch, or have in the last step. */
+    /** Contact points of this rank, including those that touched in the last
+     * step. */
     virtual std::vector<ContactReport> contacts(const EffectCache &results,
                                                 const State &state) const = 0;
   };
 
-  /** What a plate and the struts exert on each other. */
+  /** Motion of a plate and contact force on it. */
   struct PlateReport
   {
     dealii::Tensor<1, 3> displacement; ///< of the plate (m)
     dealii::Tensor<1, 3> force;        ///< of the struts on the plate (N)
-    /** The largest penetration over the thickness of the strut. */
+    /** Largest penetration over the thickness of the strut. */
     double largest_penetration = 0;
   };
 
   /**
-   * Contact of struts with rigid plates: over the part of an axis that is
-   * nearer to the surface than half the thickness, the integral of a force of
-   * ContactLaw along the normal, and of Coulomb's friction against the motion
-   * along the surface, regularised as v / sqrt(v^2 + v0^2). Forces act on the
-   * axis. Theory: doc/theory.md, Contact.
+   * Contact of struts with rigid plates. ContactLaw and CoulombFriction are
+   * integrated over the part of an axis closer to the surface than half the
+   * thickness; forces act on the axis. Theory: doc/theory.md, Contact.
    *
-   * Only struts near a plate are coupled with it; which these are follows from
-   * accepted states.
+   * Only struts near a plate are coupled with it; accepted states determine
+   * them.
    */
   class PlateContact : public Contact
   {
@@ -83,25 +83,24 @@ namespace auxfem
     /** Number of plates. */
     virtual unsigned int n_plates() const = 0;
 
-    /** By plate, over all ranks. Collective. */
+    /** One report per plate, summed over all ranks. Collective. */
     virtual std::vector<PlateReport> reports(const EffectCache &results,
                                              const State &state) const = 0;
 
     /** Name of a plate. */
     virtual const std::string &name(unsigned int plate) const = 0;
 
-    /** Lines that show a plate at rest (m); @p size of what has no end. */
+    /** Polylines that draw a plate at rest (m); @p size is the drawn extent of
+     * unbounded plates. */
     virtual std::vector<std::vector<dealii::Point<3>>>
     outline(unsigned int plate, double size) const = 0;
   };
 
   /**
-   * Contact of struts with struts: at points along each of two axes a force of
-   * ContactLaw against the point of the other axis that is nearest, if that is
-   * nearer than half the sum of their thicknesses; half of it by the points of
-   * either. The potential of all is exact, and the tangent its second
-   * derivative. Coulomb's friction as in PlateContact. Theory: doc/theory.md,
-   * Contact.
+   * Contact between struts. Points along each axis press on the nearest point
+   * of the other axis by ContactLaw; each strut contributes half of the force.
+   * The tangent is the exact Hessian of the potential. Friction as in
+   * PlateContact. Theory: doc/theory.md, Contact.
    *
    * After C. Meier, A. Popp, W. A. Wall, Comput. Methods Appl. Mech. Eng. 308,
    * 2016, 377-413 (Gauss points against the nearest point of the other axis).
@@ -109,7 +108,7 @@ namespace auxfem
   class StrutContact : public Contact
   {
   public:
-    /** Tells of struts that come to touch in a motion without contact. The
+    /** Detector of first contact in a motion without contact forces; this
      * object must outlive it. Collective. */
     virtual std::unique_ptr<FirstContactDetector>
     first_contact_detector() const = 0;
@@ -118,10 +117,13 @@ namespace auxfem
     virtual const std::vector<StrutOverlap> &overlaps() const = 0;
   };
 
-  /** @name Contact in a scene; @p model must outlive it. Collective. */
+  /**
+   * @name Contact effects of a scene; @p model must outlive them. Collective.
+   */
   ///@{
-  /** Throws InputError for struts without thickness, and for such as lie in a
-   * plate at rest. */
+  /**
+   * Throws InputError for struts without thickness or inside a plate at rest.
+   */
   std::unique_ptr<PlateContact> make_plate_contact(const LatticeModel &model);
 
   std::unique_ptr<StrutContact> make_strut_contact(const LatticeModel &model);

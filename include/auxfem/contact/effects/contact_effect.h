@@ -13,9 +13,9 @@
 namespace auxfem
 {
   /**
-   * The velocity (m/s) of something that moves by @p motion(displacements), a
-   * linear function: that of the time scheme, in a step between two states its
-   * mean, without inertia the BackwardDifference.
+   * Sliding velocity (m/s) of the linear motion @p motion(displacements): the
+   * velocity of the time scheme, its mean for discrete gradients, and a
+   * BackwardDifference without inertia.
    */
   template <class Motion>
   dealii::Tensor<1, 3> sliding_velocity(const Evaluation &evaluation,
@@ -38,48 +38,49 @@ namespace auxfem
     return velocity;
   }
 
-  /** Friction at a point, and how far this has moved in a step. */
+  /** Friction at a point and its relative displacement in the step. */
   struct Sliding
   {
     FrictionForce        friction;
     dealii::Tensor<1, 3> displacement; ///< m
   };
 
-  /** What friction takes from the energy. */
+  /** Books the energy dissipated by friction. */
   class FrictionAccount
   {
   public:
-    /** Enters `friction` among the energies. */
+    /** Registers the energy `friction`. */
     void register_in(StateLayout &layout);
 
-    /** Adds the loss in a step: with inertia the mean of the powers at both
-     * ends, else the work.
-     * @param at_start none but in steps with inertia */
+    /** Adds the loss in a step: the mean power of both ends with inertia,
+     * otherwise the work.
+     * @param at_start empty except in steps with inertia */
     void add_step(const Evaluation           &step,
                   const std::vector<Sliding> &at_end,
                   const std::vector<Sliding> &at_start,
                   EnergyAccount              &account) const;
 
-    /** Adds the power lost at an instant (W). */
+    /** Adds the power dissipated at an instant (W). */
     void add_power(const FrictionForce &friction, EnergyAccount &account) const;
 
   private:
     unsigned int friction_entry = 0, numerical_entry = 0;
   };
 
-  /** A point of a strut that touches something. */
+  /** A contact point of a strut. */
   struct Touch
   {
-    unsigned int pair; ///< of what touches, on this rank
-    unsigned int axis; ///< whose point it is, in the list of all
-    /** Penetration at the end of the step or at the instant (m). */
-    double        depth    = 0;
-    double        force    = 0;  ///< across the face (N)
-    double        slope    = 0;  ///< its derivative by the depth (N/m)
+    unsigned int pair; ///< index in the coupled pairs of this rank
+    unsigned int axis; ///< axis with the point, index in StrutCurves::list()
+    /** Penetration at the evaluated state (m). */
+    double depth = 0;
+    double force = 0; ///< normal force (N)
+    double slope =
+      0; ///< derivative of the force with respect to the depth (N/m)
     FrictionForce friction = {}; ///< on the strut
   };
 
-  /** Points that touch in an evaluation. */
+  /** Contact points of an evaluation. */
   template <class Point>
   struct ContactResults : EffectCache
   {
@@ -87,11 +88,10 @@ namespace auxfem
   };
 
   /**
-   * What contact is, whatever a strut touches: pairs that are near each other,
-   * which alone are coupled, forces of ContactLaw at points, and what friction
-   * there takes.
+   * Common part of plate and strut contact: couples the pairs near each other,
+   * stores contact energy, and books friction losses.
    * @tparam Kind PlateContact or StrutContact
-   * @tparam Pair of what is near each other
+   * @tparam Pair PlatePair or AxisPair
    * @tparam Point derived from Touch
    */
   template <class Kind, class Pair, class Point>
@@ -207,7 +207,8 @@ namespace auxfem
     }
 
   protected:
-    /** A pair that this rank has rows of, with the local unknowns of both. */
+    /** A pair with rows on this rank, and the local unknowns of both
+     * partners. */
     struct Coupled
     {
       Pair             pair;
@@ -223,27 +224,28 @@ namespace auxfem
       , curves(model, axes)
     {}
 
-    /** Search for near() in an accepted state; returns whether that has
-     * changed. restart() knows nothing of states before. Collective. */
+    /** Update near() for an accepted state and return whether it changed.
+     * restart() ignores earlier states. Collective. */
     ///@{
     virtual bool follow(const State &accepted)  = 0;
     virtual bool restart(const State &accepted) = 0;
     ///@}
 
-    /** Pairs near each other, of all ranks, sorted. */
+    /** Sorted near pairs of all ranks. */
     virtual const std::vector<Pair> &near() const = 0;
 
     /** Global numbers of the displacements that a pair couples. */
     virtual std::vector<int> unknowns_of(const Pair &pair) const = 0;
 
-    /** The points of all pairs that touch. */
+    /** Contact points of all coupled pairs. */
     virtual std::vector<Point> touching(const Evaluation &evaluation) const = 0;
 
     virtual ContactLaw law_at(const Point &point) const = 0;
 
     virtual Penetration penetration(const Point &point) const = 0;
 
-    /** Of a point less that of what it touches, of values by local unknown. */
+    /** Motion of a point relative to the touched point, for values by local
+     * unknown. */
     virtual dealii::Tensor<1, 3> difference(const Point  &point,
                                             const Vector &values) const = 0;
 
@@ -252,7 +254,7 @@ namespace auxfem
       return static_cast<const Results &>(*results).points;
     }
 
-    /** Whether this rank counts the point. */
+    /** Whether this rank accounts for the point. */
     bool is_owned(const Point &point) const
     {
       return axes[point.axis].is_owned;
@@ -268,8 +270,8 @@ namespace auxfem
     std::size_t                    first_block = 0;
 
   private:
-    /** If near() has changed, adds to @p required_unknowns the unknowns of the pairs that
-     * this rank has rows of. Returns whether it has. */
+    /** If near() has changed, adds the unknowns of pairs with rows on this rank
+     * to @p required_unknowns. Returns @p has_changed. */
     bool couple(const bool        has_changed,
                 std::vector<int> &required_unknowns) const
     {

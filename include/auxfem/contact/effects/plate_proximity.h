@@ -13,28 +13,27 @@
 
 namespace auxfem
 {
-  /** A point of an axis that presses on a surface. */
+  /** A quadrature point of the contact force on an axis. */
   struct ContactQuadraturePoint
   {
     double parameter;
-    double weight; ///< length that it stands for (m)
+    double weight; ///< quadrature weight (m)
   };
 
-  /** How an axis lies to a plate. */
+  /** Geometry of the contact of an axis with a plate. */
   struct PlateSide
   {
     const RigidSurface &surface;
     double              half_thickness; ///< m
-    /** Depth (m) up to which the law of contact is a parabola. */
+    /** Depth (m) up to which the contact law is quadratic. */
     double smoothing;
   };
 
   /**
-   * The points at which the force of contact per length is integrated: Gauss
-   * points of each part of the axis that is nearer to the surface than half its
-   * thickness, divided where the law of contact changes, and the caps at the
-   * ends of struts. So the parts move with the motion, and the sum is the
-   * integral whatever the length of elements. Theory: doc/theory.md, Contact.
+   * Quadrature of the contact force per length: Gauss points on the intervals
+   * of an axis that penetrate the surface, split where the contact law changes,
+   * and one point per end cap. The intervals follow the motion, so accuracy is
+   * independent of the element length. Theory: doc/theory.md, Contact.
    */
   class PlateContactPoints
   {
@@ -43,17 +42,15 @@ namespace auxfem
     PlateContactPoints(const LatticeModel             &model,
                        const std::vector<ContactAxis> &axes);
 
-    /** @param curves of the axis from the point of reference of the plate (m);
-     * of two, points that press in either count */
+    /** @param curves of the axis relative to the reference point of the plate
+     * (m); with two curves, intervals that penetrate in either are included */
     std::vector<ContactQuadraturePoint>
     quadrature_points(unsigned int                  axis,
                       const PlateSide              &side,
                       const std::vector<AxisCurve> &curves) const;
 
-    /**
-     * The parts of an axis that a plate can touch. A rigid arc's ends alone:
-     * between them it does not move as they do.
-     */
+    /** Parts of an axis that can touch a plate. For a rigid arc only its ends,
+     * because its interior does not follow the interpolated motion. */
     std::vector<ControlPolygon> touchable_parts(unsigned int     axis,
                                                 const AxisCurve &curve) const;
 
@@ -64,7 +61,7 @@ namespace auxfem
     const std::vector<ContactAxis> &axes;
   };
 
-  /** An axis and a plate. */
+  /** An axis and a plate, as indices. */
   struct PlatePair
   {
     unsigned int axis, plate;
@@ -81,9 +78,8 @@ namespace auxfem
   };
 
   /**
-   * Which axes come near which plates, and how deep they go into them. Each
-   * rank looks at the axes that it counts. Theory: doc/theory.md, Contact, What
-   * is near.
+   * Detects contact between axes and plates and measures penetrations. Each
+   * rank checks the axes it owns. Theory: doc/theory.md, Contact, What is near.
    */
   class PlateProximity
   {
@@ -100,24 +96,24 @@ namespace auxfem
      */
     PlateProximity(const LatticeModel &model, const StrutCurves &curves);
 
-    /** Throws InputError for struts without thickness, and for such as lie in a
-     * plate at rest. */
+    /** Throws InputError for struts without thickness or inside a plate at
+     * rest. */
     void refuse_bad_plates() const;
 
-    /** Follows an accepted state; whether near() has changed. Collective. */
+    /** Updates near() for an accepted state; returns whether it changed.
+     * Collective. */
     bool follow(const State &accepted);
 
-    /** Pairs that touch or may do so in the next step, of all ranks, sorted. */
+    /** Sorted pairs of all ranks that touch or may touch in the next step. */
     const std::vector<PlatePair> &near() const
     {
       return near_pairs;
     }
 
-    /** Follows an accepted state as if nothing were known of those before;
-     * whether near() has changed. Collective. */
+    /** As follow(), but independent of earlier states. Collective. */
     bool restart(const State &accepted);
 
-    /** A strut that goes into a plate. */
+    /** Penetration of a strut into a plate. */
     struct Depth
     {
       unsigned int strut, plate;
@@ -125,23 +121,23 @@ namespace auxfem
       bool         is_near;
     };
 
-    /** A strut of this rank that goes too deep into a plate on the straight way
-     * between the states of a step: one that is near() deeper than it may,
-     * another that touches it. Collective. */
+    /** Finds a strut of this rank whose penetration is excessive on the
+     * straight path of a step. Near pairs may reach the allowed penetration;
+     * other pairs must not touch. Collective. */
     std::optional<Depth>
     first_excessive_penetration(const Evaluation &step) const;
 
-    /** All, in the order of the scene. */
+    /** All plates in the order of the scene. */
     const std::vector<Plate> &plates() const
     {
       return all_plates;
     }
 
-    /** By plate, of the plates' points of reference. Collective. */
+    /** Values at the reference points, by plate. Collective. */
     std::vector<dealii::Tensor<1, 3>> plate_values(const Vector &values) const;
 
-    /** Half of it (m), of a rigid strut without a section that of the thickest
-     * one. */
+    /** Half thickness (m); rigid struts without a section use that of the
+     * thickest strut. */
     double thickness(const unsigned int axis) const
     {
       return axes[axis].half_thickness > 0 ? axes[axis].half_thickness
@@ -151,56 +147,58 @@ namespace auxfem
   private:
     using SpaceVector = dealii::Tensor<1, 3>;
 
-    /** The last search for what is near. */
+    /** Result of the last proximity search. */
     struct Search
     {
       Vector displacement; ///< m
-      double clearance;    ///< least gap of any strut, on all ranks (m)
+      double clearance;    ///< smallest gap on all ranks (m)
     };
 
     void refuse_struts_without_thickness() const;
     void refuse_plates_in_struts() const;
 
-    /** How deep an axis reaches into a plate at rest (m), if deeper than
-     * @p tolerance; else 0. */
+    /** Penetration of an axis into a plate at rest (m); 0 if at most
+     * @p tolerance. */
     double depth_at_rest(unsigned int           axis,
                          const PlateDefinition &plate,
                          double                 tolerance) const;
 
-    /** Gap (m) that an owned axis has at least; the plate is displaced. */
+    /** Lower bound of the gap (m) between an owned axis and the displaced
+     * plate. */
     double least_gap(const PlatePair   &pair,
                      const Vector      &displacement,
                      const SpaceVector &plate_displacement) const;
 
-    /** Of the nodes of an owned axis against the plate (m). */
+    /** Largest motion of the nodes of an owned axis relative to the plate
+     * (m). */
     double largest_motion(unsigned int       axis,
                           const Vector      &increment,
                           const SpaceVector &plate_displacement) const;
 
-    /** Also keeps how far all others are from all plates. Collective. */
+    /** Searches near pairs and stores the clearance. Collective. */
     std::vector<PlatePair> find_near(const State &accepted);
 
-    /** Motion of the last or the next step (m); empty if not known. */
+    /** Motion of the last or the next step (m); empty if unknown. */
     std::optional<Vector> motion_of_step(const State &accepted) const;
 
-    /** Whether what the last search has found tells that no strut is nearer to
-     * a plate than @p margin (m) at the displacement @p now, or after moves of
-     * at most @p further (m) that count twice. Collective. */
+    /** Whether the last search guarantees that no strut is closer to a plate
+     * than @p margin (m) at the displacement @p now, after further motions of
+     * at most @p further (m). Collective. */
     bool are_clear(const Vector &now, double further, double margin) const;
 
-    /** Largest size of the displacements in @p values, or in the change from
-     * @p from, of all nodes and plates of this rank. */
+    /** Largest displacement in @p values, or in the change from @p from, of all
+     * nodes and plates of this rank. */
     double largest_displacement(const Vector &values) const;
     double largest_displacement(const Vector &values, const Vector &from) const;
 
-    /** Of struts from plates beyond which they are not near (m). */
+    /** Gap below which a pair is near (m). */
     double least_margin() const
     {
       return 4 * thickest;
     }
 
-    /** As first_excessive_penetration(), of a pair whose plate has gone from
-     * one place to another. */
+    /** As first_excessive_penetration(), for a pair whose plate moves from
+     * @p before to @p now. */
     std::optional<Depth> excessive_penetration(const PlatePair   &pair,
                                                const Evaluation  &step,
                                                const SpaceVector &before,
@@ -210,16 +208,15 @@ namespace auxfem
     const StrutCurves              &curves;
     const std::vector<ContactAxis> &axes;
     const PlateContactPoints        points_of_axes;
-    /** Part of half the thickness that a step may go deep. */
+    /** Allowed penetration of a step over half the thickness. */
     const double       allowed_part;
-    const double       step_length; ///< of the scene (s); 0 in statics
+    const double       step_length; ///< nominal step (s); 0 in statics
     const unsigned int dimension;
     double             thickest = 0; ///< half thickness (m)
     std::vector<Plate> all_plates;
-    /** Of this rank: local unknowns of the axes that it counts. */
+    /** Local unknowns of the axes owned by this rank, by axis. */
     std::vector<std::vector<int>> owned_unknowns;
-    /** Of this rank: local unknowns of all displacements of struts and plates.
-     */
+    /** Local unknowns of all displacements of struts and plates. */
     std::vector<int>       displacements;
     std::optional<Search>  last_search;
     std::vector<PlatePair> near_pairs;

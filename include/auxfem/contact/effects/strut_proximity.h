@@ -11,35 +11,33 @@
 namespace auxfem
 {
   /**
-   * Which struts of a lattice come near each other. Pairs are
-   * checked_displacements at again only when they may have come nearer than
-   * they were allowed to: axes with a common node when one of them has turned
-   * by what was left, others when nodes have moved by half of the distance that
-   * was left. These come from a tree of boxes (R-tree), made anew when nodes
-   * may have moved farther than the boxes are wide.
+   * Contact detection between struts. A pair is rechecked only when motion may
+   * have used up its gap: connected axes after a rotation, others after nodal
+   * motion. The broad phase is an R-tree of boxes, rebuilt when nodes may have
+   * left their boxes.
    *
-   * Displacements are those of all ranks, by global number; each rank knows
-   * all pairs. Many that are to be checked_displacements at are shared out
-   * among the ranks.
+   * Displacements are indexed by global number; every rank knows all pairs, and
+   * checks are shared among ranks.
    */
   class StrutProximity
   {
   public:
-    /** Looks at the struts at rest. Collective.
+    /** Checks the struts at rest. Collective.
      * @param model, curves must outlive the object and its copies */
     StrutProximity(const LatticeModel &model, const StrutCurves &curves);
 
-    /** At rest; such as pass each other are never near. */
+    /** Overlaps at rest; pairs with StrutOverlap::is_passing are never near. */
     const std::vector<StrutOverlap> &overlaps() const
     {
       return overlaps_at_rest;
     }
 
-    /** Largest motion of a node since the last look (m). */
+    /** Largest motion of a node since the last check (m). */
     double largest_motion_to(const std::vector<double> &displacements) const;
 
-    /** Follows an accepted state; whether near() has changed. Collective.
-     * @param way largest_motion_to() there */
+    /** Updates near() for an accepted state; returns whether it changed.
+     * Collective.
+     * @param way largest_motion_to() this state (m) */
     ///@{
     bool follow(const std::vector<double> &displacements, double way);
     bool follow(const std::vector<double> &displacements)
@@ -48,40 +46,39 @@ namespace auxfem
     }
     ///@}
 
-    /** Pairs that touch or may do so soon, sorted. */
+    /** Sorted pairs that touch or may touch soon. */
     const std::vector<AxisPair> &near() const
     {
       return near_pairs;
     }
 
-    /** Displacements at the last look; nothing has touched since, while nodes
-     * have gone no farther than needs a look. */
+    /** Displacements at the last check. No pair has touched since, as long as
+     * nodes moved less than unchecked_motion(). */
     const std::vector<double> &last_checked_displacements() const
     {
       return checked_displacements;
     }
 
-    /** Motion of nodes that no pair need be checked_displacements at for (m).
-     */
+    /** Motion of nodes that needs no check (m). */
     double unchecked_motion() const;
 
-    /** Whether one of them touches, or does so soon. */
+    /** Whether a near pair touches or will touch soon. */
     bool has_contact_candidates() const
     {
       return is_contact_imminent;
     }
 
-    /** Looks at all struts in an accepted state, as if nothing were known of
-     * the states before; whether near() has changed. Collective. */
+    /** Checks all struts in an accepted state, independent of earlier states;
+     * returns whether near() changed. Collective. */
     bool restart(const std::vector<double> &displacements);
 
     /**
-     * A pair of struts that comes nearer on the straight way between two states
-     * than it may; none if there is none. The first state, or one before it,
-     * was followed. Collective.
-     * @param allowed penetration of near pairs over half their thickness;
-     *   others may not touch
-     * @param way largest_motion_to() the second state
+     * Finds a pair with an excessive approach on the straight path between two
+     * states. The first state, or one before it, must have been passed to
+     * follow(). Collective.
+     * @param allowed penetration of near pairs over half their thickness; other
+     *   pairs must not touch
+     * @param way largest_motion_to() the second state (m)
      */
     ///@{
     std::optional<AxisPair>
@@ -99,19 +96,15 @@ namespace auxfem
     ///@}
 
   private:
-    /**
-     * Gap of a pair that has forces of its own, over half its thickness.
-     * @tuned judgement
-     */
+    /** Gap below which a pair is near, over half its thickness.
+     * @tuned judgement */
     static constexpr double near_gap_fraction = 0.15;
 
-    /** A pair within search_distance of each other. */
+    /** A pair from the broad phase. */
     struct CandidatePair
     {
       AxisPair pair;
-      /** It need not be checked_displacements at before the nodes have
-       * total_motion so far (m).
-       */
+      /** Accumulated motion of the nodes at which it is rechecked (m). */
       double due;
       bool   is_near;
     };
@@ -119,8 +112,8 @@ namespace auxfem
     /** A pair with a common node. */
     struct ConnectedPair
     {
-      /** What its axes may have turned since they were remembered before they
-       * are near (rad). */
+      /** Rotation of its axes since their reference state at which they become
+       * near (rad). */
       std::array<double, 2> rotation_margin{};
       bool                  is_near = false;
     };
@@ -131,16 +124,15 @@ namespace auxfem
     }
 
     void find_nodes();
-    /** How far the nodes of a pair move against each other at most: the
-     * diagonal of the box of all their motions (m). */
+    /** Upper bound of the relative motion of the nodes of a pair: diagonal of
+     * the box of their motions (m). */
     double relative_motion(const AxisPair            &pair,
                            const std::vector<double> &from,
                            const std::vector<double> &to) const;
-    /** How near a pair is to be for having forces (m). */
+    /** Gap below which a pair is near (m). */
     double near_gap(const AxisPair &pair) const;
-    /** Whether the gap of a pair (m) is smaller than @p least or becomes so
-     * soon, if it goes on shrinking as it did since the last look, up to @p u.
-     */
+    /** Whether the gap of a pair (m) is below @p least, or will be soon at its
+     * closing rate since the last check. */
     bool is_approaching(const AxisPair            &pair,
                         double                     gap,
                         const std::vector<double> &u,
@@ -151,50 +143,49 @@ namespace auxfem
       return gap_of(pair, curve(pair[0], u), curve(pair[1], u));
     }
 
-    /** Pairs without a common node whose axes, on the way between two states,
-     * are less than twice @p margin apart (m). */
+    /** Pairs without a common node whose axes get closer than twice @p margin
+     * (m) between two states. */
     std::vector<AxisPair> pairs_in_boxes(const std::vector<double> &from,
                                          const std::vector<double> &to,
                                          double margin) const;
-    /** The same of boxes of the axes. */
+    /** As above, for given boxes of the axes. */
     std::vector<AxisPair>
          pairs_in(const std::vector<dealii::BoundingBox<3>> &boxes) const;
     bool never_touch(const AxisPair &pair) const;
     void find_near_at_rest();
-    /** Makes the list anew. @param pairs less than the search_distance apart */
+    /** Replaces the candidate list. @param pairs closer than the search
+     * distance */
     void set_candidate_pairs(const std::vector<AxisPair> &pairs);
-    /** Looks at what may have come near, and remembers @p u as the last look;
-     * whether near() has changed. */
+    /** Checks due pairs and stores @p u as the last check; returns whether
+     * near() changed. */
     bool update_near_pairs(const std::vector<double> &u);
     void check_candidate_pairs(const std::vector<double> &u);
     void check_connected_pairs(const std::vector<double> &u);
-    /** Several of them, by number. */
+    /** Checks several pairs, by number. */
     void          check_connected_pairs(const std::vector<unsigned int> &pairs,
                                         const std::vector<double>       &u);
     ConnectedPair check_connected_pairs(const AxisPair            &pair,
                                         const std::vector<double> &u) const;
-    /** How much an axis has turned since it was checked_displacements at (rad).
-     */
+    /** Rotation of an axis since its reference state (rad). */
     double axis_rotation(unsigned int axis, const std::vector<double> &u) const;
-    /** How much it may turn until it is checked_displacements at again (rad).
-     */
+    /** Rotation of an axis that triggers its next check (rad). */
     double compute_allowed_rotation(unsigned int axis) const;
-    /** Travel of the nodes before which an axis that has @p turned (rad) cannot
-     * have turned by as much as it may (m). */
+    /** Accumulated motion (m) before which an axis that has @p turned (rad)
+     * cannot exceed its allowed rotation. */
     double earliest_rotation_check(unsigned int axis, double turned) const;
-    /** Axes that have turned by as much as they may. */
+    /** Axes that have used up their allowed rotation. */
     std::vector<unsigned int> find_rotated_axes(const std::vector<double> &u);
-    /** Of them the pairs with a common node. */
+    /** Pairs with a common node that contain one of these axes. */
     std::vector<unsigned int>
     pairs_connected_to(const std::vector<unsigned int> &turned) const;
-    /** All axes with a common node are checked_displacements at next. */
+    /** Makes all connected axes due for a check. */
     void invalidate_rotations();
     void store_reference(unsigned int axis, const std::vector<double> &u);
-    /** Makes near() of what was found; whether it has changed. */
+    /** Collects near() from the checked pairs; returns whether it changed. */
     bool collect_near(const std::vector<double> &u);
     bool any_rank_has_contact_candidates(const std::vector<double> &u) const;
 
-    /** Whether a gap becomes smaller than @p least (m) on the straight way. */
+    /** Whether a gap falls below @p least (m) on the straight path. */
     bool gap_falls_below(const AxisPair            &pair,
                          const std::vector<double> &from,
                          const std::vector<double> &to,
@@ -208,7 +199,7 @@ namespace auxfem
     double largest_motion(const std::vector<double> &from,
                           const std::vector<double> &to) const;
     ///@}
-    /** Motion of the nodes of an axis, not less than that of any (m). */
+    /** Upper bound of the motion of the nodes of an axis (m). */
     double motion(unsigned int               axis,
                   const std::vector<double> &from,
                   const std::vector<double> &to) const;
@@ -216,42 +207,44 @@ namespace auxfem
     const LatticeModel &model;
     const StrutCurves  &curves;
     const StrutGap      gap_of;
-    const double
-      search_distance; ///< between axes that are kept in the list (m)
+    const double search_distance; ///< largest distance of candidate pairs (m)
     std::vector<StrutOverlap> overlaps_at_rest;
-    /** Struts that pass each other at rest. */
+    /** Struts with StrutOverlap::is_passing. */
     std::set<std::array<unsigned int, 2>> passing;
     double thickest = 0, thinnest = 0; ///< half (m)
 
     std::vector<CandidatePair> candidate_pairs;
     std::vector<AxisPair>      near_pairs;
-    std::vector<double> near_gaps; ///< of these, in `checked_displacements` (m)
-    /** Displacements by axis, node and component when pairs with a common node
-     * were checked_displacements at. */
+    std::vector<double> near_gaps; ///< of these, at `checked_displacements` (m)
+    /** Displacements at the last check of each axis, by axis, node and
+     * component. */
     std::vector<double> reference_displacements;
-    /** Of each axis, in `reference_displacements`. */
+    /** Offset of each axis in `reference_displacements`. */
     std::vector<std::size_t> first_of_axis;
-    /** Global numbers of the displacements of each node of any axis, once. */
+    /** Global numbers of the displacements of each distinct node. */
     std::vector<std::array<int, 3>> nodes;
     IndexLists                 connected_of_axis; ///< pairs with a common node
     std::vector<ConnectedPair> connected;
     std::vector<double>        allowed_rotation; ///< of each axis (rad)
-    /** Of each axis, travel of the nodes at which its axis_rotation is
-     * checked_displacements at again (m). */
+    /** Accumulated motion of the nodes at which the rotation of each axis is
+     * rechecked (m). */
     std::vector<double> rotation_due;
     bool                is_contact_imminent = false;
-    std::vector<double> checked_displacements; ///< displacements
-    double              total_motion = 0; ///< up to `checked_displacements` (m)
-    double list_update_due = 0; ///< travel at which the list is made anew
+    std::vector<double> checked_displacements;
+    double total_motion = 0; ///< accumulated up to `checked_displacements` (m)
+    double list_update_due =
+      0; ///< accumulated motion at which candidates are rebuilt (m)
   };
 
-  /** Follows a motion without contact, step by step, and finds the first struts
-   * that touch or pass each other. */
+  /**
+   * Follows a motion without contact forces and finds the first struts that
+   * touch or pass each other.
+   */
   class FirstContactDetector
   {
   public:
     /** @param model, curves must outlive the object
-     * @param at_rest which has followed nothing so far */
+     * @param at_rest before any call of follow() */
     FirstContactDetector(const LatticeModel   &model,
                          const StrutCurves    &curves,
                          const StrutProximity &at_rest)
@@ -260,11 +253,8 @@ namespace auxfem
       , proximity(at_rest)
     {}
 
-    /**
-     * Two struts that touch on the straight way of a step; none if there are
-     * none. Collective.
-     * @param from where the step before has ended
-     */
+    /** Finds two struts that touch on the straight path of a step. Collective.
+     * @param from end of the previous step */
     std::optional<std::array<unsigned int, 2>> find(const State &from,
                                                     const State &to);
 
@@ -273,7 +263,7 @@ namespace auxfem
     const StrutCurves  &curves;
     StrutProximity      proximity;
     bool                is_following = false;
-    std::vector<double> room; ///< for what other ranks have
+    std::vector<double> room; ///< displacements gathered from all ranks
   };
 } // namespace auxfem
 

@@ -6,30 +6,30 @@
 
 namespace auxfem
 {
-  /** The curves of the axes that are near another one, by axis. */
+  /** Curves of the near axes, by axis. */
   using NearCurves = std::map<unsigned int, AxisCurve>;
 
-  /** An axis against all near axes of a strut. */
+  /** An axis and all near axes of an opposing strut. */
   struct FacingStrut
   {
-    /** One of them. */
+    /** A near axis of that strut. */
     struct Target
     {
       unsigned int axis;
-      unsigned int pair; ///< of both, in the list that the caller has
+      unsigned int pair; ///< index in the caller's list of pairs
     };
     unsigned int        axis, strut;
     std::vector<Target> targets;
   };
 
-  /** The point of a strut that is nearest to a point of an axis. */
+  /** The point of a strut nearest to a point of an axis. */
   struct NearestOfStrut
   {
     FacingStrut::Target target;
     NearestPoint        point;
   };
 
-  /** A point of an axis that touches a strut. */
+  /** A contact point of an axis on a strut. */
   struct TouchingPoint
   {
     unsigned int   point;
@@ -37,9 +37,9 @@ namespace auxfem
   };
 
   /**
-   * Points along the axes of struts that may touch other struts, one to each
-   * half thickness in the plane and four in space, and which of them do. Pure
-   * geometry. Theory: doc/theory.md, Contact, Struts against struts.
+   * Contact points along the axes of struts, spaced by half a thickness in the
+   * plane and a quarter of it in space. Pure geometry. Theory: doc/theory.md,
+   * Contact, Struts against struts.
    */
   class StrutContactPoints
   {
@@ -47,35 +47,35 @@ namespace auxfem
     /** @param curves must outlive the object. */
     StrutContactPoints(const StrutCurves &curves, unsigned int dimension);
 
-    /** Each axis of a list of pairs against each strut, in this order. */
+    /** Groups a list of pairs by axis and opposing strut, sorted in this
+     * order. */
     std::vector<FacingStrut>
     facing_struts(const std::vector<AxisPair> &pairs) const;
 
-    /** Points of an axis that are nearer to a strut than their thickness,
-     * sorted. */
+    /** Sorted contact points of an axis. */
     std::vector<TouchingPoint> touching(const FacingStrut &facing,
                                         const NearCurves  &now) const;
 
-    /** The point of a strut that is nearest to @p point, which is that of the
-     * axis at @p parameter. */
+    /** Nearest point of the opposing strut to @p point, the point of the axis
+     * at @p parameter. */
     NearestOfStrut nearest(const FacingStrut          &facing,
                            const NearCurves           &now,
                            const dealii::Tensor<1, 3> &point,
                            double                      parameter) const;
 
-    /** Of a point along its axis. */
+    /** Parameter of a contact point on its axis. */
     double parameter(const unsigned int axis, const unsigned int point) const
     {
       return double(point) / (n_points(axis) - 1);
     }
 
-    /** Length that a point stands for (m). */
+    /** Tributary length of a point (m). */
     double weight(unsigned int axis, unsigned int point) const;
 
   private:
     unsigned int n_points(unsigned int axis) const;
 
-    /** Adds those between @p begin and @p end that touch. */
+    /** Adds the contact points between @p begin and @p end. */
     void find_touching(const FacingStrut          &facing,
                        const NearCurves           &now,
                        unsigned int                begin,
@@ -87,79 +87,81 @@ namespace auxfem
     double             thickest = 0; ///< half (m)
   };
 
-  /** A point of a strut that touches another one, or itself. */
+  /** A contact point of a strut on another strut or itself. */
   struct StrutTouch : Touch
   {
-    /** One point of the other strut that belongs to it. */
+    /** The opposite point on the other strut. */
     struct Opposite
     {
       double parameter; ///< of the other axis
-      /** Of the force on the first strut. */
+      /** Direction of the force on the first strut. */
       dealii::Tensor<1, 3> direction;
-      /** From the other strut, at the end of the step. */
+      /** Unit normal from the other strut, at the end of the step. */
       dealii::Tensor<1, 3> normal;
-      /** Derivative of the direction is that of a unit vector over this (m). */
+      /** Length (m) by which the derivative of a unit vector is divided. */
       double length;
     };
 
     unsigned int other; ///< axis of the point nearest to it
     double       parameter;
-    double       weight;   ///< length that the point stands for (m)
+    double       weight;   ///< tributary length (m)
     double       distance; ///< of the two points at the end of the step (m)
-    /** Whether the nearest point of the end moves along the other axis. */
+    /** Whether the nearest point at the end of the step is not an end of the
+     * other axis. */
     bool is_inside;
-    /** At an instant the nearest point; in a step between two states those of
-     * both, each with half of the force; the last is that of the end. */
+    /** The nearest point; for discrete gradients those of both states, the end
+     * last, each with half of the force. */
     std::vector<Opposite> opposites = {};
     double stored_energy_defect     = 0; ///< work that is not stored (J)
   };
 
   /**
-   * How a point of a strut that touches another one moves against that, and
-   * how this depends on the unknowns of the pair of axes. Theory:
-   * doc/theory.md, Contact, Struts against struts.
+   * Relative motion at a contact point of two struts and its derivatives with
+   * respect to the unknowns of the pair. Theory: doc/theory.md, Contact, Struts
+   * against struts.
    */
   class StrutTouchMotion
   {
   public:
-    /** @param curves, touch, pair, unknowns must outlive the object; @p pair of
-     * axes, @p unknowns local numbers of both, of an axis with itself once */
+    /** @param curves, touch, pair, unknowns must outlive the object;
+     * @p unknowns are the local numbers of both axes, listed once for
+     * self-contact */
     StrutTouchMotion(const StrutCurves      &curves,
                      unsigned int            dimension,
                      const StrutTouch       &touch,
                      const AxisPair         &pair,
                      const std::vector<int> &unknowns);
 
-    /** Motion of the point against its last opposite, of values by local
-     * unknown. */
+    /** Motion of the point relative to its last opposite point, for values by
+     * local unknown. */
     dealii::Tensor<1, 3> difference(const Vector &values) const;
 
-    /** Its derivative by the parameter of that opposite. */
+    /** Derivative of difference() with respect to the parameter of the opposite
+     * point. */
     dealii::Tensor<1, 3> difference_slope(const Vector &values) const;
 
-    /** Adds @p force on the point, and minus that on the one of the other axis
-     * at @p opposite, to @p forces by local unknown. */
+    /** Adds @p force on the point, and its reaction on the other axis at
+     * @p opposite, to @p forces by local unknown. */
     void add_force(double                      opposite,
                    const dealii::Tensor<1, 3> &force,
                    double                     *forces) const;
 
-    /** Derivative by the pair's unknowns of the product of @p vector with the
-     * motion of the point against the one of the other axis at @p opposite. */
+    /** Gradient with respect to the unknowns of the pair: @p vector times the
+     * motion of the point relative to the other axis at @p opposite. */
     std::vector<double> gradient(double                      opposite,
                                  const dealii::Tensor<1, 3> &vector) const;
 
-    /** The same of the product with the tangent of the other axis at its last
-     * opposite. */
+    /** Gradient of @p vector times the tangent of the other axis at the last
+     * opposite point. */
     std::vector<double>
     tangent_gradient(const dealii::Tensor<1, 3> &vector) const;
 
-    /** Derivative of the parameter of the nearest point, which is inside, by
-     * the pair's unknowns.
+    /** Gradient of the parameter of an interior nearest point.
      * @param other the other axis */
     std::vector<double> nearest_change(const AxisCurve &other) const;
 
-    /** @name Add derivatives of minus the forces on both struts by the pair's
-     * unknowns to a square block. */
+    /** @name Add stiffness blocks: derivatives of the negative forces on both
+     * struts. */
     ///@{
     void add_instant_block(const AxisCurve     &other,
                            double               by_position,
@@ -173,11 +175,12 @@ namespace auxfem
     ///@}
 
   private:
-    /** Calls @p add(first of the pair's unknowns, share) for each node. */
+    /** Calls @p add(first unknown of the node in the pair, share) for each
+     * node. */
     template <class Add>
     void for_each_share(double opposite, const Add &add) const;
 
-    /** First of the pair's unknowns that belong to an axis. */
+    /** First unknown of an axis within the pair. */
     unsigned int first_of(unsigned int axis) const;
 
     const StrutCurves      &curves;
