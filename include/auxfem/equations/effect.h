@@ -11,15 +11,19 @@
 
 namespace auxfem
 {
-  /** Raises the entry of a local unknown to @p size; none of -1 (ground). */
+  /**
+   * Sets the entry of a local unknown to at least @p size; ignores -1 (ground).
+   */
   inline void raise(double *sizes, const int unknown, const double size)
   {
     if (unknown >= 0)
       sizes[unknown] = std::max(sizes[unknown], size);
   }
 
-  /** Bounds of what moves, over all ranks: motions, and their rates (0 where
-   * the state has none). */
+  /**
+   * Largest motions and rates over all ranks; rates are 0 if the state has
+   * none.
+   */
   struct LargestMotion
   {
     double displacement = 0; ///< m
@@ -28,8 +32,10 @@ namespace auxfem
     double spin         = 0; ///< rad/s
   };
 
-  /** Forces that act at a state: `factor` times those by which `to` differs
-   * from `from`. */
+  /**
+   * Forces at a state: `factor` times the difference of the forces at `to` and
+   * `from`.
+   */
   struct ForceChange
   {
     const State             &state, &from, &to;
@@ -38,46 +44,41 @@ namespace auxfem
   };
 
   /**
-   * One kind of physics: struts, inertia, a group of connectors, a load. The
-   * scene makes a list of these; what is not in the list costs nothing. Called
-   * once per evaluation for all elements of the kind.
+   * One kind of physics: struts, inertia, a group of connectors, a load.
+   * Equations hold the list of effects of a scene and call each once per
+   * evaluation for all its elements.
    *
-   * An effect keeps nothing of an evaluation: what it produces goes into the
-   * state and the results that the caller owns.
+   * Effects are stateless: an evaluation writes to the state and to the results
+   * owned by the caller.
    */
   class Effect
   {
   public:
     virtual ~Effect() = default;
 
-    /** True if force is linear in displacement, velocity and acceleration. */
+    /** Whether the force is linear in displacement, velocity and
+     * acceleration. */
     virtual bool is_linear() const = 0;
 
-    /**
-     * Asks for what the effect needs of the state and enters its energies.
-     * Called once, when the equations are made.
-     */
+    /** Registers the state variables and energies of the effect. Called once,
+     * when the equations are made. */
     virtual void register_in(StateLayout & /*layout*/)
     {}
 
-    /**
-     * Registers the blocks, besides those of elements, in which this effect
-     * couples unknowns. Called again when the pattern changes.
-     */
+    /** Registers the couplings of this effect besides those of elements. Called
+     * again when the pattern changes. */
     virtual void register_blocks(TangentPattern & /*pattern*/)
     {}
 
-    /** Room for the results of an evaluation; nullptr: there are none. */
+    /** Allocates the results of an evaluation; nullptr if there are none. */
     virtual std::unique_ptr<EffectCache> make_results() const
     {
       return nullptr;
     }
 
-    /**
-     * Adds internal or inertia force, or minus the applied force, at
+    /** Adds internal or inertia force, or minus the applied force, at
      * evaluation.to to @p residual (n_local entries).
-     * @param results as made by make_results(), to be overwritten
-     */
+     * @param results from make_results(), overwritten */
     virtual void add_residual(const Evaluation &evaluation,
                               double           *residual,
                               EffectCache      *results) const = 0;
@@ -92,48 +93,38 @@ namespace auxfem
                              TangentMatrix & /*matrix*/) const
     {}
 
-    /** Adds the derivative of the residual by time_of_loads() (n_local
-     * entries). */
+    /** Adds the derivative of the residual with respect to time_of_loads()
+     * (n_local entries). */
     virtual void add_load_derivative(const Evaluation & /*evaluation*/,
                                      double * /*derivative*/) const
     {}
 
-    /**
-     * Takes down the energies there are at evaluation.to. The step may still be
-     * undone.
-     * @param results of add_residual() in the same evaluation
-     */
+    /** Adds the energies at evaluation.to. The step may still be undone.
+     * @param results of add_residual() in the same evaluation */
     virtual void account(const Evaluation & /*evaluation*/,
                          const EffectCache * /*results*/,
                          EnergyAccount & /*account*/) const
     {}
 
-    /**
-     * The same for dissipation and work in a solved step, or at an instant, as
-     * of impulses; writes the internal variables that follow from them.
-     */
+    /** Adds dissipation and work of a solved step or an impulse, and updates
+     * dependent internal variables. */
     virtual void account_step(const Evaluation & /*step*/,
                               const EffectCache * /*results*/,
                               EnergyAccount & /*account*/) const
     {}
 
-    /**
-     * Raises @p forces (N, N m in rows of rotations, n_local entries) to the
-     * forces that the parts of the effect exert in each row at evaluation.to,
-     * which may cancel there: what residuals are measured by.
-     * @param results of add_residual() in the same evaluation
-     */
+    /** Raises @p forces (N; N m in rows of rotations; n_local entries) to the
+     * forces that the parts of the effect exert in each row, before
+     * cancellation. They scale the residual.
+     * @param results of add_residual() in the same evaluation */
     virtual void row_force_bounds(const Evaluation & /*evaluation*/,
                                   const EffectCache * /*results*/,
                                   double * /*forces*/) const
     {}
 
-    /**
-     * Raises @p forces, as row_force_bounds() does, to those whose last digit is
-     * uncertain in the residual: machine precision times these is the
-     * residual's round-off. With motions that are at most as large as @p
-     * largest.
-     */
+    /** Raises @p forces to the forces whose rounding enters the residual:
+     * machine precision times these bounds the round-off. Motions are at most
+     * @p largest. */
     virtual void roundoff_force_bounds(const Evaluation  &evaluation,
                                        const EffectCache *results,
                                        const LargestMotion & /*largest*/,
@@ -142,10 +133,8 @@ namespace auxfem
       row_force_bounds(evaluation, results, forces);
     }
 
-    /**
-     * What has no finite force in an evaluation, and why, in the user's words;
-     * empty: nothing, or the effect does not know.
-     */
+    /** Explains to the user which part has no finite force, and why; empty if
+     * unknown. */
     virtual std::string nonfinite_reason(const Evaluation & /*evaluation*/,
                                          const EffectCache * /*results*/) const
     {
@@ -154,46 +143,40 @@ namespace auxfem
   };
 
   /**
-   * Implemented by effects whose forces couple other unknowns as the structure
-   * moves, as in contact.
+   * Implemented by effects whose couplings change with the motion, such as
+   * contact.
    */
   class ChangingCouplings
   {
   public:
     virtual ~ChangingCouplings() = default;
 
-    /**
-     * Brings what couples unknowns up to date with an accepted state, between
-     * steps. Returns whether blocks must be registered anew.
-     * @param required_unknowns receives global numbers of unknowns that the effect needs
-     *   from now on; they are local when blocks are registered. Collective.
-     */
+    /** Updates the couplings for an accepted state. Returns whether blocks must
+     * be registered again.
+     * @param required_unknowns receives global numbers of unknowns that become
+     *   ghosts before blocks are registered. Collective. */
     virtual bool update_couplings(const State & /*accepted*/,
                                   std::vector<int> & /*required_unknowns*/)
     {
       return false;
     }
 
-    /** As update_couplings(), from the state alone: what was found in states
-     * before it is forgotten. */
+    /** As update_couplings(), but independent of earlier states. */
     virtual bool restart_couplings(const State & /*accepted*/,
                                    std::vector<int> & /*required_unknowns*/)
     {
       return false;
     }
 
-    /** Whether forces may begin or end all at once within a step, as where
-     * things touch. The same on all ranks. */
+    /** Whether forces may start or end abruptly within a step, as in contact.
+     * Equal on all ranks. */
     virtual bool has_contact_candidates() const
     {
       return false;
     }
 
-    /**
-     * Why a step that is solved must not be accepted but repeated in shorter
-     * ones, in words for users; empty: it may. Words of one rank are enough.
-     * Collective.
-     */
+    /** Reason, for the user, to reject a solved step and repeat it in shorter
+     * ones; empty to accept. One rank may give it. Collective. */
     virtual std::string rejection_reason(const Evaluation & /*step*/) const
     {
       return "";
@@ -201,44 +184,39 @@ namespace auxfem
   };
 
   /**
-   * Implemented by effects with dissipation, work, or internal variables: what
-   * steps with stages ask of them.
+   * Implemented by effects with dissipation, work or internal variables, for
+   * schemes with stages.
    */
   class StageTerms
   {
   public:
     virtual ~StageTerms() = default;
 
-    /**
-     * Takes down dissipation and work of a stage by their power, each times
-     * evaluation.weight, in place of Effect::account_step().
-     * @param results of Effect::add_residual() in the same evaluation
-     */
+    /** Adds dissipation and work of a stage: power times evaluation.weight.
+     * Replaces Effect::account_step().
+     * @param results of Effect::add_residual() in the same evaluation */
     virtual void account_stage(const Evaluation & /*stage*/,
                                const EffectCache * /*results*/,
                                EnergyAccount & /*account*/) const
     {}
 
-    /** What of an evaluation account_stage() and find_internal_rates() need. */
+    /** Input that account_stage() and find_internal_rates() need. */
     enum class StageNeeds
     {
       state,   ///< no forces
-      results, ///< those of this effect
-      residual ///< that of all effects
+      results, ///< results of this effect
+      residual ///< residual of all effects
     };
 
-    /** The same whatever the state. */
+    /** Independent of the state. */
     virtual StageNeeds stage_needs() const
     {
       return StageNeeds::state;
     }
 
-    /**
-     * Rates of the internal variables that obey differential equations
-     * (StateLayout::integrated), written to @p rates, which has the size of
-     * State::history.
-     * @param results of Effect::add_residual() at the same state
-     */
+    /** Writes the rates of integrated internal variables
+     * (StateLayout::integrated) to @p rates, of the size of State::history.
+     * @param results of Effect::add_residual() at the same state */
     virtual void find_internal_rates(const State & /*state*/,
                                      const EffectCache * /*results*/,
                                      double * /*rates*/) const
@@ -246,31 +224,27 @@ namespace auxfem
   };
 
   /**
-   * Implemented by effects with more than a stiffness: what small motions about
-   * a state (modes, buckling, frequency responses) ask of them.
+   * Implemented by effects that contribute more than a stiffness to small
+   * motions about a state: modes, buckling, frequency responses.
    */
   class SmallMotionTerms
   {
   public:
     virtual ~SmallMotionTerms() = default;
 
-    /**
-     * Adds the geometric stiffness of a change of its forces: the derivative of
-     * the residual by motions from change.state in which these stay as they
-     * are, in the axes they have. Constraints have it by their multipliers.
-     * @param effect index of the effect in EvaluationResults::effect_caches
-     */
+    /** Adds the geometric stiffness of a force change: the derivative of the
+     * residual at change.state with these forces fixed in their local axes.
+     * Constraints get it through their multipliers.
+     * @param effect index of the effect in EvaluationResults::effect_caches */
     virtual void add_geometric_tangent(const ForceChange & /*change*/,
                                        const unsigned int /*effect*/,
                                        TangentMatrix & /*matrix*/) const
     {}
 
-    /**
-     * Adds what the stiffness for small motions that go as e^(s t), s in 1/s,
-     * has beside that of very slow ones, damping and inertia: real and
+    /** Adds the frequency-dependent part of the stiffness for motions e^(s t),
+     * s in 1/s, besides static stiffness, damping and inertia: real and
      * imaginary part.
-     * @param results of Effect::add_residual() in the same evaluation
-     */
+     * @param results of Effect::add_residual() in the same evaluation */
     virtual void add_viscous_stiffness(const Evaluation & /*evaluation*/,
                                        const EffectCache * /*results*/,
                                        const std::complex<double> /*s*/,
@@ -278,17 +252,14 @@ namespace auxfem
                                        TangentMatrix & /*imaginary*/) const
     {}
 
-    /**
-     * Appends the relaxation times (s) of Maxwell elements in
-     * add_viscous_stiffness() that this rank owns and @p unknowns let move.
-     */
+    /** Appends the relaxation times (s) of the Maxwell elements owned by this
+     * rank whose motion @p unknowns do not prescribe. */
     virtual void add_relaxation_times(const Unknowns & /*unknowns*/,
                                       std::vector<double> & /*times*/) const
     {}
 
     /** Adds the stiffness E of the Maxwell elements with the relaxation time
-     * @p time (s), of which add_viscous_stiffness() has E s time / (1 + s
-     * time). */
+     * @p time (s); add_viscous_stiffness() adds E s time / (1 + s time). */
     virtual void add_relaxing_stiffness(const EffectCache * /*results*/,
                                         double /*time*/,
                                         TangentMatrix & /*matrix*/) const
@@ -296,21 +267,18 @@ namespace auxfem
   };
 
   /**
-   * Constraints g = 0 (m) on the motion, with their Lagrange multipliers lambda
-   * (N): forces G^T lambda, and the constraints themselves in the rows of the
-   * multipliers. In an evaluation of rates with inertia these rows hold
-   * d2g/dt2, which determines consistent accelerations.
+   * Constraints g = 0 (m) with Lagrange multipliers lambda (N): forces G^T
+   * lambda, and g in the rows of the multipliers. For consistent rates with
+   * inertia these rows hold d2g/dt2, which determines the accelerations.
    */
   class Constraints : public Effect
   {
   public:
-    /**
-     * dg/dt (m/s) of the velocities of @p state, into the multipliers' entries
-     * of @p rates (n_local entries).
-     */
+    /** Writes dg/dt (m/s) for the velocities of @p state to the rows of the
+     * multipliers in @p rates (n_local entries). */
     virtual void find_rates(const State &state, double *rates) const = 0;
 
-    /** Length (m) whose round-off is in the constraints besides that of
+    /** Length (m) whose round-off enters the constraints besides
      * displacements. */
     virtual double length() const
     {
@@ -318,7 +286,7 @@ namespace auxfem
     }
   };
 
-  /** What all inertia has: the energies that follow from its mass matrix. */
+  /** Base of inertia effects: energies from the mass matrix. */
   class InertiaEffect : public Effect
   {
   public:
@@ -343,7 +311,7 @@ namespace auxfem
     unsigned int numerical_entry = 0;
 
   private:
-    /** x.M y of what this rank owns, of values of all local unknowns. */
+    /** x.M y of the share of this rank, for values of all local unknowns. */
     virtual double mass_product(const Vector &x, const Vector &y) const = 0;
 
     unsigned int kinetic_entry = 0;

@@ -9,21 +9,21 @@
 
 namespace auxfem
 {
-  /** Elements that are computed at a time. */
+  /** Elements computed together in SIMD lanes. */
   struct ElementBatch
   {
-    /** Behind the last element this one again. */
+    /** Element per lane; the last element fills unused lanes. */
     EachLane<unsigned int> elements;
-    /** How many there are without the repeated ones. */
+    /** Number of distinct elements. */
     unsigned int size;
 
-    /** From 0 on in the order of the elements. */
+    /** Number of the batch, from 0. */
     unsigned int number() const
     {
       return elements[0] / n_lanes;
     }
 
-    /** What @p value_of, a function of an element, gives for each. */
+    /** Values of @p value_of, a function of an element, per lane. */
     template <class ElementFunction>
     auto each(const ElementFunction &value_of) const
     {
@@ -33,7 +33,7 @@ namespace auxfem
       return results;
     }
 
-    /** The same of a number. */
+    /** As each(), for a number. */
     template <class ElementFunction>
     Lanes numbers(const ElementFunction &value_of) const
     {
@@ -42,7 +42,7 @@ namespace auxfem
     }
   };
 
-  /** Calls @p action with batches of @p n_elements elements in their order. */
+  /** Calls @p action with consecutive batches of @p n_elements elements. */
   template <class Action>
   void for_each_batch(const unsigned int n_elements, const Action &action)
   {
@@ -56,9 +56,9 @@ namespace auxfem
       }
   }
 
-  /** @name Values of all local unknowns at those of an element, or of several. */
+  /** @name Gather and scatter between local unknowns and elements. */
   ///@{
-  /** Of unknown @p i of an element with @p unknowns. */
+  /** Value at unknown @p i of an element with @p unknowns. */
   inline double value_at(const double *values, const int *unknowns, const int i)
   {
     return values[unknowns[i]];
@@ -77,9 +77,10 @@ namespace auxfem
   using NumberAt =
     decltype(value_at(nullptr, std::declval<const Unknowns &>(), 0));
 
-  /** By how much the displacement of unknown @p i is more than that of unknown
-   * @p other, to the last digit of the difference, at a @p state with
-   * compensation. */
+  /**
+   * Displacement of unknown @p i relative to unknown @p other. The compensation
+   * of @p state keeps all digits of the difference.
+   */
   inline Lanes relative_displacement(const State                 &state,
                                      const EachLane<const int *> &unknowns,
                                      const int                    i,
@@ -91,7 +92,7 @@ namespace auxfem
       (value_at(c, unknowns, i) - value_at(c, unknowns, other));
   }
 
-  /** Adds those of one @p lane of @p lane_values to @p values. */
+  /** Adds one @p lane of @p lane_values to @p values. */
   template <std::size_t n>
   void add_lane(const Lanes (&lane_values)[n],
                 const std::size_t lane,

@@ -8,41 +8,36 @@
 namespace auxfem
 {
   /**
-   * The motion in a step as the mean of the forces at its ends does work on it,
-   * of all local unknowns. What is in excess is round-off for schemes that damp
-   * nothing, where neither motions of supports nor rates put right interfere.
+   * Motion of a step on which the mean of the end forces does work, for all
+   * local unknowns. The excess is round-off for undamped schemes, unless
+   * supports move or rates are corrected.
    */
   struct StepMotion
   {
-    /** Of a step that takes time. */
+    /** @param step with a length above 0 */
     explicit StepMotion(const Evaluation &step);
 
     double dt; ///< s
-    /**
-     * Increment of the displacement over dt, of large rotations in space
-     * material; in a step between two states Cayley's measure of increments.
-     */
+    /** Displacement increment over dt. Large rotations in space are material;
+     * discrete gradients use the Cayley measure. */
     Vector rate;
 
     /** @name Empty without velocities. */
     ///@{
-    Vector velocity;    ///< mean of those at both ends
-    Vector excess_rate; ///< rate less that
+    Vector velocity;    ///< mean of both ends
+    Vector excess_rate; ///< rate minus velocity
     ///@}
 
     /** @name Empty without accelerations. */
     ///@{
-    /** Increment of the velocity over dt. */
+    /** Velocity increment over dt. */
     Vector acceleration;
-    /** Mean of the accelerations that forces are balanced with, less that. */
+    /** Mean acceleration of the force balance minus `acceleration`. */
     Vector excess_acceleration;
     ///@}
 
-    /**
-     * What the mean inertia force does in the step less the growth of kinetic
-     * energy (J), for the constant mass matrix M of which @p product(x, y) is
-     * x.M y.
-     */
+    /** Work of the mean inertia force minus the growth of kinetic energy (J),
+     * for a constant mass matrix with @p product(x, y) = x.M y. */
     template <class Product>
     double kinetic_energy_defect(const Product &product) const
     {
@@ -53,50 +48,48 @@ namespace auxfem
   };
 
   /**
-   * Whether what StepMotion has in excess in a step with inertia can be more
-   * than round-off. Tells in one pass what takes several to compute.
+   * Whether the excess of StepMotion can exceed round-off. One cheap pass that
+   * avoids the full computation.
    */
   bool may_have_excess(const Evaluation &step);
 
-  /** Takes down the energies of an evaluation, this rank's share. */
+  /** Accumulates the energies of an evaluation, for the share of this rank. */
   class EnergyAccount
   {
   public:
-    /** Sums of step.to go on from those of step.from. */
+    /** The sums of step.to start from those of step.from. */
     explicit EnergyAccount(const Evaluation &step);
 
-    /** Adds an amount there is now (J). */
+    /** Adds a stored energy (J). */
     void add(const unsigned int entry, const double energy)
     {
       amounts[entry] += energy;
     }
 
-    /** Adds what was dissipated, taken, or done as work in the step (J). */
+    /** Adds dissipation or work of the step (J). */
     void add_in_step(const unsigned int entry, const double energy)
     {
       sums[entry] += energy;
     }
 
-    /** Adds what a power (W) at a stage contributes to that. */
+    /** Adds the contribution of a power (W) at a stage. */
     void add_power(const unsigned int entry, const double power)
     {
       sums[entry] += step.weight * power;
     }
 
-    /** Whether the evaluation is a step, so that it has a motion. */
+    /** Whether the evaluation is a step with a motion. */
     bool takes_time() const
     {
       return step.dt > 0 && step.kind != Evaluation::Kind::stage;
     }
 
-    /** Of the step, which takes time. */
+    /** Motion of the step; requires takes_time(). */
     const StepMotion &motion();
 
-    /**
-     * Adds what a constant mass matrix has now, x.M x / 2 of the velocities,
-     * and what the scheme takes from it in the step.
-     * @param product as for StepMotion::kinetic_energy_defect()
-     */
+    /** Adds the kinetic energy v.M v / 2 of a constant mass matrix and its
+     * numerical loss in the step.
+     * @param product as for StepMotion::kinetic_energy_defect() */
     template <class Product>
     void add_inertia(const unsigned int kinetic_entry,
                      const unsigned int numerical_entry,
@@ -110,7 +103,7 @@ namespace auxfem
           add_in_step(numerical_entry, product(pair.first, pair.second));
     }
 
-    /** Writes the sums to the state, and returns this rank's energies. */
+    /** Writes the sums to the state and returns the energies of this rank. */
     std::vector<double> close();
 
   private:

@@ -17,22 +17,22 @@ namespace auxfem
     State             state;
     EvaluationResults results;
 
-    /** A place within a step. */
+    /** A position within a step. */
     struct Within
     {
       const Solution *from, *to; ///< ends of the step
-      double          part;      ///< of the step that has gone by
+      double          part;      ///< elapsed fraction of the step
 
-      /** Linear between the ends. */
+      /** Linear interpolation between the ends. */
       double chord(const double at_from, const double at_to) const
       {
         return at_from + part * (at_to - at_from);
       }
     };
 
-    /** Set where forces at an interpolated motion are far out of equilibrium:
-     * those of this solution, energies included, are linear between the ends
-     * of the step, and `results` do not serve. */
+    /** Set if forces at the interpolated motion would be far from equilibrium.
+     * Forces and energies are then interpolated linearly in the step, and
+     * `results` are not valid. */
     std::optional<Within> forces_within = {};
   };
 
@@ -43,58 +43,55 @@ namespace auxfem
   class StrutForces;
   struct ConnectorReport;
 
-  /** A group of connectors among the effects. */
+  /** Effect of a group of connectors. */
   struct ConnectorGroup
   {
     const ConnectorForces *forces;
     unsigned int effect; ///< index in EvaluationResults::effect_caches
 
-    /** Counted connector @p i at @p state. */
+    /** Report on connector @p i of this rank at @p state. */
     ConnectorReport report(unsigned int             i,
                            const State             &state,
                            const EvaluationResults &results) const;
   };
 
-  /** Struts of one polynomial order among the effects. */
+  /** Effect of the struts of one polynomial order. */
   struct StrutGroup
   {
     const StrutForces *forces;
     unsigned int       effect; ///< index in EvaluationResults::effect_caches
   };
 
-  /** The effects that output asks for more than forces. */
+  /** Effects from which output needs more than forces. */
   struct ReportingEffects
   {
-    /** By ascending order, as DofNumbering::groups(); none if the scene has no
-     * elastic struts. */
+    /** By ascending order, as DofNumbering::groups(); empty without elastic
+     * struts. */
     std::vector<StrutGroup> struts;
-    /** nullptr if the scene has no rigid parts. */
+    /** nullptr without rigid parts. */
     const RigidPartGroup       *rigid_parts = nullptr;
     std::vector<ConnectorGroup> connectors;
-    /** nullptr if the scene has no plates. */
+    /** nullptr without plates. */
     const PlateContact *plates        = nullptr;
     unsigned int        plates_effect = 0; ///< index of its results
     /** nullptr if struts may cross. */
     const StrutContact *strut_contact        = nullptr;
     unsigned int        strut_contact_effect = 0; ///< index of its results
-    /** All constraints with multipliers: of rigid parts, of revolute hinges. */
+    /** Constraints with multipliers: rigid parts and revolute hinges. */
     std::vector<const Constraints *> constraints;
   };
 
   /**
-   * The equations of a model: the list of effects the scene calls for, and the
-   * questions that can be asked of it: residual, tangent, energies. They keep
-   * nothing of an answer.
+   * Discrete equations of a model: the list of its effects with residual,
+   * tangent and energies. Evaluations leave no state here.
    */
   class Equations
   {
   public:
-    /**
-     * @param model must outlive the object. Throws InputError for
-     * contradictions only the model can show (a moment on a joint without
-     * rotation).
-     * @param further internal forces beside those of the scene
-     */
+    /** @param model must outlive the object. Throws InputError for
+     * contradictions visible only in the model, such as a moment on a joint
+     * without rotation.
+     * @param further additional internal forces */
     Equations(const LatticeModel                  &model,
               std::vector<std::unique_ptr<Effect>> further = {});
 
@@ -118,35 +115,35 @@ namespace auxfem
       return reporting_effects;
     }
 
-    /** Those of the model, with the ghosts that effects have asked for. */
+    /** Unknowns of the model, with the ghosts requested by effects. */
     const Unknowns &unknowns() const
     {
       return with_ghosts ? *with_ghosts : structure.numbering.unknowns();
     }
 
-    /** Whether one tangent serves all states (for a constant step). */
+    /** Whether the tangent is the same for all states and a constant step. */
     bool is_linear() const;
 
-    /** Those of the contact with plates, of a scene that has some. */
+    /** Results of plate contact; requires plates. */
     const EffectCache &plate_results(const EvaluationResults &results) const
     {
       return *results.effect_caches[reporting_effects.plates_effect];
     }
 
-    /** Those of the contact between struts, of a scene that has it. */
+    /** Results of strut contact; requires strut contact. */
     const EffectCache &
     strut_contact_results(const EvaluationResults &results) const
     {
       return *results.effect_caches[reporting_effects.strut_contact_effect];
     }
 
-    /** The state at t = 0: at rest or with the scene's initial velocities. */
+    /** State at t = 0: at rest or with initial velocities. */
     State initial_state() const;
 
-    /** Room for the results of evaluations. */
+    /** Allocates the results of evaluations. */
     EvaluationResults make_results() const;
 
-    /** initial_state() with room for its results. */
+    /** initial_state() with allocated results. */
     Solution initial_solution() const
     {
       return {initial_state(), make_results()};
@@ -168,18 +165,17 @@ namespace auxfem
                  const TangentFactors    &factors,
                  TangentMatrix           &matrix) const;
 
-    /** Adds to @p matrix what a change of internal forces adds to the tangent,
-     * see SmallMotionTerms::add_geometric_tangent(); that of constraints is not
-     * among it.
-     */
+    /** Adds the geometric stiffness of a change of internal forces to
+     * @p matrix, without constraints; see
+     * SmallMotionTerms::add_geometric_tangent(). */
     void add_geometric_tangent(const ForceChange &change,
                                TangentMatrix     &matrix) const;
 
     /**
-     * Fills @p real and @p imaginary with the two parts of the stiffness for
-     * small motions about evaluation.to, an equilibrium, that go as e^(s t), s
-     * in 1/s: K + s C + s^2 M and the complex stiffness of connectors.
-     * Constraints are in both.
+     * Fills @p real and @p imaginary with the dynamic stiffness for motions
+     * e^(s t), s in 1/s, about the equilibrium evaluation.to: K + s C + s^2 M
+     * plus the complex stiffness of connectors. Both parts contain the
+     * constraints.
      * @param results of residual() in the same evaluation
      */
     void dynamic_stiffness(const Evaluation        &evaluation,
@@ -188,18 +184,18 @@ namespace auxfem
                            TangentMatrix           &real,
                            TangentMatrix           &imaginary) const;
 
-    /** Relaxation times (s) of Maxwell elements, rising. Collective. */
+    /** Ascending relaxation times (s) of Maxwell elements. Collective. */
     std::set<double> relaxation_times() const;
 
-    /** @p matrix becomes the stiffness E of the Maxwell elements with the
-     * relaxation time @p time (s), of which dynamic_stiffness() has E s time /
-     * (1 + s time). */
+    /** Fills @p matrix with the stiffness E of the Maxwell elements of
+     * relaxation time @p time (s); dynamic_stiffness() contains E s time / (1 +
+     * s time). */
     void relaxing_stiffness(const EvaluationResults &results,
                             double                   time,
                             TangentMatrix           &matrix) const;
 
-    /** Derivative of the residual by time_of_loads() of evaluation.to through
-     * the loads, of local unknowns. */
+    /** Derivative of the residual with respect to time_of_loads() of
+     * evaluation.to, by local unknown. */
     Vector load_derivative(const Evaluation &evaluation) const;
 
     /**
@@ -210,20 +206,18 @@ namespace auxfem
     void accept(const Evaluation        &evaluation,
                 const EvaluationResults &results) const;
 
-    /**
-     * Completes evaluation.to, a stage, with the work done and the energy
-     * dissipated in the step so far, as StageTerms::account_stage().
-     * @param results of residual() at the same state
-     */
+    /** Adds the work and dissipation of the step so far to the stage
+     * evaluation.to; see StageTerms::account_stage().
+     * @param results of residual() at the same state */
     void account_stage(const Evaluation        &stage,
                        const EvaluationResults &results) const;
 
-    /** Whether account_stage() and find_internal_rates() can do without a
-     * residual: find_stage_results() is enough for them. */
+    /** Whether find_stage_results() suffices for account_stage() and
+     * find_internal_rates(), without a residual. */
     bool stages_need_no_residual() const;
 
-    /** Of residual() what they need: results of effects and internal variables.
-     */
+    /** Computes only the effect results and internal variables that stages
+     * need. */
     void find_stage_results(const Evaluation  &stage,
                             EvaluationResults &results) const;
 
@@ -235,31 +229,24 @@ namespace auxfem
     find_internal_rates(const State             &state,
                         const EvaluationResults &results) const;
 
-    /**
-     * Brings the couplings of the effects up to date with an accepted state.
-     * Where they change, the pattern does; where they reach unknowns of other
-     * ranks, @p accepted gains them as ghosts, and other states must
-     * (State::take_ghosts()): then true is returned. Collective.
-     */
+    /** Updates the couplings of effects and the matrix pattern for an accepted
+     * state. Returns true if @p accepted gained ghosts, which other states then
+     * need too (State::take_ghosts()). Collective. */
     bool update_couplings(State &accepted);
 
-    /** As update_couplings(), from the state alone
+    /** As update_couplings(), independent of earlier states
      * (ChangingCouplings::restart_couplings()). */
     bool restart_couplings(State &accepted);
 
-    /**
-     * Raises @p forces (n_local entries) to those that all effects exert in each
-     * row, as Effect::row_force_bounds(), and to the loads.
-     */
+    /** Raises @p forces (n_local entries) to the row force bounds of all
+     * effects and to the loads; see Effect::row_force_bounds(). */
     void row_force_bounds(const Evaluation        &evaluation,
                           const EvaluationResults &results,
                           double                  *forces) const;
 
-    /**
-     * What in each row of the residual is round-off (N, N m), complete in owned
-     * rows. Collective.
-     * @param results of residual() in the same evaluation
-     */
+    /** Round-off of the residual by row (N, N m), complete in owned rows.
+     * Collective.
+     * @param results of residual() in the same evaluation */
     Vector round_off(const Evaluation        &evaluation,
                      const EvaluationResults &results) const;
 
@@ -267,19 +254,15 @@ namespace auxfem
     double round_off_floor(const Evaluation        &evaluation,
                            const EvaluationResults &results) const;
 
-    /** Whether any effect's forces may begin all at once. */
+    /** Whether the forces of an effect may start abruptly. */
     bool has_contact_candidates() const;
 
-    /**
-     * Why a solved step must be repeated in shorter ones, in words; empty: it
-     * need not. The same on all ranks; collective.
-     */
+    /** Reason to reject a solved step and repeat it in shorter ones; empty to
+     * accept. Equal on all ranks; collective. */
     std::string rejection_reason(const Evaluation &step) const;
 
-    /**
-     * Why the residual of an evaluation is not finite, in words, where an
-     * effect knows it. The same on all ranks; collective.
-     */
+    /** Reason for a residual that is not finite; empty if unknown. Equal on all
+     * ranks; collective. */
     std::string nonfinite_reason(const Evaluation        &evaluation,
                                  const EvaluationResults &results) const;
 
@@ -289,22 +272,22 @@ namespace auxfem
     void make_constraints();
     void make_inertia();
     void make_loads();
-    /** Throws InputError if steps are to follow an error that is not known. */
+    /** Throws InputError for a tolerance without an error estimate. */
     void refuse_unknown_errors() const;
     void enter_energies();
     void register_blocks();
-    /** Of motions at @p state. */
+    /** Updates displacements and velocities of ghosts in @p state. */
     void update_ghosts(State &state) const;
     /** StageTerms::account_stage() of all effects. */
     void add_stage(const Evaluation        &stage,
                    const EvaluationResults &results,
                    EnergyAccount           &account) const;
-    /** As update_couplings(), for what effects have changed and want. */
+    /** Updates pattern and ghosts for changed couplings. */
     bool couple(bool                    changed,
                 const std::vector<int> &required_unknowns,
                 State                  &accepted);
 
-    /** An effect that implements a further interface. */
+    /** An effect that implements an additional interface. */
     template <class Terms>
     struct Implementation
     {
@@ -312,7 +295,7 @@ namespace auxfem
       Terms       *terms;
     };
 
-    /** All that do. */
+    /** All effects that implement Terms. */
     template <class Terms>
     std::vector<Implementation<Terms>> implementations() const
     {
@@ -325,25 +308,21 @@ namespace auxfem
 
     const LatticeModel                  &structure;
     std::vector<std::unique_ptr<Effect>> effects;
-    /** @name Those of them that have such terms. */
+    /** @name Effects by additional interface. */
     ///@{
     std::vector<Implementation<StageTerms>>        stage_terms;
     std::vector<Implementation<SmallMotionTerms>>  small_motion_terms;
     std::vector<Implementation<ChangingCouplings>> changing_couplings;
     ///@}
-    /**
-     * The first n_internal effects are internal forces: their sum is the force
-     * scale.
-     */
+    /** Number of leading effects that are internal forces; their sum is the
+     * force scale. */
     unsigned int n_internal = 0;
-    /**
-     * The first n_balanced effects are internal and inertia forces; the rest
-     * are loads.
-     */
+    /** Number of leading effects that are internal or inertia forces; the
+     * others are loads. */
     unsigned int     n_balanced = 0;
     ReportingEffects reporting_effects;
     StateLayout      state_layout;
-    /** If they are more than the model's. */
+    /** Unknowns with additional ghosts; nullptr if there are none. */
     std::unique_ptr<Unknowns> with_ghosts;
     TangentPattern            tangent_pattern;
     /** Local unknown, value. */
@@ -358,20 +337,18 @@ namespace auxfem
                                            const Vector       &motion);
 
   /**
-   * Norm (m) up to which the constraints are met: their round-off. A looser
-   * tolerance would return as forces, divided by the square of the step.
-   * Collective.
+   * Tolerance (m) of the constraints: their round-off. A looser tolerance would
+   * appear as force errors, divided by the square of the step. Collective.
    */
   double constraint_tolerance(const Equations &equations, const State &state);
 
   /**
-   * What of @p state is not a finite number, in words: an unknown or its rates,
-   * an internal variable, an energy; empty: all are. The same on all ranks;
-   * collective.
+   * Describes a quantity of @p state that is not finite; empty if all are
+   * finite. Equal on all ranks; collective.
    */
   std::string nonfinite_quantity(const LatticeModel &model, const State &state);
 
-  /** Unknown with the largest free residual, in words, over all ranks. */
+  /** Describes the unknown with the largest free residual over all ranks. */
   std::string worst_unknown(const LatticeModel &model, const State &state);
 } // namespace auxfem
 

@@ -10,42 +10,30 @@
 namespace auxfem
 {
   /**
-   * What is asked of the equations: the forces at the state `to`, which was
-   * reached from the accepted state `from` in the way its kind says.
+   * Input of an evaluation of the equations: the state `to`, reached from the
+   * accepted state `from`, and the kind of step between them.
    */
   struct Evaluation
   {
     enum class Kind
     {
-      /**
-       * The end of a step with inertia: velocities and accelerations are those
-       * of the time scheme.
-       */
+      /** End of a step with inertia; the time scheme gives velocities and
+       * accelerations. */
       step,
-      /**
-       * A stage of a step with inertia (see RungeKutta): `from` is its base,
-       * from which all that obeys a differential equation follows by Euler's
-       * backward rule.
-       */
+      /** Stage of a step with inertia (RungeKutta). Backward Euler integrates
+       * all differential equations from the base `from`. */
       stage,
-      /**
-       * A step with inertia between two states: forces are means over it, whose
-       * work on the increment is the change of energy and which do none on
-       * rigid motions (a discrete gradient, Gonzalez 1996). Accelerations of
-       * `to` are means too. Moments do work on Cayley's measure of the rotation
-       * increment (elements/cayley_rotation.h).
-       */
+      /** Step with inertia and mean forces whose work equals the energy change
+       * (discrete gradient, Gonzalez 1996). Accelerations of `to` are means;
+       * moments do work on the Cayley measure of rotation increments
+       * (mathematics/cayley_rotation.h). */
       discrete_gradient,
-      /**
-       * The end of a step without inertia: rates are differences over the step.
-       */
+      /** End of a step without inertia; rates are differences over the step. */
       static_step,
-      /** Static equilibrium, all viscous processes having come to rest. */
+      /** Static equilibrium with fully relaxed viscosity. */
       equilibrium,
-      /**
-       * An instant: no time passes. With inertia the rows of constraints hold
-       * their second derivatives, which determine consistent accelerations.
-       */
+      /** An instant. With inertia the rows of constraints hold their second
+       * time derivatives, which determine consistent accelerations. */
       consistent_rates
     };
 
@@ -53,35 +41,29 @@ namespace auxfem
     /** Receives the residual and the internal variables. */
     State &to;
     Kind   kind;
-    /** Length of the step (s); 0 if the kind is no step. */
+    /** Length of the step (s); 0 for other kinds. */
     double dt = 0;
-    /**
-     * Where functions of time may jump, or their derivatives, at the times of
-     * `from` and `to`: when that is exactly, and of `to` the side from which
-     * they are taken. A step begins with what they are just after (s).
-     */
+    /** Exact times (s) of events of the loads at `from` and `to`, and the side
+     * on which loads at `to` are evaluated. A step starts with the values just
+     * after an event. */
     std::optional<double>    event_at_from = {};
     std::optional<TimeLimit> event_at_to   = {};
-    /**
-     * Of an instant at which supports strike: their impulses (N s, N m s), by
-     * which the velocities of `from` became those of `to`.
-     */
+    /** Impulses (N s, N m s) at an instant where a support velocity jumps; they
+     * turn the velocities of `from` into those of `to`. */
     const Vector *impulses = nullptr;
-    /** Of a stage: the time for which its power counts in the step (s). */
+    /** Weight of the power of a stage in the step (s). */
     double weight = 0;
-    /** Of a stage: whether the step ends with it. */
+    /** Whether the step ends with this stage. */
     bool ends_step = false;
 
-    /** Two vectors that are multiplied by way of a matrix between them. */
+    /** Two vectors x, y of a product x.M y. */
     struct Pair
     {
       Vector first, second;
     };
-    /**
-     * Of the last stage of a step: the sum of all first.M second is what the
-     * scheme takes from the kinetic energy of a constant mass matrix M, see
-     * ButcherTableau::missed_growth().
-     */
+    /** Set for the last stage of a step: the sum of first.M second is the
+     * kinetic energy lost by the scheme for a constant mass matrix M; see
+     * ButcherTableau::missed_growth(). */
     const std::vector<Pair> *taken_from_kinetic = nullptr;
 
     /** A step with inertia of the length @p dt (s). */
@@ -90,7 +72,7 @@ namespace auxfem
       return {from, to, Kind::step, dt};
     }
 
-    /** A stage for which the rule has the length @p dt (s). */
+    /** A stage with the backward Euler length @p dt (s). */
     static Evaluation
     stage(const State &base, State &to, const double dt, const double weight)
     {
@@ -112,7 +94,7 @@ namespace auxfem
       return {from, to, Kind::static_step, dt};
     }
 
-    /** The search for the static equilibrium @p to. */
+    /** Search of the static equilibrium @p to. */
     static Evaluation equilibrium(const State &from, State &to)
     {
       return {from, to, Kind::equilibrium};
@@ -139,31 +121,29 @@ namespace auxfem
   };
 
   /**
-   * What an effect produces beside forces when it is evaluated, kept by the
-   * caller for the tangent, the energies and the output of the same evaluation.
+   * Intermediate results of an effect besides forces. The caller keeps them for
+   * the tangent, energies and output of the same evaluation.
    */
   struct EffectCache
   {
     virtual ~EffectCache() = default;
   };
 
-  /** What an evaluation produces beside the residual and internal variables. */
+  /** Results of an evaluation besides the residual and internal variables. */
   struct EvaluationResults
   {
-    /** Of every effect that has some, in the order of the equations. */
+    /** By effect, in the order of the equations. */
     std::vector<std::unique_ptr<EffectCache>> effect_caches;
 
     /** Norms of the residual in free rows, over all ranks. */
     double force      = 0; ///< N
     double moment     = 0; ///< N m
-    double constraint = 0; ///< m, of constraints
+    double constraint = 0; ///< m
 
-    /**
-     * Force size against which the residual is judged (N): norm of the internal
-     * forces or of internal and inertia forces, whichever is larger, prescribed
-     * rows included, moments divided by the mean strut length. Not finite if a
-     * force in any row is not.
-     */
+    /** Reference force (N) of the residual: norm of internal forces, or of
+     * internal and inertia forces if larger. It includes prescribed rows, and
+     * moments are divided by the mean strut length. Not finite if any force is
+     * not. */
     double force_scale = 0;
   };
 } // namespace auxfem

@@ -9,8 +9,8 @@
 namespace auxfem
 {
   /**
-   * Value with which a step begins: where there is an event that just after;
-   * without inertia that just before, from which the step raises the load.
+   * Load value at the start of a step. After an event the step starts with the
+   * new value; without inertia it starts with the old one and raises the load.
    */
   inline double value_at_start(const TimeFunction &load, const Evaluation &step)
   {
@@ -23,8 +23,8 @@ namespace auxfem
   }
 
   /**
-   * Value at evaluation.to, where there is an event on the side that the
-   * evaluation asks for.
+   * Load value at evaluation.to; at an event on the side that the evaluation
+   * selects.
    */
   inline double value_at_end(const TimeFunction &load,
                              const Evaluation   &evaluation)
@@ -37,16 +37,15 @@ namespace auxfem
   }
 
   /**
-   * Work along the path of equilibria in a static step, beyond that of the mean
-   * of the forces at both ends: with forces F and displacements u on the
-   * parabolas through the ends of this step and the one before,
+   * Work along the equilibrium path of a static step beyond that of the mean
+   * end forces. With forces F and displacements u on parabolas through the ends
+   * of this step and the previous one,
    *
-   *   F = F_n + a x + b x^2,   u = u_n + c x + d x^2,   0 <= x <= 1,
+   * F = F_n + a x + b x^2,   u = u_n + c x + d x^2,   0 <= x <= 1,
    *
-   * the integral of F du is the mean force times the increment and (a d - b c)
-   * /
-   * 6. In sum zero in linear scenes, by Betti's theorem. None after an event,
-   * and none with viscosity, whose own accounts are by mean forces.
+   * the integral of F du is the mean force times the increment plus (a d - b c) / 6.
+   * / 6. In linear scenes the sum vanishes by Betti's theorem. Not applied
+   * after an event or with viscosity, which is accounted for with mean forces.
    */
   class PathWork
   {
@@ -60,17 +59,17 @@ namespace auxfem
       length_ratio = before->dt / step.dt;
     }
 
-    /** The state that the step before began with; nullptr: there is no more
-     * work than by mean forces. */
+    /** Start of the previous step; nullptr if mean forces suffice. */
     const State::Before *state_before() const
     {
       return before;
     }
 
-    /** Of values at the start of the step before, of this one, at its end. */
+    /** Values at the start of the previous step, of this step, and at its
+     * end. */
     using Values = std::array<double, 3>;
 
-    /** Where state_before() is not nullptr (J). */
+    /** Work beyond mean forces (J); requires state_before() != nullptr. */
     double beyond_mean(const Values &force, const Values &displacement) const
     {
       const auto [a, b] = slope_and_bend(force);

@@ -12,15 +12,16 @@ namespace auxfem
 {
   /**
    * Inverse iteration x <- A^-1 W x with the matrix A of @p solver, which is
-   * factorized for it, from a random start that is the same in every run.
+   * factorized here. The random start is the same in every run.
    *
    * @param weight diagonal of W, on owned rows
-   * @param takes_part whether a local unknown is part of the mode; the others
-   *   are zero
+   * @param takes_part whether a local unknown belongs to the mode; others are
+   *   zero
    * @param mode receives the last iterate, on local unknowns
-   * @param is_enough whether @p mode will do after so many iterations
-   * @return by how much the last iteration has made the largest entry grow;
-   *   nothing if A is singular
+   * @param is_enough stopping criterion for @p mode after a number of
+   *   iterations
+   * @return growth of the largest entry in the last iteration; empty if A is
+   *   singular
    */
   std::optional<double>
   inverse_iteration(TangentSolver                           &solver,
@@ -31,41 +32,39 @@ namespace auxfem
                     const std::function<bool(unsigned int)> &is_enough = {});
 
   /**
-   * Refuses a structure that can move without resistance, where equilibrium
-   * without inertia is asked for. The softest mode of the stiffness at
-   * @p state is found by inverse iteration; if its energy is round-off, an InputError
-   * names the joint that moves most in it.
+   * Rejects mechanisms before a static analysis. Inverse iteration finds the
+   * softest mode of the stiffness at @p state; if its energy is round-off,
+   * InputError names the joint that moves most.
    *
-   * @param first_step length of the step (s) that viscosity resists in; none:
-   *   it does not resist.
-   * @return whether the solver's factorization now is that of this stiffness,
-   *   as it is.
+   * @param first_step length of the step (s) in which viscosity resists; empty
+   *   without viscosity
+   * @return whether the solver now holds the factorization of the unmodified
+   *   stiffness
    */
   bool refuse_mechanism(TangentSolver        &solver,
                         const State          &state,
                         std::optional<double> first_step);
 
   /**
-   * Refuses constraints that follow from others, or from the supports: the
-   * forces in rigid parts and hinges would not be determined. Throws
-   * InputError, naming one of them. Collective, as are the others.
+   * Rejects redundant constraints, which would leave forces in rigid parts and
+   * hinges undetermined. InputError names one of them. Collective, as are the
+   * others.
    */
   void refuse_overconstrained(TangentSolver &solver, const State &state);
 
   /**
-   * Lowest angular frequency (1/s) of small undamped oscillations about
-   * @p state: Rayleigh's quotient of the tangent stiffness and the mass matrix
-   * after a few inverse iterations with the diagonal of the latter, from above
-   * and within a few per cent. Nothing if the structure can move freely.
+   * Estimates the lowest angular frequency (1/s) about @p state: Rayleigh
+   * quotient after a few inverse iterations with the lumped mass, an upper
+   * bound within a few per cent. Empty if the structure can move freely.
    * Collective.
    */
   std::optional<double> first_frequency(TangentSolver &solver,
                                         const State   &state);
 
   /**
-   * What modes of a lattice are made of: free unknowns, neither prescribed nor
-   * multipliers of constraints, and symmetric matrices between them. All
-   * functions but is_...() are collective.
+   * Space of the modes of a lattice: free unknowns, without prescribed ones and
+   * multipliers, and symmetric matrices on them. All functions except is_...()
+   * are collective.
    */
   class ModeSpace
   {
@@ -73,39 +72,35 @@ namespace auxfem
     /** @p solver must outlive the object. */
     explicit ModeSpace(TangentSolver &solver);
 
-    /** Of an owned unknown. */
+    /** Kind of an owned unknown. */
     ///@{
     bool is_prescribed(unsigned int i) const;
     bool is_free(unsigned int i) const;
     ///@}
 
-    /** How many free unknowns there are that constraints leave. */
+    /** Number of free unknowns minus the number of constraints. */
     unsigned int n_free() const;
 
-    /** Largest size of @p values of owned rows among free unknowns.
-     * Collective. */
+    /** Largest absolute value of @p values (owned rows) at free unknowns. */
     double largest_free(const std::vector<double> &values) const;
 
-    /** @p y = A x of owned rows, between free unknowns. */
+    /** @p y = A x on free unknowns, for owned rows. */
     void
     multiply(const TangentMatrix &matrix, const double *x, double *y) const;
 
-    /** Solves with the matrix that was factorized, constraints included.
-     * @param x owned rows; returns whether that succeeded. */
+    /** Solves with the factorized matrix, including constraints.
+     * @param x owned rows; @return success */
     bool solve(double *x);
 
-    /** Negative eigenvalues of the matrix that was factorized last, without
-     * those of constraints; nothing where they are not known or were asked for
-     * before. */
+    /** Number of negative eigenvalues of the last factorized matrix, without
+     * those of constraints; empty if unknown or already queried. */
     std::optional<unsigned long> n_negative();
 
-    /** 1 or -1: sign of the determinant of the matrix that was factorized last,
-     * without that of constraints, so 1 in stable equilibrium; nothing where it
-     * is not known. */
+    /** Sign of the determinant of the last factorized matrix without the effect
+     * of constraints: 1 in stable equilibrium; empty if unknown. */
     std::optional<int> determinant_sign() const;
 
-    /** A mode on all local unknowns; its largest entry is positive, of equal
-     * ones the first. */
+    /** A mode on all local unknowns, with its first largest entry positive. */
     Vector shape(const std::vector<double> &owned) const;
 
   private:
@@ -116,17 +111,19 @@ namespace auxfem
     const UnknownLayout &layout;
   };
 
-  /** Makes what constraints have in @p matrix zero. */
+  /** Sets the entries of constraints in @p matrix to zero. */
   void leave_out_constraints(TangentMatrix &matrix);
 
-  /** Further modes, between which a gap is looked for to count them. */
+  /** Additional modes in which a spectral gap for counting is searched. */
   inline constexpr unsigned int n_guard_modes = 4;
 
-  /** Attempts to find as many as are counted, each with twice as many modes. */
+  /** Attempts to find all counted modes; each doubles the number of modes. */
   inline constexpr unsigned int n_attempts_to_find_all = 4;
 
-  /** Of the last pairs, how many lie before the widest gap, in units of the
-   * distance from the @p shift; at least @p n. */
+  /**
+   * Number of pairs before the widest spectral gap, relative to the distance
+   * from the @p shift; at least @p n.
+   */
   unsigned int before_widest_gap(const std::vector<Eigenpair> &pairs,
                                  unsigned int                  n,
                                  double                        shift);
@@ -134,28 +131,32 @@ namespace auxfem
   /** Values of modes on finer elements. */
   struct FinerValues
   {
-    /** By size; fewer than modes where these are none of the finer elements. */
+    /** Ascending values; fewer than modes if some have no counterpart on finer
+     * elements. */
     std::vector<double> values;
-    /** How many finer elements have at most. */
+    /** Largest number of modes on finer elements. */
     unsigned int n_possible = 0;
-    /** Values below the last that are not among them, as far as is known. */
+    /** Number of values below the last that are known to be missing. */
     unsigned long n_missing = 0;
   };
 
-  /** Where values below the last are to be counted, and how many of them there
-   * are. */
+  /** Limit for counting eigenvalues and the number of values below it. */
   struct CountLimit
   {
     double        limit;
     unsigned long n_below;
   };
 
-  /** Just below the last of @p values, all of which are above @p lowest, and of
-   * those that are as good as equal to it. */
+  /**
+   * Limit just below the last of @p values and its near-multiples; all values
+   * exceed @p lowest.
+   */
   CountLimit limit_below_last(const std::vector<double> &values, double lowest);
 
-  /** Products of the iterates u_i = (K - sigma M)^-1 M x_i between each other,
-   * which are as exact where K itself would lose digits. */
+  /**
+   * Mutual products of the iterates u_i = (K - sigma M)^-1 M x_i; they keep
+   * digits that products with K would lose.
+   */
   struct IteratedProducts
   {
     dealii::FullMatrix<double>       by_stiffness; ///< u_i.(K - sigma M) u_j
@@ -169,18 +170,17 @@ namespace auxfem
   };
 
   /**
-   * Inverse iterations of some @p shapes, of all local unknowns.
-   * @param problem of which `multiply_mass` and `solve` are used
-   * @param n_iterations iterates of each shape; the x_i of later ones are those
-   *   before
-   * Nothing where solving fails. Collective.
+   * Inverse iterations of @p shapes given on all local unknowns.
+   * @param problem provides `multiply_mass` and `solve`
+   * @param n_iterations number of iterates per shape; each starts from the
+   *   previous one Empty if solving fails. Collective.
    */
   std::optional<IteratedProducts>
   iterated_products(const ShiftedEigenproblem &problem,
                     const std::vector<Vector> &shapes,
                     unsigned int               n_iterations = 1);
 
-  /** Eigenvalues below @p limit. */
+  /** Number of eigenvalues below @p limit. */
   unsigned long n_below(const std::vector<Eigenpair> &pairs, double limit);
 } // namespace auxfem
 

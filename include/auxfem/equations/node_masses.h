@@ -7,28 +7,27 @@
 
 namespace auxfem
 {
-  /** A mass that moves with a displacement. */
+  /** A mass attached to a displacement unknown. */
   struct NodeMass
   {
     int    unknown; ///< local
     double mass;    ///< kg
   };
 
-  /**
-   * The mass of element @p e of the numbering on its nodes, by the weights of
-   * Gauss and Lobatto (exact for polynomials of one degree less than twice the
-   * order), by node.
-   */
+  /** Mass of element @p e lumped to its nodes by Gauss-Lobatto weights. */
   std::vector<double> node_masses(const LatticeModel &model, unsigned int e);
 
   /**
-   * All masses that this rank counts, for each component of displacements: of
-   * struts, point masses, and of rigid parts half at each end of their base, or
-   * at their centre of mass. Rotary inertia is left out.
+   * All lumped masses of this rank per displacement component: struts, point
+   * masses and rigid parts, at their centre of mass or half at each base joint.
+   * Excludes rotary inertia.
    */
   std::vector<NodeMass> all_masses(const Equations &equations);
 
-  /** Of struts, point masses, rigid parts and plates (kg). Collective. */
+  /**
+   * Total mass of struts, point masses, rigid parts and plates (kg).
+   * Collective.
+   */
   double total_mass(const Equations &equations);
 } // namespace auxfem
 

@@ -14,14 +14,14 @@ namespace auxfem
    * State::rotations (Lie-group form of time stepping, Bruels & Cardona 2010,
    * Journal of Computational and Nonlinear Dynamics 5, 031002):
    *
-   * - In State::displacement the three entries of a rotation sum up the
-   *   material rotation vectors Theta of the steps, P_{n+1} = P_n exp(Theta).
-   *   Velocities and accelerations are material too: W = P^T omega and W'. An
-   *   integrator may thus treat them like all other unknowns.
+   * - State::displacement accumulates the material rotation vectors Theta of
+   *   the steps, P_{n+1} = P_n exp(Theta). Velocities and accelerations are
+   *   material: W = P^T omega and W'. Time integrators thus treat rotations
+   *   like other unknowns.
    * - Rows of the residual (moments) and increments of Newton's method (spins
    *   theta, P <- exp(theta) P) are in the global frame.
    *
-   * Does nothing in the plane and for small rotations, where State::rotations
+   * No operation in the plane and for small rotations, where State::rotations
    * is empty.
    */
   class NodeRotations
@@ -29,34 +29,26 @@ namespace auxfem
   public:
     explicit NodeRotations(const DofNumbering &numbering);
 
-    /** Turns evaluation.to.rotations to where evaluation.to.displacement says.
-     */
+    /** Updates evaluation.to.rotations from evaluation.to.displacement. */
     void follow(const Evaluation &evaluation) const;
 
-    /**
-     * Turns evaluation.to.rotations by the spins in @p increment and replaces these
-     * by changes of Theta.
-     */
+    /** Rotates evaluation.to.rotations by the spins in @p increment and
+     * replaces the spins by changes of Theta. */
     void rotate(const Evaluation &evaluation, Vector &increment) const;
 
-    /** Replaces spatial values at the rotations in @p vector by material ones of @p state. */
+    /** Transforms spatial values at rotations in @p vector to material ones of
+     * @p state. */
     void make_material(const State &state, Vector &vector) const;
 
-    /**
-     * The increment of rotation @p i in the step as a vector in the global frame:
-     * P_n Theta (rad). A constant moment's work in the step is its product with
-     * this.
-     */
+    /** Increment of rotation @p i in the global frame: P_n Theta (rad). A
+     * constant moment does work on it. */
     SpaceVector spatial_increment(const Evaluation &evaluation,
                                   unsigned int      i) const;
 
-    /**
-     * Velocity of the local unknown @p unknown in the global frame (m/s, rad/s),
-     * which of large rotations in space is material in @p state.
-     */
+    /** Velocity of a local unknown in the global frame (m/s, rad/s). */
     double spatial_rate(const State &state, int unknown) const;
 
-    /** Theta of rotation @p i. */
+    /** Theta of rotation @p i (rad). */
     SpaceVector material_increment(const Evaluation &evaluation,
                                    unsigned int      i) const;
 
@@ -65,15 +57,15 @@ namespace auxfem
                                 unsigned int       i,
                                 const SpaceVector &rotate) const;
 
-    /** dTheta / dtheta = T^-1(Theta) P^T: how a spin changes rates; between two
-     * states that of Cayley's measure of Theta. */
+    /** dTheta / dtheta = T^-1(Theta) P^T: derivative with respect to a spin.
+     * For discrete gradients that of the Cayley measure of Theta. */
     SpaceTensor increment_by_spin(const Evaluation &evaluation,
                                   unsigned int      i) const;
 
     /** Values of @p vector at rotation @p i. */
     SpaceVector values(const Vector &vector, unsigned int i) const;
 
-    /** Sets them. */
+    /** Sets the values at rotation @p i. */
     void
     set_values(const SpaceVector &values, unsigned int i, Vector &vector) const;
 
@@ -81,16 +73,18 @@ namespace auxfem
     const DofNumbering &numbering;
   };
 
-  /** @p state with @p factor times @p shape added, of all local unknowns;
-   * rotations as vectors in the global frame. */
+  /**
+   * @p state displaced by @p factor times @p shape on all local unknowns;
+   * rotations in @p shape are vectors in the global frame.
+   */
   State displaced(const State        &state,
                   const DofNumbering &numbering,
                   const Vector       &shape,
                   double              factor);
 
   /**
-   * How far unknowns move in a step between two states, as forces and moments
-   * in the residual see it: large rotations by Cayley's measure.
+   * Increments work-conjugate to residual rows in a discrete-gradient step:
+   * large rotations use the Cayley measure.
    */
   class StepTravel
   {
@@ -105,7 +99,8 @@ namespace auxfem
       , rotations(numbering)
     {}
 
-    /** What a force or moment on @p unknown does work on (m, rad). */
+    /** Increment on which a force or moment at @p unknown does work (m,
+     * rad). */
     double of(const int unknown) const
     {
       if (const int i = space_rotation(unknown); i >= 0)
@@ -117,7 +112,7 @@ namespace auxfem
       return is_plane_rotation(unknown) ? cayley_rotation(moved) : moved;
     }
 
-    /** Increment of @p unknown over what of() says. */
+    /** Increment of @p unknown over of(). */
     double increment_per_travel(const int unknown) const
     {
       if (const int i = space_rotation(unknown); i >= 0)
@@ -133,7 +128,7 @@ namespace auxfem
       return has_plane_rotations && numbering.unknowns().is_rotation[unknown];
     }
 
-    /** The large rotation in space of which @p unknown is part, or -1. */
+    /** Large rotation in space that contains @p unknown, or -1. */
     int space_rotation(const int unknown) const
     {
       return step.to.rotations.empty() ? -1

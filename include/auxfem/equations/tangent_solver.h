@@ -8,17 +8,13 @@
 namespace auxfem
 {
   /**
-   * The equations with room for a tangent and its factorization; counts and
-   * times all that is done with them. What computes is collective, as is the
-   * constructor.
+   * Tangent matrix of the equations with its factorization; records counts and
+   * times. The constructor and all computations are collective.
    */
   class TangentSolver
   {
   public:
-    /**
-     * @param work takes up all that is done; must outlive the object, as
-     *   @p equations.
-     */
+    /** @param work statistics; must outlive the object, as @p equations */
     TangentSolver(const Equations        &equations,
                   const SolverParameters &parameters,
                   Work                   &work);
@@ -51,42 +47,36 @@ namespace auxfem
                   const EvaluationResults &results,
                   const TangentFactors    &factors);
 
-    /**
-     * Factorizes matrix() as it is now. Returns false if it is singular or not
-     * finite; why() says what was found. Throws ComputationError where the
-     * factors find no room.
-     */
+    /** Factorizes matrix(). Returns false if it is singular or not finite;
+     * why() gives the reason. Throws ComputationError if memory does not
+     * suffice. */
     bool factorize(Exactness exactness = Exactness::exact);
 
-    /**
-     * Solves for the right-hand side in the owned rows of @p values, increments
-     * in prescribed ones, and replaces them by the solution, ghosts included.
-     * Returns false if that fails: why() says so, and the values are not
-     * finite.
-     */
+    /** Solves for the right-hand side in the owned rows of @p values, with
+     * increments in prescribed rows; overwrites them with the solution,
+     * including ghosts. Returns false on failure; why() gives the reason, and
+     * the values are not finite. */
     bool solve(Vector &values);
 
-    /**
-     * As solve(), with a matrix() that is symmetric and positive definite in
-     * free rows, by conjugate gradients with its diagonal; needs no
-     * factorization. Returns false if that does not converge.
-     */
+    /** As solve(), by Jacobi-preconditioned conjugate gradients without
+     * factorization; matrix() must be symmetric positive definite in free rows.
+     * Returns false without convergence. */
     bool solve_by_conjugate_gradients(Vector &values);
 
-    /** Why the last factorization or solution failed. */
+    /** Reason why the last factorization or solution failed. */
     const std::string &why() const
     {
       return solver.why();
     }
 
-    /** @name Of the last factorization, as LinearSolver has them; none if either
-     * has been asked for already. Collective. */
+    /** @name Inertia of the last factorization; empty if already queried.
+     * Collective. */
     ///@{
     std::optional<Inertia>       new_inertia();
     std::optional<NegativeModes> new_negative_modes();
     ///@}
 
-    /** Which linear solver, its factorization. */
+    /** Linear solver with its factorization. */
     const LinearSolver &linear_solver() const
     {
       return solver;
@@ -97,8 +87,8 @@ namespace auxfem
       return tangent;
     }
 
-    /** What follows depends on the factorizations before no longer; that of
-     * linear equations stays. */
+    /** Makes later results independent of earlier factorizations; keeps the
+     * factorization of linear equations. */
     void restart()
     {
       if (!equation_system.is_linear())
@@ -111,7 +101,7 @@ namespace auxfem
     TangentMatrix    tangent;
     LinearSolver     solver;
     Work            &work;
-    /** Whether new_inertia() has an answer. */
+    /** Whether new_inertia() has not been queried yet. */
     bool is_new_factorization = false;
   };
 } // namespace auxfem
