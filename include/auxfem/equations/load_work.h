@@ -41,11 +41,12 @@ namespace auxfem
    * end forces. With forces F and displacements u on parabolas through the ends
    * of this step and the previous one,
    *
-   * F = F_n + a x + b x^2,   u = u_n + c x + d x^2,   0 <= x <= 1,
+   *   F = F_n + a x + b x^2,   u = u_n + c x + d x^2,   0 <= x <= 1,
    *
-   * the integral of F du is the mean force times the increment plus (a d - b c) / 6.
-   * / 6. In linear scenes the sum vanishes by Betti's theorem. Not applied
-   * after an event or with viscosity, which is accounted for with mean forces.
+   * the integral of F du is the mean force times the increment plus
+   * (a d - b c) / 6. In linear scenes the sum vanishes by Betti's theorem. Not
+   * applied after an event or with viscosity, which is accounted for with mean
+   * forces.
    */
   class PathWork
   {

@@ -6,67 +6,60 @@
 
 namespace auxfem
 {
-  /** `0.52 %`, `1.8e-06`. */
+  /** Text of a fraction: `0.52 %`, `1.8e-06`. */
   std::string part_text(double part);
 
   /**
-   * Settles every `auto` of the effects of @p plan from what the scene contains
-   * and from how much of the answer that is: an effect below
-   * `Effects/Tolerance` is left out if that saves time.
-   * @param lattice of the scene
+   * Resolves every `auto` of the effects of @p plan. An effect whose estimated
+   * contribution is below `Effects/Tolerance` is disabled if that saves time.
+   * @param lattice lattice of the scene
    */
   SimulatedEffects decide_effects(const RunPlan &plan, const Lattice &lattice);
 
-  /** Whether a scene has anything of an effect, and what tells so. */
+  /** Whether a scene contains an effect, with the reason. */
   struct EffectCause
   {
     bool        given;
     std::string reason;
   };
 
-  /** Why what resists rates is left out of paths of equilibria. */
+  /** Reason to disable rate effects on equilibrium paths. */
   inline const std::string no_rates_on_paths =
     "a path of equilibria has no rates";
 
-  /** Why struts do not touch by small displacements. */
+  /** Reason to disable strut contact with small displacements. */
   inline const std::string struts_hardly_move =
     "struts hardly move by small displacements";
 
-  /** Of effects without which a run takes as long (measured, doc/effects.md).
-   */
+  /** Retention reason of effects that cost no run time (doc/effects.md). */
   std::string no_saving_reason(const SimulatedEffects &before);
 
   /**
-   * An effect that `Effects` switches. A new one is a file in
-   * source/model/effects/ and a line in its register.cc.
+   * An effect controlled by subsection `Effects`. New effects are added to
+   * effect_definitions().
    */
   struct EffectDefinition
   {
-    /** As its parameter in `Effects`, in lower case. */
+    /** Name of its parameter in `Effects`, in lower case. */
     std::string name;
     Switch EffectSwitches::*choice;
     bool SimulatedEffects::*simulated;
 
     EffectCause (*cause)(const RunPlan &plan);
 
-    /**
-     * How much of the answer the effect is, of a scene that gives cause for it
-     * (formulas: doc/theory.md, Effects); nothing if there is no telling.
-     * Without a function the effect is on wherever there is cause.
-     */
+    /** Estimated contribution of the effect (formulas: doc/theory.md, Effects);
+     * empty if unknown. Without this function the effect is enabled whenever it
+     * has a cause. */
     std::optional<EffectMeasure> (*measure)(const RunPlan &plan,
                                             const Lattice &lattice) = nullptr;
 
-    /**
-     * Why the effect is kept, however little it does, beside the effects
-     * decided before it: `but leaving it out saves nothing`. Empty if it may be
-     * left out.
-     */
+    /** Reason to keep a negligible effect, given the effects decided before:
+     * `leaving it out saves nothing`. Empty if it may be disabled. */
     std::string (*retention_reason)(const SimulatedEffects &before) =
       no_saving_reason;
   };
 
-  /** @name Effects, one per file source/model/effects/<name>.cc. */
+  /** @name Definitions of the effects, each beside its implementation. */
   ///@{
   EffectDefinition large_rotation_effect();
   EffectDefinition shear_flexibility_effect();
@@ -79,7 +72,7 @@ namespace auxfem
   EffectDefinition contact_effect();
   ///@}
 
-  /** All of them, in the order of the `Effects` subsection. */
+  /** All definitions, in the order of subsection `Effects`. */
   const std::vector<EffectDefinition> &effect_definitions();
 } // namespace auxfem
 

@@ -11,7 +11,7 @@
 
 namespace auxfem
 {
-  /** Something with a rotation, or the ground, which has none. */
+  /** Owner of a rotation; the ground has none. */
   struct RotationOwner
   {
     enum class What
@@ -22,9 +22,9 @@ namespace auxfem
       rigid_part ///< in space, RigidPart::has_rotation
     };
     What what = What::ground;
-    /** Of the joint, strut or rigid part. */
+    /** Index of the joint, strut or rigid part. */
     unsigned int index = 0;
-    unsigned int end   = 0; ///< of the strut
+    unsigned int end   = 0; ///< end of the strut
 
     bool operator==(const RotationOwner &other) const
     {
@@ -32,47 +32,45 @@ namespace auxfem
     }
   };
 
-  /** Two rotations at one joint that are coupled by a spring or a hinge. */
+  /** Two rotations at a joint coupled by a spring or a hinge. */
   struct RotationPair
   {
     unsigned int  joint;
     RotationOwner base, end;
   };
 
-  /** A component of the motion of a joint. */
+  /** A motion component of a joint. */
   struct JointMotion
   {
     unsigned int joint, component;
   };
 
-  /** What is released, tied and prescribed beyond the rigid joints. */
+  /** Releases, couplings and prescribed motions of a lattice. */
   struct Ties
   {
-    /**
-     * For every strut: whether the rotation of its first, second end is free
-     * of the joint.
-     */
+    /** By strut: whether its first and second end are released from the joint
+     * rotation. */
     std::vector<std::array<bool, 2>> released;
 
-    /** Pairs of joints whose motions act on each other through a connector. */
+    /** Joints coupled by connectors. */
     std::vector<JointPair> connected;
 
-    /** Rotations coupled by springs. */
+    /** Rotations coupled by rotational springs. */
     std::vector<RotationPair> sprung;
 
-    /** Rotations coupled by revolute hinges, with two constraints each. */
+    /** Rotations coupled by revolute hinges (two constraints each). */
     std::vector<RotationPair> hinged;
 
-    /** Motions that supports prescribe; joints need not have them all. */
+    /** Motions prescribed by supports, including components that a joint
+     * lacks. */
     std::vector<JointMotion> prescribed;
   };
 
   /**
-   * For each joint what gives it its rotation: the joint itself, if an elastic
-   * strut that is not released ends there; in space a rigid part that clamps
-   * these struts, or the only rigid part with a rotation, if no such strut ends
-   * there; else nothing (ground).
-   * @param released as Ties::released.
+   * Owner of the rotation of each joint. This is the joint itself if an
+   * unreleased elastic strut ends there; in space the rigid part that clamps
+   * the struts or is the only one with a rotation; otherwise the ground.
+   * @param released as Ties::released
    */
   std::vector<RotationOwner>
   joint_rotations(const Lattice                          &lattice,
@@ -81,19 +79,19 @@ namespace auxfem
   class UnknownDistribution;
 
   /**
-   * Global numbers of the unknowns of a lattice, the same on every rank; each
-   * rank owns a contiguous range. -1: there is no such unknown.
+   * Global numbers of the unknowns of a lattice, equal on all ranks; each rank
+   * owns a contiguous range. A missing unknown has the number -1.
    */
   struct GlobalNumbers
   {
-    /** By component of motion. */
+    /** Numbers by motion component. */
     using MotionNumbers = std::array<int, n_motion_components>;
 
     struct RigidPartNumbers
     {
       std::vector<unsigned int> clamped_joints; ///< in the plane
-      /** Displacement of its centre of mass and rotation, if they are unknowns
-       * of its own. */
+      /** Displacement of the centre of mass and rotation, if the part owns
+       * them. */
       MotionNumbers    motion;
       std::vector<int> multipliers;
     };
@@ -104,7 +102,7 @@ namespace auxfem
       std::array<int, 2> multipliers;
     };
 
-    /** @param components of motion that nodes have */
+    /** @param components motion components of nodes */
     GlobalNumbers(const Lattice                   &lattice,
                   const StrutPartition            &partition,
                   const std::vector<unsigned int> &components,
@@ -117,16 +115,14 @@ namespace auxfem
                                   released_ends;
     std::vector<RigidPartNumbers> rigid_parts;
     std::vector<HingeNumbers>     hinges;
-    /**
-     * Of each strut the first of its nodes, if those of all struts are numbered
-     * one after the other, and the end of the last; joints count anew at each
-     * strut.
-     */
+    /** Index of the first node of each strut in a consecutive list of the nodes
+     * of all struts, and the end of the list. Joints are repeated for each
+     * strut. */
     std::vector<std::size_t> first_nodes;
-    /** Of each elastic strut the first number of its inner nodes, element by
-     * element, each with all its components. */
+    /** By elastic strut: first number of its inner nodes, ordered by element,
+     * node and component. */
     std::vector<int> first_inner;
-    /** Numbers owned by rank r: [first_owned[r], first_owned[r + 1]). */
+    /** Rank r owns the numbers [first_owned[r], first_owned[r + 1]). */
     std::vector<int> first_owned;
 
     bool owns(const unsigned int rank, const int number) const
@@ -134,93 +130,83 @@ namespace auxfem
       return number >= first_owned[rank] && number < first_owned[rank + 1];
     }
 
-    /** Of the rotation of the end of an elastic strut, released or not, as
-     * rotation(). */
+    /** Numbers of the rotation at an end of an elastic strut, as rotation(). */
     const MotionNumbers &end_rotation(const Lattice &lattice,
                                       unsigned int   strut,
                                       unsigned int   end) const;
 
-    /**
-     * Adds to @p result those of the nodes of an element of @p order, in the
-     * order of FE_Q, each with all components that nodes have.
-     */
+    /** Appends the numbers of the nodes of an element of @p order in FE_Q
+     * order, with all components per node. */
     void add_element(const Lattice       &lattice,
                      const StrutInterval &element,
                      unsigned int         order,
                      std::vector<int>    &result) const;
 
-    /** Of a rotation; components below first_rotation are -1. */
+    /** Numbers of a rotation; components below first_rotation are -1. */
     MotionNumbers rotation(const RotationOwner &rotation_owner) const;
 
-    /** Of all unknowns that the constraints of a rigid part couple. */
+    /** Numbers of all unknowns coupled by the constraints of a rigid part. */
     std::vector<int> rigid_part_unknowns(const Lattice &lattice,
                                          unsigned int   rigid_part) const;
 
-    /** Joint that multiplier @p number of a rigid part holds to the others. */
+    /** Joint constrained by multiplier @p number of a rigid part. */
     unsigned int constrained_joint(const Lattice &lattice,
                                    unsigned int   rigid_part,
                                    unsigned int   number) const;
 
-    /**
-     * Of unknowns that act on each other through rotational springs and hinges,
-     * each with the multipliers.
-     */
+    /** Groups of unknowns coupled by rotational springs and hinges, including
+     * multipliers. */
     std::vector<std::vector<int>> coupled(const Ties &ties) const;
 
   private:
     void assign_numbers(const UnknownDistribution &distribution);
 
-    std::vector<unsigned int> components; ///< of motion that nodes have
+    std::vector<unsigned int> components; ///< motion components of nodes
   };
 
   /**
-   * The unknowns of rigid parts and hinges beside those of joints: own motions
-   * and Lagrange multipliers. Local numbers; -1 if not on this rank.
+   * Unknowns of rigid parts and hinges: their own motions and Lagrange
+   * multipliers, as local numbers; -1 if not on this rank.
    */
   class ConstraintUnknowns
   {
   public:
-    /** @param rigid_parts those kept on this rank, with all their unknowns. */
+    /** @param rigid_parts rigid parts of this rank, with all their unknowns */
     ConstraintUnknowns(const GlobalNumbers             &numbers,
                        const UnknownLayout             &layout,
                        const std::vector<unsigned int> &rigid_parts);
 
-    /** Rigid parts kept on this rank, with all their unknowns. */
+    /** Rigid parts of this rank, with all their unknowns. */
     const std::vector<unsigned int> &rigid_parts() const
     {
       return local_rigid_parts;
     }
 
-    /**
-     * An unknown of a rigid part's own, RigidPart::has_rotation: displacement
-     * of its centre of mass, rotation.
-     */
+    /** Displacement of the centre of mass or rotation of a part with
+     * RigidPart::has_rotation. */
     int motion(const unsigned int rigid_part,
                const unsigned int component) const
     {
       return rigid_part_numbers[rigid_part].motion[component];
     }
 
-    /** In the plane: joints whose rotation is tied to that of a rigid part. */
+    /** Joints whose rotation is constrained to a rigid part, in the plane. */
     const std::vector<unsigned int> &
     clamped_joints(const unsigned int rigid_part) const
     {
       return rigid_part_numbers[rigid_part].clamped_joints;
     }
 
-    /**
-     * A multiplier of a rigid part: of one with a rotation of its own 3 k + c
-     * for component c of joint k. Of others 0 for the distance of the base
-     * joints, then d for each joint k = 2, 3, ... of the part in d dimensions;
-     * then, in the plane, one for each of its clamped joints.
-     */
+    /** A multiplier of a rigid part. With a rotation: 3 k + c for component c
+     * of joint k. Otherwise 0 is the base length, then d per joint k = 2, 3,
+     * ... in d dimensions, then one per clamped joint in the plane. */
     int multiplier(const unsigned int rigid_part,
                    const unsigned int number) const
     {
       return rigid_part_numbers[rigid_part].multipliers[number];
     }
 
-    /** Number of multipliers of a rigid part; the same on every rank. */
+    /** Number of multipliers of a rigid part; equal on all ranks. */
     unsigned int n_multipliers(const unsigned int rigid_part) const
     {
       return rigid_part_numbers[rigid_part].multipliers.size();
@@ -233,13 +219,13 @@ namespace auxfem
       return hinge_numbers[hinge][number];
     }
 
-    /** The multipliers kept on this rank. */
+    /** Multipliers on this rank. */
     const std::vector<int> &multipliers() const
     {
       return local_multipliers;
     }
 
-    /** Number of all multipliers, over all ranks. */
+    /** Number of multipliers over all ranks. */
     unsigned int n_multipliers() const;
 
   private:

@@ -12,54 +12,51 @@
 
 namespace auxfem
 {
-  /** Velocity and angular velocity (m/s, rad/s), by component of motion. */
+  /** Velocity and angular velocity (m/s, rad/s) by motion component. */
   using JointVelocity = std::array<double, n_motion_components>;
 
-  /** What is known of one end of a strut at rest. */
+  /** Position and velocity of one end of a strut. */
   struct MovingEnd
   {
     dealii::Point<3> position; ///< m
     JointVelocity    velocity;
-    /** Whether the strut turns freely there; about its chord it turns with the
-     * velocity all the same. */
+    /** Whether the end is released; twist about the chord still follows the
+     * velocity. */
     bool is_released;
   };
 
   /**
-   * Velocities inside a strut whose ends move: those of a slender beam along
-   * the chord, which turns and stretches with its ends and is bent, by cubic
-   * polynomials, where they turn against it. Sections stay plane and
-   * perpendicular, so the rates of shear are zero; an arc's axis moves with
-   * the sections of the chord. Ends that move as one rigid body give its
-   * motion, to round-off.
+   * Velocity field inside a strut from its end velocities: a slender beam on
+   * the chord with cubic bending and no shear rate. The axis of an arc follows
+   * the sections of the chord. Rigid end motions are reproduced to round-off.
    */
   class StrutVelocities
   {
   public:
     explicit StrutVelocities(const std::array<MovingEnd, 2> &ends);
 
-    /** At the @p fraction in [0, 1] of the strut's length, at @p position (m). */
+    /** Velocity at the @p fraction in [0, 1] of the length, at @p position
+     * (m). */
     JointVelocity at(double fraction, const dealii::Point<3> &position) const;
 
   private:
     dealii::Point<3> begin;
     SpaceVector      chord;
-    /** Of the chord, that of its beginning and its lengthening in all. */
+    /** Angular velocity of the chord, velocity of its start, rate of its
+     * length. */
     SpaceVector angular_velocity, velocity, lengthening;
-    /** Of the ends against the chord: across it and about it (rad/s). */
+    /** Angular velocities of the ends relative to the chord (rad/s). */
     std::array<SpaceVector, 2> bending, twist;
   };
 
   /**
    * Velocities at t = 0 by local unknown (m/s, rad/s). A set moves as a rigid
-   * body: its velocity plus the angular velocity about the mean of its joints;
-   * of several sets with a joint the last counts. Struts whose ends both have
-   * an initial velocity, by one set or two, move with them (StrutVelocities);
-   * others are at rest but for the end. Rigid parts with a rotation of their
-   * own turn with a set if all their joints belong to it.
+   * body about the mean of its joints; later sets override earlier ones. Struts
+   * with two moving ends follow StrutVelocities, other struts are at rest
+   * inside. Rigid parts rotate with a set that contains all their joints.
    *
-   * Throws InputError for a velocity that a support does not allow, and for an
-   * angular velocity that turns nothing.
+   * Throws InputError for a velocity that contradicts a support and for an
+   * angular velocity without effect.
    */
   std::vector<std::pair<int, double>>
   initial_velocities(const RunPlan      &plan,

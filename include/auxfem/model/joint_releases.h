@@ -12,31 +12,32 @@ namespace auxfem
     unsigned int strut, end;
   };
 
-  /** The strut ends that a `Joints/NAME` of the scene releases. */
+  /** Strut ends released by one `Joints/NAME` of the scene. */
   struct JointRelease
   {
     struct AtJoint
     {
       unsigned int          joint;
-      std::vector<StrutEnd> ends; ///< of elastic struts
-      /** In space: rigid parts with a rotation, of the chosen rigid struts. */
+      std::vector<StrutEnd> ends; ///< ends of elastic struts
+      /** Rigid parts with a rotation among the chosen rigid struts, in
+       * space. */
       std::vector<unsigned int> rigid_parts;
     };
-    /** Of the scene; must outlive this. */
+    /** Definition in the scene; must outlive the object. */
     const JointDefinition *definition;
     std::vector<AtJoint>   joints;
-    /** What springs or revolute hinges couple. */
+    /** Rotations coupled by springs or revolute hinges. */
     std::vector<RotationPair> pairs;
   };
 
   /**
-   * The releases of all `Joints/NAME`. Released ends are coupled with what they
-   * turn against: the rotation of the joint if it has one, else that of the
-   * first of several ends, else, for a single end, the ground.
+   * Releases of all `Joints/NAME`. Released ends rotate relative to the joint
+   * rotation; without one relative to the first of several ends, and a single
+   * end relative to the ground.
    *
-   * Throws InputError if none of the named struts ends at one of the named
-   * joints, if what ends there cannot turn as asked for, and where it would
-   * turn against a bar, which has no rotation.
+   * Throws InputError if no named strut ends at a named joint, if the release
+   * is impossible there, and for springs or hinges on bars, which have no
+   * rotation.
    */
   std::vector<JointRelease> joint_releases(const Scene   &scene,
                                            const Lattice &lattice);
@@ -44,26 +45,27 @@ namespace auxfem
   /** Whether some of @p releases have springs. */
   bool have_rotational_springs(const std::vector<JointRelease> &releases);
 
-  /** What @p releases release and couple. */
+  /** Converts @p releases to Ties. */
   Ties ties_of(const std::vector<JointRelease> &releases,
                const Lattice                   &lattice);
 
-  /** Straight struts in one line that turn about it without any resistance. */
+  /**
+   * Collinear straight struts that can spin about their axis without
+   * resistance.
+   */
   struct FreeSpin
   {
-    /** In order; several where they are rigidly connected to each other. */
+    /** Struts in order; several if rigidly connected to each other. */
     std::vector<unsigned int> struts;
     /** The released end of the first strut. */
     StrutEnd end;
   };
 
   /**
-   * The bars between ball hinges: straight elastic struts in space released by
-   * a hinge at both ends, or at one and alone at a joint that may turn at the
-   * other; or several in line, rigidly connected with each other alone, with
-   * such outer ends. No load can turn them about their own axis. None in the
-   * plane.
-   * @param releases of @p lattice
+   * Bars between ball hinges in space: straight elastic struts, or collinear
+   * chains of them, whose outer ends are hinged or alone at a free joint. No
+   * load can spin them about their axis. Empty in the plane.
+   * @param releases releases of @p lattice
    */
   std::vector<FreeSpin> free_spins(const RunPlan                   &plan,
                                    const Lattice                   &lattice,

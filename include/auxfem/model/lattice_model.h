@@ -11,44 +11,40 @@
 namespace auxfem
 {
   /**
-   * The structure as it is computed: the lattice with sections, unknowns,
-   * supports and rigid bodies, on this rank. Nothing of it changes but reasons,
-   * before a run. The members are built in their order, each from those before
-   * it.
+   * Structural model of a run on this rank: lattice, sections, unknowns,
+   * supports and rigid bodies. Constant except for explain(). Members are
+   * initialised in order, each from earlier ones.
    */
   struct LatticeModel
   {
     /**
-     * @param plan of which the effects are decided here
-     * @param lattice, scene of the plan must outlive the model.
+     * @param plan plan whose effects are decided here
+     * @param lattice must outlive the model, as the scene of @p plan
      *
-     * Throws InputError for contradictions only the lattice can show (a
-     * component prescribed twice, a section that its reference vector does not
-     * orient).
+     * Throws InputError for contradictions visible only on the lattice, such as
+     * a component prescribed twice or an unusable reference vector.
      */
     LatticeModel(const RunPlan &plan,
                  const Lattice &lattice,
                  MPI_Comm       communicator);
 
-    /**
-     * The structure of @p other with other effects, of which hinges may not
-     * differ; shares the numbering.
-     */
+    /** Copy of @p other with other effects, except hinges; shares the
+     * numbering. */
     LatticeModel(const LatticeModel &other, SimulatedEffects simulated);
 
     LatticeModel(const LatticeModel &)            = delete;
     LatticeModel &operator=(const LatticeModel &) = delete;
 
-    RunPlan                    plan; ///< with the effects that are decided
+    RunPlan                    plan; ///< with decided effects
     const Lattice             &lattice;
     const std::vector<Section> sections; ///< by Strut::section
-    /** Ties moments to forces in tests (m). */
+    /** Reference length (m) that converts moments to forces. */
     const double mean_strut_length;
-    /** Hinges and springs; empty if they are left out. */
+    /** Hinges and springs; empty if disabled. */
     const std::vector<JointRelease> releases;
-    /** Bars that turn about themselves between ball hinges. */
+    /** Bars that can spin between ball hinges. */
     const std::vector<FreeSpin> free_spins;
-    /** Of the whole lattice, by the scene's groups of connectors. */
+    /** Joint pairs of the whole lattice by connector group. */
     const std::vector<std::vector<JointPair>> connector_pairs;
 
   private:
@@ -56,19 +52,19 @@ namespace auxfem
 
   public:
     const DofNumbering &numbering;
-    /** Owned rows by what is measured in them. */
+    /** Owned rows by physical unit and kind. */
     const OwnedRows            rows;
     const std::vector<Support> supports;
     const RigidBodies          bodies;
 
-    /** Rotations in space kept as quaternions; none if they stay small. */
+    /** Number of rotations kept as quaternions; 0 for small rotations. */
     unsigned int n_large_rotations() const
     {
       return plan.simulated.large_rotation ? numbering.rotations().size() : 0;
     }
 
-    /** Replaces the decision on the same effect in the list for users: where it
-     * takes a computation to know. */
+    /** Replaces the reported decision on an effect that only a computation can
+     * settle. */
     void explain(const EffectDecision &decision)
     {
       plan.simulated.decision(decision.name) = decision;

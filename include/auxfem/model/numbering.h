@@ -10,16 +10,16 @@
 namespace auxfem
 {
   /**
-   * The rotations in space kept on this rank, each with three unknowns: its
-   * spins about x, y, z. None in the plane.
+   * Spatial rotations on this rank, each with three unknowns: spins about x, y,
+   * z. Empty in the plane.
    */
   class SpatialRotations
   {
   public:
     explicit SpatialRotations(unsigned int n_local_unknowns);
 
-    /** Adds the rotation with these local unknowns, unless it is there or they
-     * are not (-1). */
+    /** Adds the rotation with these local unknowns unless it is already present
+     * or absent from this rank (-1). */
     void add(const std::array<int, 3> &spins);
 
     unsigned int size() const
@@ -43,13 +43,13 @@ namespace auxfem
       return rotations.end();
     }
 
-    /** Index of the rotation that a local unknown is a spin of; -1: none. */
+    /** Index of the rotation that contains a local unknown; -1 if none. */
     int with(const unsigned int unknown) const
     {
       return rotation_index[unknown];
     }
 
-    /** Axis, 0 to 2, about which a local unknown is the spin. */
+    /** Axis (0 to 2) of the spin at a local unknown. */
     unsigned int axis(unsigned int unknown) const;
 
   private:
@@ -58,34 +58,28 @@ namespace auxfem
   };
 
   /**
-   * Numbering of the unknowns of a lattice: at every node u_x, u_y and the
-   * rotation in the plane, u_x, u_y, u_z and the spins about x, y, z in space.
-   * The ends of all struts at a joint share its displacements, those not
-   * released also its rotation, so a joint is one set of unknowns and no
-   * constraint equation is needed. Joints at which only rigid struts end have
-   * no rotation, in space that of the rigid part. Rigid parts that turn in
-   * space have the displacement of their centre of mass and a rotation of their
-   * own. The constraints of rigid parts and of revolute hinges add a Lagrange
-   * multiplier each.
+   * Numbering of the unknowns of a lattice: displacements and rotations (spins
+   * in space) at every node. Strut ends at a joint share its displacements, and
+   * its rotation unless released. Joints of rigid struts alone have no
+   * rotation; in space they use that of the rigid part. Rotating rigid parts
+   * own their motion, and each constraint adds a Lagrange multiplier.
    *
-   * Elements and rigid parts are kept on every rank that owns one of their
-   * unknowns, so owned rows of residual and tangent are complete without
-   * communication.
+   * Every rank that owns an unknown of an element or rigid part stores it, so
+   * owned rows are complete without communication.
    */
   class DofNumbering
   {
   public:
-    /** An element kept on this rank. */
+    /** An element stored on this rank. */
     struct Element
     {
       StrutInterval interval;
       unsigned int  order; ///< polynomial
-      /** Whether this rank counts its energy and writes it to files. */
+      /** Whether this rank accounts for its energy and writes it to files. */
       bool is_owned;
     };
 
-    /** Elements of one order, which are kept one after the other: [begin, end).
-     */
+    /** Consecutive elements [begin, end) of one order. */
     struct Group
     {
       unsigned int order;
@@ -106,33 +100,32 @@ namespace auxfem
       return base_lattice;
     }
 
-    /** The elements of the struts, by strut. */
+    /** Division into elements, by strut. */
     const std::vector<StrutDivision> &divisions() const
     {
       return strut_divisions;
     }
 
-    /** Unknowns a node: 3 in the plane, 6 in space. */
+    /** Unknowns per node: 3 in the plane, 6 in space. */
     unsigned int n_components() const
     {
       return node_components.size();
     }
 
-    /** The components of motion that nodes have: 0, 1, 5 in the plane, else
-     * all. */
+    /** Motion components of nodes: 0, 1, 5 in the plane, all in space. */
     const std::vector<unsigned int> &components() const
     {
       return node_components;
     }
 
-    /** How the unknowns, prescribed ones included, are spread over the ranks.
-     */
+    /** Distribution of all unknowns, including prescribed ones, over the
+     * ranks. */
     const UnknownLayout &layout() const
     {
       return unknown_data.layout;
     }
 
-    /** What kinds of unknowns they are. */
+    /** Kinds of the unknowns. */
     const Unknowns &unknowns() const
     {
       return unknown_data;
@@ -144,23 +137,21 @@ namespace auxfem
       return constraint_unknowns;
     }
 
-    /** The rotations in space. */
+    /** Spatial rotations. */
     const SpatialRotations &rotations() const
     {
       return spatial_rotations;
     }
 
-    /** Elements kept on this rank by ascending order, those of a strut one
-     * after the other. */
+    /** Elements on this rank by ascending order; those of a strut are
+     * consecutive. */
     const std::vector<Element> &elements() const
     {
       return element_list;
     }
 
-    /**
-     * The elements by order: a group for every order that an elastic strut of
-     * the lattice has, empty if none of them is kept on this rank.
-     */
+    /** Element groups, one per order used in the lattice; empty groups have no
+     * elements on this rank. */
     const std::vector<Group> &groups() const
     {
       return element_groups;
@@ -182,49 +173,44 @@ namespace auxfem
       return first_number[e + 1] - first_number[e];
     }
 
-    /**
-     * Local number of a joint's unknown, by component of motion; -1 if it does
-     * not exist (in the plane, or all struts released) or is not kept on this
-     * rank.
-     */
+    /** Local number of a joint unknown; -1 if it does not exist or is not on
+     * this rank. */
     int joint_unknown(const unsigned int joint,
                       const unsigned int component) const
     {
       return layout().local(numbers.joints[joint][component]);
     }
 
-    /** Whether a joint has this unknown at all, known on every rank. */
+    /** Whether a joint has this unknown; equal on all ranks. */
     bool joint_has(const unsigned int joint, const unsigned int component) const
     {
       return numbers.joints[joint][component] >= 0;
     }
 
-    /**
-     * Local number of a component of the rotation of a strut's end, released
-     * or not; -1 if not on this rank.
-     */
+    /** Local number of a rotation component at a strut end; -1 if not on this
+     * rank. */
     int end_rotation(unsigned int strut,
                      unsigned int end,
                      unsigned int component = rotation_z) const;
 
-    /** Local number of a component of a rotation; -1: ground, or not on this
-     * rank. */
+    /** Local number of a rotation component; -1 for the ground or if not on
+     * this rank. */
     int rotation_unknown(const RotationOwner &rotation_owner,
                          unsigned int         component) const;
 
-    /** The numbers that are the same on every rank. */
+    /** Global numbers, equal on all ranks. */
     const GlobalNumbers &global() const
     {
       return numbers;
     }
 
   private:
-    /** Marks in order what each rank keeps of the unknowns of others. */
+    /** Ghosts, elements and rigid parts of a rank, in the order found. */
     struct LocalSubset
     {
       unsigned int     n_owned = 0;
       std::vector<int> ghosts;
-      /** Of all elements as they are found, and where those of each begin. */
+      /** Global numbers of all elements, and the offset of each element. */
       std::vector<int>          numbers;
       std::vector<std::size_t>  elements;
       std::vector<unsigned int> rigid_parts;
@@ -234,7 +220,7 @@ namespace auxfem
                                   const Ties           &ties,
                                   unsigned int          rank);
 
-    /** Elastic struts that may have an unknown of this rank. */
+    /** Elastic struts that may have an unknown owned by this rank. */
     std::vector<unsigned int> find_struts(const StrutPartition &partition,
                                           unsigned int          rank) const;
 
@@ -254,7 +240,7 @@ namespace auxfem
     std::vector<Group>               element_groups;
     LocalSubset                      local_subset; ///< emptied after set-up
     std::vector<int>                 element_numbers;
-    /** Of each element, and the end of the last. */
+    /** Offset of each element and the end of the list. */
     std::vector<std::size_t> first_number;
     Unknowns                 unknown_data;
     ConstraintUnknowns       constraint_unknowns;
@@ -262,10 +248,8 @@ namespace auxfem
   };
 
   /**
-   * A number for each of DofNumbering::spatial_rotations() that names the same
-   * rotation on any number of ranks: that of the rigid part that has it, else
-   * of the joint, else of the end or the node inside a strut. None in the
-   * plane.
+   * Partition-independent number of each of DofNumbering::rotations(): by rigid
+   * part, else joint, else strut end or inner node. Empty in the plane.
    */
   std::vector<unsigned int> rotation_numbers(const Lattice      &lattice,
                                              const DofNumbering &numbering);

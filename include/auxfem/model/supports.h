@@ -6,7 +6,7 @@
 
 namespace auxfem
 {
-  /** A support of the scene with the unknowns it prescribes on this rank. */
+  /** A support with the unknowns it prescribes on this rank. */
   struct Support
   {
     struct PrescribedUnknown
@@ -14,12 +14,13 @@ namespace auxfem
       int          unknown; ///< local number
       unsigned int component;
     };
-    /** A large rotation in space of which spins are prescribed. */
+    /** A large spatial rotation with prescribed spins. */
     struct PrescribedRotation
     {
-      unsigned int        rotation; ///< of DofNumbering::spatial_rotations()
+      unsigned int        rotation; ///< index in DofNumbering::rotations()
       std::array<bool, 3> fixed;    ///< about x, y, z
-      /** All three, so that its rotation vector is `motion`. */
+      /** Whether all spins are prescribed, so `motion` is the rotation
+       * vector. */
       bool is_whole() const
       {
         return fixed[0] && fixed[1] && fixed[2];
@@ -27,39 +28,41 @@ namespace auxfem
     };
     std::string                    name;
     std::vector<PrescribedUnknown> unknowns;
-    /** Those whose spins are among `unknowns`. */
+    /** Rotations whose spins are among `unknowns`. */
     std::vector<PrescribedRotation> rotations;
     /** Time history of each component (m, rad). */
     std::array<TimeFunction, n_motion_components> motion;
 
-    /** Whether an unknown is moved as part of one of `rotations`. */
+    /** Whether an unknown moves as part of one of `rotations`. */
     bool moves_as_rotation(const PrescribedUnknown &prescribed) const
     {
       return !rotations.empty() && prescribed.component >= first_rotation;
     }
 
-    /** Whether an unknown is moved, not only held. */
+    /** Whether an unknown is moved rather than fixed. */
     bool moves(const PrescribedUnknown &prescribed) const
     {
       return !motion[prescribed.component].is_zero();
     }
 
-    /** Whether a rotation is moved, not only held. */
+    /** Whether a rotation is moved rather than fixed. */
     bool moves(const PrescribedRotation &prescribed) const;
 
-    /** Whether it holds everything at rest. */
+    /** Whether the support only fixes unknowns. */
     bool is_at_rest() const;
   };
 
-  /** The motions that the supports of @p scene prescribe, whether or not the
-   * joints have them. */
+  /**
+   * Motions prescribed by the supports of @p scene, including components that
+   * joints lack.
+   */
   std::vector<JointMotion> prescribed_motions(const Scene   &scene,
                                               const Lattice &lattice);
 
   /**
-   * The supports of @p plan. Throws InputError for a component prescribed
-   * twice and for a rotation that a joint does not have.
-   * @param large_rotations whether rotations in space are large.
+   * Creates the supports of @p plan. Throws InputError for a component
+   * prescribed twice and for a missing joint rotation.
+   * @param large_rotations whether spatial rotations are large
    */
   std::vector<Support> make_supports(const RunPlan      &plan,
                                      const Lattice      &lattice,

@@ -10,73 +10,73 @@
 
 namespace auxfem
 {
-  /** Words for a component of motion, e.g. `vertical displacement` or `rotation
-   * about x`. */
+  /**
+   * Name of a motion component, e.g. `vertical displacement` or `rotation about
+   * x`.
+   */
   const char *motion_name(unsigned int component, unsigned int dimension);
 
   /**
-   * Words for a local unknown, e.g. `rotation of joint 12 at (0.01, 0.02)`; for
-   * nodes inside a strut that strut is named.
+   * Description of a local unknown, e.g. `rotation of joint 12 at (0.01,
+   * 0.02)`; inner nodes are named by their strut.
    */
   std::string describe(const DofNumbering &numbering, unsigned int unknown);
 
   /**
-   * Words for the owned unknown of largest @p size (by local unknown, of which
-   * the owned ones count; rotations made comparable by the caller) over all
-   * ranks; the same on every rank. Collective.
+   * Description of the owned unknown with the largest @p size (by local
+   * unknown) over all ranks. The caller makes rotations comparable. Equal on
+   * all ranks; collective.
    */
   std::string describe_largest(const DofNumbering        &numbering,
                                const std::vector<double> &size);
 
-  /** Why @p joint has no rotation and what to do, as a sentence. */
+  /** Sentence for the user: why @p joint has no rotation, and what to do. */
   std::string why_no_rotation(const DofNumbering &numbering,
                               unsigned int        joint);
 
   /**
-   * Unknowns while they are counted: the rank that claims one first owns it and
-   * gives it the next of its own numbers. To be asked in the same order on
-   * every rank.
+   * Assigns unknowns to ranks: the first rank that claims an unknown owns and
+   * numbers it. Call in the same order on every rank.
    */
   class UnknownDistribution
   {
   public:
-    /** Who owns an unknown (-1: nobody, it does not exist) and its number
-     * there. */
+    /** Owner of an unknown (-1 if it does not exist) and its number on that
+     * rank. */
     struct Unknown
     {
       int owner = -1, number = -1;
     };
     using Motion = std::array<Unknown, n_motion_components>;
 
-    /** Nothing is claimed yet. */
+    /** Starts without any claims. */
     UnknownDistribution(const Lattice &lattice,
                         const Ties    &ties,
                         unsigned int   n_ranks);
 
-    /**
-     * An end of an elastic strut: the joint's displacement, and its rotation or
-     * that of the released end. Claimed by @p rank.
-     */
+    /** Claims a component at the end of an elastic strut for @p rank: joint
+     * displacement, joint rotation or released rotation. */
     void assign_end(unsigned int strut,
                     unsigned int end,
                     unsigned int component,
                     int          rank);
 
-    /** First of @p n numbers of @p rank for the inner nodes of a strut. */
+    /** Claims @p n inner unknowns of a strut for @p rank; returns the first
+     * number. */
     int assign_inner(unsigned int n, int rank);
 
     /**
-     * The displacements of all joints no elastic strut has claimed.
+     * Claims the displacements of joints without elastic struts.
      *
-     * @param ranks by strut
+     * @param ranks owner by strut
      */
     void assign_joints(const std::vector<unsigned int> &ranks);
 
-    /** Own unknowns and multipliers of rigid parts, on the rank of their first
-     * joint. */
+    /** Claims unknowns and multipliers of rigid parts for the rank of their
+     * first joint. */
     void assign_rigid_parts();
 
-    /** Multipliers of hinges, on the rank of the rotation that they guide. */
+    /** Claims multipliers of hinges for the rank of the guided rotation. */
     void assign_hinges();
 
     unsigned int n_joints() const
@@ -90,7 +90,8 @@ namespace auxfem
       return count;
     }
 
-    /** By component; of a joint that turns with a rigid part, the part's. */
+    /** Unknowns of a joint by component; the rotation may be that of a rigid
+     * part. */
     Motion joint(unsigned int joint) const;
 
     /** Rotations of the released ends of elastic struts, by strut and end. */
@@ -100,7 +101,7 @@ namespace auxfem
       return released_end_unknowns;
     }
 
-    /** A rigid part's own unknowns, if it has a rotation of its own. */
+    /** Unknowns owned by a rigid part with a rotation. */
     struct RigidPartUnknowns
     {
       Motion                    motion;
@@ -119,10 +120,10 @@ namespace auxfem
     }
 
   private:
-    /** Claimed by @p rank if it is new. */
+    /** Claims an unowned unknown for @p rank. */
     void assign(Unknown &unknown, int rank);
 
-    /** The rotation that @p rotation_owner has. */
+    /** Unknowns of a rotation. */
     Motion       &motion_of(const RotationOwner &rotation_owner);
     const Motion &motion_of(const RotationOwner &rotation_owner) const;
 
@@ -138,9 +139,8 @@ namespace auxfem
   };
 
   /**
-   * Records of values at unknowns, under serial numbers, which follow the order
-   * of the lattice's parts, whatever rank owns an unknown. So what some ranks
-   * have kept others find, also if they are more or fewer.
+   * Checkpoint records of values at unknowns by serial number, which follows
+   * the order of the lattice. Restarts may use a different number of ranks.
    */
   class UnknownRecords
   {
@@ -148,8 +148,8 @@ namespace auxfem
     /** @param numbering must outlive the object. */
     explicit UnknownRecords(const DofNumbering &numbering);
 
-    /** With the ghosts of @p layout, which has at least those of @p numbering.
-     * Both must outlive the object. Collective. */
+    /** As above with the ghosts of @p layout, which include those of
+     * @p numbering. Both must outlive the object. Collective. */
     UnknownRecords(const DofNumbering &numbering, const UnknownLayout &layout);
 
     /** Serial number of a local unknown. */
@@ -158,15 +158,13 @@ namespace auxfem
       return serial[local];
     }
 
-    /** Keeps the owned ones of @p values at local unknowns. */
+    /** Stores the owned entries of @p values. */
     void keep(const std::string &name,
               const Vector      &values,
               CheckpointData    &records) const;
 
-    /**
-     * The values at all local unknowns. Throws InputError if @p records do not
-     * have them. Collective.
-     */
+    /** Restores the values at all local unknowns. Throws InputError if
+     * @p records lack them. Collective. */
     Vector values(const std::string &name, const CheckpointData &records) const;
 
     /** Saves or restores @p values at all local unknowns. Collective. */
@@ -180,7 +178,7 @@ namespace auxfem
         values = this->values(name, archive.from());
     }
 
-    /** The same of values that need not be there. */
+    /** As above, for optional values. */
     void serialize(const std::string     &name,
                    std::optional<Vector> &values,
                    CheckpointArchive     &archive) const
