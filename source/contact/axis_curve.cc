@@ -11,7 +11,7 @@ namespace auxfem
 {
   namespace
   {
-    /** Half the derivative of the square of the distance by the parameter. */
+    /** Half the parameter derivative of the squared distance. */
     double slope_at(const AxisCurve         &curve,
                     const AxisCurve::Vector &point,
                     const double             parameter)
@@ -19,14 +19,14 @@ namespace auxfem
       return (curve.at(parameter) - point) * curve.tangent(parameter);
     }
 
-    /** Where slope_at(), which has a root between two parameters, is zero. */
+    /** Root of slope_at() between two bracketing parameters. */
     double root_of_slope(const AxisCurve         &curve,
                          const AxisCurve::Vector &point,
                          double                   low,
                          double                   high)
     {
-      // Newton's method doubles the digits: after a step as short as this what
-      // is left is round-off.
+      // Newton's method doubles the digits, so after such a short step the
+      // error is round-off.
       constexpr unsigned int most_steps = 60;
       double                 at         = (low + high) / 2;
       for (unsigned int i = 0; i < most_steps; ++i)
@@ -48,8 +48,8 @@ namespace auxfem
       return at;
     }
 
-    /** The nearest point between @p low and @p high, one of them at least, of a
-     * part of the curve. */
+    /** Nearest point between @p low and @p high, which bracket a local
+     * minimum. */
     NearestPoint minimum_between(const AxisCurve         &curve,
                                  const AxisCurve::Vector &point,
                                  const double             low,
@@ -92,7 +92,7 @@ namespace auxfem
   {
     if (curve.degree == 1)
       return nearest_on_line(curve, point, begin, end);
-    // Between neighbouring ones of these there is hardly more than one minimum.
+    // Samples this dense rarely miss a minimum.
     constexpr unsigned int most = 12;
     const unsigned int     n    = std::min(2 * curve.degree + 2, most);
     const auto             at   = [&](const unsigned int i) {
@@ -121,7 +121,7 @@ namespace auxfem
 
   namespace
   {
-    /** Binomial coefficients, by row. */
+    /** Binomial coefficients by row. */
     class PascalTriangle
     {
     public:
@@ -166,7 +166,7 @@ namespace auxfem
       return n;
     }
 
-    /** The only root of a polynomial whose ends have different signs. */
+    /** Single root of a polynomial with end values of opposite sign. */
     double single_root(const BernsteinPolynomial &polynomial)
     {
       const boost::math::tools::eps_tolerance<double> digits(40);
@@ -182,14 +182,14 @@ namespace auxfem
       return (low + high) / 2;
     }
 
-    /** As BernsteinPolynomial::add_sign_changes(), of a part of [0, 1]. */
+    /** As BernsteinPolynomial::add_sign_changes(), for a part of [0, 1]. */
     void add_changes(const BernsteinPolynomial &part,
                      const double               begin,
                      const double               end,
                      std::vector<double>       &parameters)
     {
       constexpr double smallest = 1e-9;
-      // By Descartes' rule there are at most as many roots as changes of sign.
+      // Descartes' rule bounds the number of roots by the sign changes.
       const unsigned int n = n_sign_changes(part);
       if (n == 0)
         return;
@@ -211,7 +211,7 @@ namespace auxfem
 
   double BernsteinPolynomial::at(const double parameter) const
   {
-    // Horner's scheme in parameter / (1 - parameter), or its inverse.
+    // Horner's scheme in parameter / (1 - parameter), or in its inverse.
     const bool   is_first_half = parameter < 0.5;
     const double small         = is_first_half ? parameter : 1 - parameter,
                  ratio         = small / (1 - small);

@@ -51,7 +51,7 @@ namespace auxfem
 
   double ContactLaw::mean_slope(const double from, const double to) const
   {
-    // Below this the difference of forces is mostly round-off.
+    // Below this relative difference the force difference is mostly round-off.
     constexpr double digits = 1e-6;
     if (std::abs(to - from) <=
         digits * std::max({std::abs(to), std::abs(from), smoothing}))
@@ -96,8 +96,8 @@ namespace auxfem
       "1",
       "1",
       Range::positive(),
-      "Stiffness of the face of a strut against its axis, times that of its "
-      "material, EA / (2 h^2) per length, h being half its thickness."};
+      "Penalty stiffness over EA / (2 h^2) per length, the stiffness between "
+      "face and axis of a strut of half thickness h."};
 
     const Quantity contact_smoothing = {
       "Smoothing",
@@ -105,7 +105,7 @@ namespace auxfem
       "1",
       Range{0, 1, true, false},
       "Penetration over half the thickness of the strut up to which the "
-      "stiffness grows from zero to its value."};
+      "stiffness grows linearly from zero."};
 
     const Quantity contact_penetration = {
       "Largest penetration",
@@ -120,15 +120,15 @@ namespace auxfem
       "0",
       "1",
       Range::non_negative(),
-      "Coulomb's friction: largest force along the surface over that across."};
+      "Coulomb's coefficient: largest friction force over normal force."};
 
     const Quantity contact_slip_velocity = {
       "Slip velocity",
       "1 mm/s",
       "m/s",
       Range::positive(),
-      "Velocity v0 at which things count as slipping: friction goes with "
-      "v / sqrt(v^2 + v0^2), so what sticks creeps slower than this."};
+      "Regularisation velocity v0: friction is proportional to "
+      "v / sqrt(v^2 + v0^2), so sticking points creep slower than v0."};
   } // namespace
 
 
@@ -137,7 +137,7 @@ namespace auxfem
   {
     return {"Contact",
             SubsectionSchema::Form::fixed,
-            "How struts resist what touches them.",
+            "Penalty stiffness and friction of contact.",
             {contact_stiffness,
              contact_smoothing,
              contact_penetration,
@@ -163,7 +163,7 @@ namespace auxfem
     const Choice plate_shape = {"Shape",
                                 "plane",
                                 {"plane", "sphere", "cylinder"},
-                                "What the body is bounded by."};
+                                "Shape of the body."};
 
     const QuantityList plate_position = {
       "Position",
@@ -179,7 +179,7 @@ namespace auxfem
       {"Displacement",
        "0",
        "m",
-       "Time history of the displacement; free: as forces and inertia have it",
+       "Time history of the displacement; free: moved by forces and inertia",
        {"free"}});
 
     const Quantity plate_mass = {"Mass",
@@ -224,7 +224,7 @@ namespace auxfem
       const std::string shape = values[plate_shape];
       if (shape == "plane")
         {
-          // This refuses what leaves the plane.
+          // Rejects a normal out of the plane.
           vector_of(values, plane_normal);
           return make_plane_surface(unit_vector_of(values, plane_normal));
         }
@@ -275,10 +275,10 @@ namespace auxfem
             continue;
           is_moving = true;
           if (!is_free(values, c))
-            values.refuse(plate_velocity[c],
-                          "the displacement along this axis is given. Set " +
-                            plate_motion[c].name +
-                            " = free, or remove the velocity");
+            values.refuse(
+              plate_velocity[c],
+              "the displacement along this axis is prescribed. Set " +
+                plate_motion[c].name + " = free, or remove the velocity");
         }
       if (is_moving)
         plate.initial_velocity = initial;
@@ -299,15 +299,15 @@ namespace auxfem
                       plate_velocity.end());
     return {"Plates",
             SubsectionSchema::Form::named_groups,
-            "Rigid bodies that struts touch: fixed or moving plates, drop "
-            "weights, impactors. NAME is also a set of one joint, which moves "
-            "with the body: loads, connectors and probes may name it.",
+            "Rigid bodies in contact with struts: fixed or moving plates, drop "
+            "weights, impactors. NAME is also a set of one joint that moves "
+            "with the body, for loads, connectors and probes.",
             parameters,
             "Shape",
-            {{"plane", "Everything behind a plane.", {plane_normal}},
+            {{"plane", "Half space behind a plane.", {plane_normal}},
              {"sphere", "A ball, in the plane a disc.", {body_radius}},
              {"cylinder",
-              "A cylinder without ends; with Dimension = 3.",
+              "An infinite cylinder; needs Dimension = 3.",
               {cylinder_axis, body_radius}}}};
   }
 
@@ -329,8 +329,8 @@ namespace auxfem
       if (is_free(values, c))
         values.refuse(plate_mass,
                       plate_motion[c].name +
-                        " = free needs a mass. Give one, or say where the body "
-                        "goes");
+                        " = free needs a mass. Set Mass, or prescribe the "
+                        "displacement");
     if (mass > 0)
       plate.mass = MassDefinition{values.name(),
                                   values.name(),

@@ -21,7 +21,8 @@ namespace auxfem
       return result;
     }
 
-    /** Two unit vectors across @p normal; in the plane the first lies in it. */
+    /** Two unit vectors perpendicular to @p normal; in planar models the first
+     * lies in the plane. */
     std::array<Vector3, 2> unit_vectors_across(const Vector3 &normal)
     {
       const unsigned int least = std::abs(normal[2]) < 0.9 ? 2 : 0;
@@ -47,7 +48,7 @@ namespace auxfem
       return points;
     }
 
-    /** Subtracts @p level; what is then round-off becomes zero. */
+    /** Subtracts @p level and sets round-off to zero. */
     void subtract(const double level, BernsteinPolynomial &polynomial)
     {
       double scale = std::abs(level);
@@ -112,12 +113,11 @@ namespace auxfem
       const Vector3 normal;
     };
 
-    /** Everything nearer than a radius to a point or, across an axis, to a
-     * line. */
+    /** Ball, or cylinder about an axis. */
     class RoundSurface : public RigidSurface
     {
     public:
-      /** @param axis zero: a ball */
+      /** @param axis zero vector for a ball */
       RoundSurface(const Vector3 &axis, const double radius)
         : axis(axis)
         , radius(radius)
@@ -147,7 +147,7 @@ namespace auxfem
       MeanDistance between(const Vector3 &from,
                            const Vector3 &to) const override
       {
-        // r1^2 - r0^2 over r0 + r1, as for the length of a connector.
+        // Discrete gradient of a length: (r1^2 - r0^2) / (r0 + r1).
         const Vector3 r0 = projection * from, r1 = projection * to;
         const double  sum = r0.norm() + r1.norm();
         const Vector3 now = r1 / r1.norm();
@@ -202,7 +202,7 @@ namespace auxfem
 
       const Vector3        axis;
       const double         radius;
-      dealii::Tensor<2, 3> projection; ///< across the axis
+      dealii::Tensor<2, 3> projection; ///< onto the plane across the axis
     };
   } // namespace
 
@@ -225,14 +225,13 @@ namespace auxfem
 
   namespace
   {
-    /** A part of a curve on a part of its path: Bernstein coefficients by path,
+    /** A subpatch of the motion of a curve: Bernstein coefficients in the path,
      * each a polynomial along the curve. */
     struct Patch
     {
       using Levels = std::array<BernsteinPolynomial, 3>;
 
-      /** In the order of the path; each half begins and ends with whole ones.
-       */
+      /** Halves in the order of the path. */
       std::array<Patch, 2> halves_of_path() const
       {
         std::array<Patch, 2> halves = {{*this, *this}};
@@ -266,7 +265,7 @@ namespace auxfem
         return halves;
       }
 
-      /** The lowest of the corners, whose coefficients are values. */
+      /** Lowest of the corners, where coefficients are values. */
       CurvePassage lowest_corner(double &value) const
       {
         CurvePassage lowest{curve[0], path[0]};
@@ -292,7 +291,7 @@ namespace auxfem
                            });
       }
 
-      /** Whether the level changes more along the curve than on the path. */
+      /** Whether the level varies more along the curve than along the path. */
       bool is_steeper_along_curve() const
       {
         double along = 0, across = 0;

@@ -11,15 +11,12 @@ namespace auxfem
 {
   namespace
   {
-    /**
-     * Penetration of a face over the strut's thickness that makes contact
-     * doubtful.
-     * @tuned theory: the face is then strained by a fifth
-     */
+    /** Penetration over the strut's thickness above which contact is doubtful.
+     * @tuned theory: the strain of the face is then 0.2 */
     constexpr double doubtful_penetration = 0.1;
 
-    /** Of struts that go so deep into plates or into each other that the law of
-     * contact shows. */
+    /** Detects penetrations so deep that the penalty law affects the
+     * results. */
     class ContactWatch : public Watch
     {
     public:
@@ -35,14 +32,14 @@ namespace auxfem
       {
         const ReportingEffects &effects = equations.reporting();
         if (effects.plates != nullptr)
-          note(effects.plates->deepest(equations.plate_results(results)),
-               step.to.time,
-               into_plates);
+          record(effects.plates->deepest(equations.plate_results(results)),
+                 step.to.time,
+                 into_plates);
         if (effects.strut_contact != nullptr)
-          note(effects.strut_contact->deepest(
-                 equations.strut_contact_results(results)),
-               step.to.time,
-               into_struts);
+          record(effects.strut_contact->deepest(
+                   equations.strut_contact_results(results)),
+                 step.to.time,
+                 into_struts);
       }
 
       std::vector<Finding> findings() const override
@@ -68,9 +65,9 @@ namespace auxfem
       }
 
     private:
-      static void note(const std::optional<Penetration> &deepest,
-                       const double                      time,
-                       Occurrences                      &occurrences)
+      static void record(const std::optional<Penetration> &deepest,
+                         const double                      time,
+                         Occurrences                      &occurrences)
       {
         if (deepest && deepest->fraction > 0)
           occurrences.add(
@@ -82,7 +79,7 @@ namespace auxfem
         return largest && largest->size > doubtful_penetration;
       }
 
-      /** @param other what the strut goes into, in the user's words */
+      /** @param other description of the penetrated body */
       static Finding finding(const Occurrence  &largest,
                              const std::string &other)
       {
@@ -92,13 +89,13 @@ namespace auxfem
         text << "At t = " << largest.time << " s " << location << " goes "
              << percentage_text(largest.size, 3) << " of its thickness into "
              << other << ". Beyond " << percentage_text(doubtful_penetration, 3)
-             << " results depend on how stiff its face is taken to be: raise "
-                "Contact/Stiffness, or let things move more slowly.";
+             << " results depend on the contact stiffness: raise "
+                "Contact/Stiffness, or reduce velocities.";
         return {Verdict::doubtful, text.str(), largest.time, location};
       }
 
       const Equations &equations;
-      Occurrences     &into_plates, &into_struts; ///< group: what they go into
+      Occurrences     &into_plates, &into_struts; ///< group: penetrated body
     };
   } // namespace
 
@@ -109,7 +106,7 @@ namespace auxfem
 
   namespace
   {
-    /** Of struts that go into plates, as they may where contact is left out. */
+    /** Detects struts that enter plates while contact is disabled. */
     class PlateCrossingWatch : public Watch
     {
     public:
@@ -141,8 +138,8 @@ namespace auxfem
         text << "At about " << moment_text(/*on_path=*/false, first->time, 4)
              << ' ' << location << " goes into "
              << touched_plate(scene.plates[first->group].name)
-             << ": contact is left out, and struts and plates pass through "
-                "each other. Leave Effects/Contact at auto.";
+             << ": contact is disabled, so struts pass through plates. Set "
+                "Effects/Contact = auto.";
         return {{Verdict::doubtful, text.str(), first->time, location}};
       }
 

@@ -25,16 +25,16 @@ namespace auxfem
     using Points = std::vector<dealii::Point<3>>;
     using Pair   = std::pair<unsigned int, unsigned int>;
 
-    /** A strut with its axis as a line through points (m). */
+    /** A strut and its axis as a polyline (m). */
     using Axis = std::pair<unsigned int, Points>;
 
-    /** Struts that are nearer to each other than they can be. */
+    /** Pairs of struts that touch or have passed each other. */
     struct NearPairs
     {
       std::set<Pair> touching, crossing;
     };
 
-    /** Whether two struts touch, or have passed each other. */
+    /** Criterion for struts that touch or have passed each other. */
     class CrossingRule
     {
     public:
@@ -43,7 +43,8 @@ namespace auxfem
         , sections(sections)
       {}
 
-      /** Boxes of struts that touch or cross intersect. */
+      /** Bounding box with the thickness; boxes of touching struts
+       * intersect. */
       dealii::BoundingBox<3> box(const Axis &axis) const
       {
         dealii::BoundingBox<3> box(axis.second);
@@ -51,9 +52,9 @@ namespace auxfem
         return box;
       }
 
-      /** How far struts may move between two searches (m): those that pass each
-       * other side by side touch for two thicknesses of the way; in space not
-       * all are as near as that. */
+      /** Motion (m) after which a new search is due. Struts that pass each
+       * other overlap for two thicknesses of motion; in space the overlap is
+       * shorter. */
       double motion_between_searches(const double mean_strut_length) const
       {
         const double per_half_thickness = lattice.dimension == 2 ? 2 : 1;
@@ -73,12 +74,13 @@ namespace auxfem
       {
         return lattice.dimension == 2
           ? cross_in_plane(one.second, other.second, one.first == other.first)
-          // By half of how far one can be in the other.
+          // Half of the largest possible overlap.
           : are_nearer(one, other, 0.5);
       }
 
     private:
-      /** In the plane that in it, in space the smaller one (m). */
+      /** Half thickness (m): in the plane the one in it, in space the smaller
+       * one. */
       double half_thickness(const unsigned int strut) const
       {
         const auto &halves =
@@ -87,7 +89,7 @@ namespace auxfem
                                       : std::min(halves[0], halves[1]);
       }
 
-      /** Whether they are joined to each other, or one. */
+      /** Whether two struts share a joint or are the same. */
       bool meet(const unsigned int one, const unsigned int other) const
       {
         for (const unsigned int i : lattice.struts[one].joints)
@@ -97,7 +99,7 @@ namespace auxfem
         return one == other;
       }
 
-      /** Ends may touch, as those at a joint do. */
+      /** Whether polylines cross; their ends may touch, as at a joint. */
       static bool
       cross_in_plane(const Points &one, const Points &other, const bool is_same)
       {
@@ -108,7 +110,7 @@ namespace auxfem
             (segment + 2 == n_points && fraction > 1 - accuracy_of_places);
         };
         for (std::size_t i = 0; i + 1 < one.size(); ++i)
-          // Of a strut with itself neighbours meet where they are joined.
+          // Consecutive segments of one strut always meet.
           for (std::size_t j = is_same ? i + 2 : 0; j + 1 < other.size(); ++j)
             if (const auto at =
                   meeting_point({one[i], one[i + 1]}, {other[j], other[j + 1]}))
@@ -118,8 +120,8 @@ namespace auxfem
         return false;
       }
 
-      /** Whether two that are not joined are nearer than @p part of half the
-       * sum of their thicknesses. */
+      /** Whether two unconnected struts are closer than @p part of half the sum
+       * of their thicknesses. */
       bool
       are_nearer(const Axis &one, const Axis &other, const double part) const
       {
@@ -139,8 +141,8 @@ namespace auxfem
       const std::vector<Section> &sections;
     };
 
-    /** Searches for pairs of struts that touch or have passed each other,
-     * through a tree of their boxes. */
+    /** Detects pairs of struts that touch or have passed each other, by an
+     * R-tree of their boxes. */
     class CrossingWatch : public Watch
     {
     public:
@@ -202,8 +204,8 @@ namespace auxfem
                    << " have passed into each other";
             text << time_text(*crossing);
           }
-        text << ": contact is left out. What the lattice does from there on "
-                "holds only if its struts can pass each other; if they cannot, "
+        text << ": contact is disabled. Later results hold only if struts can "
+                "pass each other; otherwise "
              << advice();
         const Occurrence &first = touch_comes_first ? *touch : *crossing;
         return {{Verdict::doubtful,
@@ -219,23 +221,23 @@ namespace auxfem
           moment_text(equations.layout().path, first.time, 4);
       }
 
-      /** What to do for struts that touch. */
+      /** Advice for touching struts. */
       const char *advice() const
       {
         if (equations.layout().path)
-          return "load it in steps with Analysis = simulation and Scheme = "
-                 "static.";
+          return "apply the load in steps with Analysis = simulation and "
+                 "Scheme = static.";
         return model.plan.simulated.large_rotation
-          ? "leave Effects/Contact at auto."
-          : "leave Effects/Large rotation and Effects/Contact at auto.";
+          ? "set Effects/Contact = auto."
+          : "set Effects/Large rotation and Effects/Contact to auto.";
       }
 
-      /** Largest motion of a joint (m), infinite if there was no search. Joints
-       * near each other move alike: against each other they move by no more.
-       * Collective. */
+      /** Largest motion of a joint since the last search (m); infinite without
+       * one. Neighbouring joints move alike, so it also bounds relative
+       * motions. Collective. */
       double motion_since_search(const Vector &displacement) const
       {
-        // Ranks may differ: one may have got ghosts.
+        // Ranks may differ, since only some gain ghosts.
         const bool is_known = searched.size() == displacement.size();
         if (equations.unknowns().layout.largest(is_known ? 0 : 1) > 0)
           return std::numeric_limits<double>::infinity();
@@ -244,7 +246,7 @@ namespace auxfem
         return largest_motion(model, motion).first;
       }
 
-      /** Adds the first of @p found that is not among those of @p before. */
+      /** Adds the first pair of @p found that is not in @p before. */
       static void add_new(const std::set<Pair> &found,
                           const std::set<Pair> &before,
                           const double          time,
@@ -255,7 +257,7 @@ namespace auxfem
             return pairs.add({1., time, pair.first, pair.second});
       }
 
-      /** Of the elastic struts of all ranks. Collective. */
+      /** Axes of the elastic struts of all ranks. Collective. */
       std::vector<Axis> axes_at(const Vector &displacement) const
       {
         std::vector<Axis> mine;
@@ -295,7 +297,7 @@ namespace auxfem
           }
       }
 
-      /** All that touch or cross, the same on all ranks. Collective. */
+      /** Touching and crossing pairs, equal on all ranks. Collective. */
       NearPairs pairs_at(const Vector &displacement) const
       {
         const std::vector<Axis>             axes = axes_at(displacement);
@@ -327,10 +329,11 @@ namespace auxfem
       const CrossingRule  rule;
       const double        motion_between_searches; ///< m
       const double        end_time;                ///< s
-      Vector              searched; ///< displacements (m); empty: none
-      /** Searched for when there is something to compare with it. */
+      Vector
+        searched; ///< displacements at the last search (m); empty without one
+      /** Pairs at rest; searched when first needed. */
       std::optional<NearPairs> at_rest;
-      /** A pair is the number and the group. */
+      /** Number and group are the two struts. */
       Occurrences &touched, &crossed;
     };
   } // namespace

@@ -14,50 +14,41 @@ namespace auxfem
 {
   namespace
   {
-    /**
-     * Part of the largest momentum that contact of few steps may pass on.
-     * @tuned judgement: struts that brush each other pass on less
-     */
+    /** Largest unresolved impulse of contact over the largest momentum.
+     * @tuned judgement: struts that brush each other transfer less */
     constexpr double doubtful_momentum = 2e-4;
 
-    /**
-     * Part of the impulse of all contact that contact of few steps may pass
-     * on.
-     * @tuned judgement: long contact decides what comes after it
-     */
+    /** Largest unresolved impulse over the impulse of all contact.
+     * @tuned judgement: long contact determines the later motion */
     constexpr double doubtful_share = 0.1;
 
-    /**
-     * Part of the momentum and of all impulses that contact of few steps may
-     * pass on, whatever else lasts.
-     * @tuned judgement
-     */
+    /** Largest unresolved impulse over the sum of momentum and all impulses.
+     * @tuned judgement */
     constexpr double doubtful_anyway = 0.02;
 
-    /** The mean of three steps over the largest force of one, below which steps
-     * do not resolve its peak: six steps of half a sine have 0.91. */
+    /** Ratio of the three-step mean to the peak force below which a peak is
+     * unresolved; a half sine over six steps has 0.91. */
     constexpr double resolved_peak = 0.9;
 
-    /** A strut, what it touches, and whether that is a plate. */
+    /** Strut, touched body, and whether that is a plate. */
     using TouchingPair = std::array<unsigned int, 3>;
 
-    /** Contact of a pair, as long as it lasts. */
+    /** An uninterrupted contact of a pair. */
     struct Impact
     {
       double       impulse = 0; ///< N s
       unsigned int n_steps = 0;
       double       begin   = 0; ///< end of its first step (s)
 
-      /** Part of the impulse that depends on the steps: contact in a single one
-       * has a force for as long as that is, longer contact is found to second
-       * order. */
+      /** Part of the impulse that depends on the step length (N s): all of it
+       * for a single step, of second order for longer contact. */
       double unresolved() const
       {
         return impulse / (double(n_steps) * n_steps);
       }
     };
 
-    /** The largest force on a plate in a step, and in the mean of three. */
+    /** Largest force on a plate in one step and averaged over three steps. */
     class ForcePeak
     {
     public:
@@ -75,7 +66,7 @@ namespace auxfem
         for (unsigned int i = 0; i < before.size(); i += 2)
           {
             impulse += before[i] * before[i + 1];
-            // There was no force before the first step.
+            // Before the first step there is no force.
             length += before[i + 1] > 0 ? before[i + 1] : dt;
           }
         largest.add(force, time);
@@ -92,15 +83,12 @@ namespace auxfem
       double        &largest_mean; ///< N
 
     private:
-      /** Force (N) and length (s) of each of the last two steps. */
+      /** Force (N) and length (s) of the last two steps. */
       std::vector<double> &before;
     };
 
-    /**
-     * Of contact that begins and ends within few steps. Its impulse, and so the
-     * motion after it, depends on the length of these. A peak of the force
-     * may depend on it where the impulse does not.
-     */
+    /** Detects contact shorter than a few steps, whose impulse depends on the
+     * step length. Also notes force peaks that the steps do not resolve. */
     class ImpactWatch : public Watch
     {
     public:
@@ -181,8 +169,7 @@ namespace auxfem
     private:
       std::vector<Finding> findings_on_impulse() const
       {
-        // The momentum of a body as heavy as all, with the largest kinetic
-        // energy.
+        // Momentum of the total mass at the largest kinetic energy.
         const double largest = std::sqrt(2 * mass * kinetic);
         const bool   counts  = unresolved > doubtful_momentum * largest &&
           unresolved > doubtful_share * impulse;
@@ -204,12 +191,12 @@ namespace auxfem
                    : touched_strut(largest_impact.number, largest_impact.group))
              << " for " << n_steps_of_largest
              << (n_steps_of_largest == 1 ? " step" : " steps")
-             << " only: the impulse, and what comes after it, depend on how "
-                "long steps are. Contact as short as that leaves open ";
+             << " only: the impulse and the later motion depend on the step "
+                "length. Such short contact leaves ";
         text.precision(2);
         text << percentage_text(unresolved / largest)
-             << " of the largest momentum; answers may err by ten times as "
-                "much. "
+             << " of the largest momentum uncertain; results may err by ten "
+                "times as much. "
              << advice();
         return {{Verdict::doubtful, text.str(), largest_impact.time, location}};
       }
@@ -219,13 +206,15 @@ namespace auxfem
         const ForcePeak   &peak = peaks[plate];
         std::ostringstream text;
         text.precision(3);
-        text << "The largest force on "
-             << touched_plate(equations.reporting().plates->name(plate)) << ", "
-             << peak.largest.value << " N at t = " << peak.largest.time
-             << " s, lasts for few steps: in the mean of three it is at most "
-             << peak.largest_mean
-             << " N. Shorter steps may find a higher peak: compare impulses, "
-                "or forces filtered over a time of several steps.";
+        text
+          << "The largest force on "
+          << touched_plate(equations.reporting().plates->name(plate)) << ", "
+          << peak.largest.value << " N at t = " << peak.largest.time
+          << " s, is not resolved by the steps: the mean over three steps is at "
+             "most "
+          << peak.largest_mean
+          << " N. Shorter steps may give a higher peak: compare impulses, or "
+             "forces averaged over several steps.";
         return {Verdict::sound, text.str(), peak.largest.time, ""};
       }
 
@@ -244,7 +233,7 @@ namespace auxfem
                             {point.force[0], point.force[1], point.force[2]}});
       }
 
-      /** At all points that touch. Collective. */
+      /** Contact forces of all ranks. Collective. */
       std::vector<ContactForce>
       all_forces(const State &state, const EvaluationResults &results) const
       {
@@ -285,14 +274,14 @@ namespace auxfem
           text << "Reduce Time/Relative tolerance.";
         else if (time.implicit_scheme().estimates_errors())
           text
-            << "Set Time/Relative tolerance = 5e-3: steps become as short as "
-               "the contact asks for, there alone.";
+            << "Set Time/Relative tolerance = 5e-3, which shortens steps only "
+               "during contact.";
         else
           text << "Shorten Time/Time step = " << time.step << " s.";
         return text.str();
       }
 
-      /** Of a contact in `ongoing`. */
+      /** Number of values per contact in `ongoing`. */
       static constexpr unsigned int n_values = 6;
 
       static unsigned int number(const double value)
@@ -305,12 +294,12 @@ namespace auxfem
       const double           mass;    ///< kg
       std::vector<ForcePeak> peaks;   ///< by plate
       double                &kinetic; ///< J
-      /** Of contact that has ended (N s). */
+      /** Sums over finished contacts (N s). */
       double &unresolved, &impulse;
       double &n_steps_of_largest;
-      /** By Impact::unresolved(); the same on all ranks. */
+      /** Sized by Impact::unresolved(); equal on all ranks. */
       Occurrences &plate_impacts, &strut_impacts;
-      /** Of each contact that lasts the pair and what an Impact has. */
+      /** Pair and Impact of each ongoing contact. */
       std::vector<double> &ongoing;
     };
   } // namespace

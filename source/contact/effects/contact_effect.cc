@@ -47,7 +47,7 @@ namespace auxfem
       return std::max(halves[0], halves[1]) > 0;
     }
 
-    /** Analyses that go from state to state without inertia to carry them. */
+    /** Whether the analysis follows contact from state to state. */
     bool follows_contact(const Analysis analysis)
     {
       return analysis != Analysis::static_path &&
@@ -68,7 +68,7 @@ namespace auxfem
         return {false, "no section has a thickness"};
       if (plan.effects.contact == Switch::automatic &&
           !follows_contact(plan.analysis))
-        return {false, "struts that touch are told"};
+        return {false, "touching struts are reported"};
       return {true, "struts may touch: forces where they are near"};
     }
   } // namespace

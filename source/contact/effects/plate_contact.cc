@@ -13,23 +13,24 @@ namespace auxfem
     using Vector3 = dealii::Tensor<1, 3>;
     using Tensor  = dealii::Tensor<2, 3>;
 
-    /** A point of a strut that touches a plate. */
+    /** A contact point of a strut on a plate. */
     struct PlateTouch : Touch
     {
       ContactQuadraturePoint point;
       unsigned int           plate; ///< in the order of the scene
       /** Shape functions of the axis' nodes at the point. */
       std::array<double, AxisCurve::max_degree + 1> shape = {};
-      /** From the point of reference of the plate (m). */
+      /** Position relative to the reference point of the plate (m). */
       Vector3 position = {};
-      /** Of the force on the strut: out of the plate. In a step between two
-       * states not quite of length 1. */
+      /** Direction of the force on the strut; for discrete gradients not
+       * exactly of unit length. */
       Vector3 normal = {};
-      /** By minus this the depth changes with the position. */
-      Vector3 now             = {};
-      Tensor  normal_gradient = {}; ///< of `normal`, by the position (1/m)
+      /** Negative gradient of the depth with respect to the position. */
+      Vector3 now = {};
+      Tensor  normal_gradient =
+        {}; ///< derivative of `normal` with respect to the position (1/m)
 
-      /** Of the plate on the strut (N). */
+      /** Force of the plate on the strut (N). */
       Vector3 whole_force() const
       {
         return force * normal + friction.force;
@@ -116,8 +117,8 @@ namespace auxfem
       {
         for (const PlateTouch &touch : points_of(results))
           {
-            // Depths are differences of positions, and where they are round-off
-            // themselves the stiffness is none that can be told.
+            // Depths are differences of positions; where they are round-off,
+            // the stiffness is uncertain.
             const double length = largest.displacement + touch.position.norm();
             const double slope  = law_at(touch).slope(
               touch.depth + std::numeric_limits<double>::epsilon() * length);
@@ -279,7 +280,7 @@ namespace auxfem
           motion_of_plate(touch.pair, values);
       }
 
-      /** Up to which depth the law of contact is a parabola (m). */
+      /** Depth up to which the contact law is quadratic (m). */
       double smoothing(const unsigned int axis) const
       {
         return parameters.smoothing * proximity.thickness(axis);
@@ -309,7 +310,7 @@ namespace auxfem
         return result;
       }
 
-      /** The axis of a pair from the point of reference of its plate. */
+      /** Axis of a pair relative to the reference point of its plate. */
       AxisCurve curve_at(const unsigned int pair,
                          const Vector      &displacement) const
       {
@@ -323,7 +324,7 @@ namespace auxfem
         return curve;
       }
 
-      /** Adds the points of a near pair that touch. */
+      /** Adds the contact points of a near pair. */
       void add_touching(const unsigned int       pair,
                         const Evaluation        &evaluation,
                         std::vector<PlateTouch> &points) const
@@ -347,8 +348,9 @@ namespace auxfem
             points.push_back(*touch);
       }
 
-      /** Contact of a point of a near pair, if it touches.
-       * @param curves at the end and, in a step between two states, the start */
+      /** Contact at a point of a near pair; empty if it does not touch.
+       * @param at_times curves at the end and, for discrete gradients, at the
+       *   start */
       std::optional<PlateTouch>
       contact_at(const Evaluation             &evaluation,
                  const RigidSurface           &surface,
@@ -401,8 +403,9 @@ namespace auxfem
         return touch;
       }
 
-      /** Calls @p add(unknown, component, share) for all unknowns of a point's
-       * pair: its motion against the plate is their sum times the share. */
+      /** Calls @p add(unknown, component, share) for all unknowns of the pair;
+       * the relative motion of the point is the sum of shares times
+       * unknowns. */
       template <class Add>
       void add_to_unknowns(const PlateTouch &touch, const Add &add) const
       {
@@ -417,7 +420,7 @@ namespace auxfem
           }
       }
 
-      /** Adds what a point adds to the tangent of its pair.
+      /** Adds the stiffness of a point to the block of its pair.
        * @param stiffness stiffness_of() the point */
       void add_block(const PlateTouch    &touch,
                      const Tensor        &stiffness,
@@ -435,8 +438,8 @@ namespace auxfem
           });
       }
 
-      /** Derivative of minus the force on the strut by its motion against the
-       * plate (N/m). */
+      /** Derivative of the negative force on the strut with respect to the
+       * relative motion (N/m). */
       Tensor stiffness_of(const PlateTouch &touch,
                           const double      by_position,
                           const double      by_velocity) const

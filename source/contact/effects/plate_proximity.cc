@@ -44,8 +44,8 @@ namespace auxfem
     const PlateSide              &side,
     const std::vector<AxisCurve> &curves) const
   {
-    // Exact on planes for struts of order 6: energy and tangent have three
-    // times its degree there.
+    // Exact on planes for struts of order 6, whose energy and tangent have
+    // three times the degree.
     static const dealii::QGauss<1>      rule(11);
     const ContactAxis                  &axis   = axes[a];
     const bool                          is_arc = is_rigid_arc(a);
@@ -171,7 +171,7 @@ namespace auxfem
 
   void PlateProximity::refuse_plates_in_struts() const
   {
-    // Those that touch at rest may do so by round-off.
+    // Touching at rest within round-off is allowed.
     for (const Plate &plate : all_plates)
       {
         const ContactAxis *deepest = nullptr;
@@ -256,9 +256,8 @@ namespace auxfem
       for (unsigned int c = 0; c < dimension; ++c)
         ends[end][c] +=
           displacement[owned_unknowns[pair.axis][end * dimension + c]];
-    // No point of a line is farther from the middle between its ends than half
-    // its length, here that at rest with 10 % of uneven stretch, or what the
-    // ends are apart.
+    // Every point lies within half the length of the midpoint of the ends; 10 %
+    // allow for uneven stretch.
     const double reach =
       0.55 * std::max(axis.length, (ends[1] - ends[0]).norm());
     const PlateDefinition &plate = *all_plates[pair.plate].definition;
@@ -307,8 +306,8 @@ namespace auxfem
   {
     if (!near_pairs.empty() || !last_search)
       return false;
-    // The gap of least_gap() changes by at most 3.1 times the largest motion
-    // of nodes and plates, and a relative motion is at most twice that.
+    // least_gap() changes by at most 3.1 times the largest motion of nodes and
+    // plates.
     constexpr double most = 4;
     const double     motion =
       largest_displacement(now, last_search->displacement) + further;
@@ -335,9 +334,8 @@ namespace auxfem
 
   std::vector<PlatePair> PlateProximity::find_near(const State &accepted)
   {
-    // What will come near in the next step counts too, and twice as much; what
-    // is near stays so until it is twice as far away, as the pattern of the
-    // tangent is made anew with each change.
+    // Two steps of lookahead and hysteresis keep pairs stable, since each
+    // change rebuilds the matrix pattern.
     constexpr double            lookahead = 2, hysteresis = 2;
     const std::optional<Vector> motion = motion_of_step(accepted);
     const std::vector<Vector3>  places = plate_values(accepted.displacement),
@@ -411,7 +409,7 @@ namespace auxfem
     for (unsigned int a = 0; a < axes.size(); ++a)
       if (axes[a].is_owned)
         for (unsigned int p = 0; p < all_plates.size(); ++p)
-          // Between its nodes an axis may move by more than they.
+          // Between its nodes an axis may move farther than they do.
           if (least_gap({a, p}, step.to.displacement, places[p]) <
               2 * largest_motion(a, increment, motions[p]))
             if (const auto found = excessive_penetration({a, p},
@@ -452,7 +450,7 @@ namespace auxfem
                                           ends[i],
                                           axis.half_thickness - allowed))
         {
-          // A part that is a point has no other parameter.
+          // A polygon of degree 0 is an end point, so i is its parameter.
           const double  parameter = starts[i].degree > 0 ? found->parameter : i;
           const Vector3 place =
             (1 - found->path_fraction) * from.at(parameter) +

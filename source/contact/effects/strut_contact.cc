@@ -39,7 +39,7 @@ namespace auxfem
             for (const unsigned int axis : coupled_pair.pair)
               {
                 if (first == coupled_pair.unknowns.end())
-                  break; // An axis with itself.
+                  break; // Self-contact lists the unknowns once.
                 const auto end = first + axes[axis].unknowns.size();
                 local_unknowns.try_emplace(axis, first, end);
                 first = end;
@@ -259,13 +259,13 @@ namespace auxfem
       {
         const double one   = axes[touch.axis].stiffness,
                      other = axes[touch.other].stiffness;
-        // The points of the other strut do the other half.
+        // The points of the other strut carry the other half.
         return {touch.weight / 2 * one * other / (one + other),
                 parameters.smoothing *
                   curves.thickness(touch.axis, touch.other)};
       }
 
-      /** Over the mean thickness of both. */
+      /** Relative to the mean thickness of both struts. */
       Penetration penetration(const StrutTouch &touch) const override
       {
         return {touch.depth / curves.thickness(touch.axis, touch.other),
@@ -300,7 +300,7 @@ namespace auxfem
                 coupled_pair.unknowns};
       }
 
-      /** A point that touches, without forces. */
+      /** A contact point without forces. */
       StrutTouch contact_without_force(const FacingStrut    &facing_strut,
                                        const NearestOfStrut &found,
                                        const unsigned int    point) const
@@ -316,7 +316,7 @@ namespace auxfem
                 found.point.is_inside};
       }
 
-      /** Adds the points that touch at an instant. */
+      /** Adds the contact points at an instant. */
       void add_instant_contacts(const FacingStrut       &facing_strut,
                                 const NearCurves        &now,
                                 const Evaluation        &evaluation,
@@ -344,7 +344,7 @@ namespace auxfem
           }
       }
 
-      /** Adds those that touch at an end of a step between two states. */
+      /** Adds the contact points with mean forces (discrete gradient). */
       void add_mean_contacts(const FacingStrut       &facing_strut,
                              const NearCurves        &before,
                              const NearCurves        &now,
@@ -373,8 +373,8 @@ namespace auxfem
             double gained = 0;
             for (const NearestOfStrut &nearest : {first, last})
               {
-                // The nearest points of both states may lie on two elements:
-                // then that of the end stands for both.
+                // If the nearest points lie on two elements, that of the end is
+                // used for both.
                 const double      parameter = nearest.target.axis == touch.other
                        ? nearest.point.parameter
                        : last.point.parameter;
@@ -394,7 +394,7 @@ namespace auxfem
           }
       }
 
-      /** Finds the friction at a point that has all else. */
+      /** Sets the friction at a point whose other members are set. */
       void add_friction(const Evaluation &evaluation, StrutTouch &touch) const
       {
         touch.friction =
@@ -409,7 +409,7 @@ namespace auxfem
       const StrutContactPoints points_of_axes;
       StrutProximity           proximity;
       std::vector<FacingStrut> facing;
-      /** Local unknowns of the axes among `coupled`. */
+      /** Local unknowns of the axes in `coupled`. */
       std::map<unsigned int, std::vector<int>> local_unknowns;
       unsigned int                             numerical_entry = 0;
     };

@@ -15,15 +15,15 @@ namespace auxfem
 {
   namespace
   {
-    /** Half the thickness of a strut (m): in the plane that in it, in space the
-     * smaller one. */
+    /** Half thickness (m): in the plane the one in it, in space the smaller
+     * one. */
     double half_thickness(const Section &section, const unsigned int dimension)
     {
       const auto &halves = section.half_thicknesses;
       return dimension == 2 ? halves[1] : std::min(halves[0], halves[1]);
     }
 
-    /** What sections are to contact, and what rigid struts are. */
+    /** Contact thickness and stiffness of sections and rigid struts. */
     class ContactSections
     {
     public:
@@ -37,7 +37,7 @@ namespace auxfem
             stiffest = std::max(stiffest, stiffness(section, h));
       }
 
-      /** Writes half the thickness and the stiffness. */
+      /** Sets half thickness and stiffness. */
       void set(ContactAxis &axis) const
       {
         const Strut &strut  = model.lattice.struts[axis.strut];
@@ -54,7 +54,7 @@ namespace auxfem
       }
 
     private:
-      /** Of the half of a strut between its axis and its face. */
+      /** Stiffness of the half strut between axis and face (N/m2). */
       double stiffness(const Section &section, const double h) const
       {
         return factor * section.axial_stiffness() / (2 * h * h);
@@ -65,9 +65,9 @@ namespace auxfem
       double              stiffest = 0;
     };
 
-    /** Of an element, or of a rigid strut as a whole; without what its section
-     * is to contact.
-     * @param unknowns room for those of its nodes */
+    /** Axis of an element or a rigid strut, without half thickness and
+     * stiffness.
+     * @param unknowns scratch storage */
     ContactAxis axis_of(const DofNumbering  &numbering,
                         const StrutInterval &element,
                         const unsigned int   order,
@@ -130,8 +130,8 @@ namespace auxfem
 
   namespace
   {
-    /** Coefficients of Lagrange polynomials through points of [0, 1], point
-     * after point. */
+    /** Monomial coefficients of the Lagrange polynomials on points of [0, 1],
+     * by point. */
     std::vector<double>
     lagrange_coefficients(const std::vector<dealii::Point<1>> &points)
     {
@@ -154,7 +154,7 @@ namespace auxfem
       return coefficients;
     }
 
-    /** Whether a point is as far from all curves as @p least (m). */
+    /** Whether a point is at least @p least (m) from all curves. */
     bool is_apart(const AxisCurve::Vector      &point,
                   const std::vector<AxisCurve> &curves,
                   const double                  least)
@@ -166,7 +166,7 @@ namespace auxfem
                          });
     }
 
-    /** The parameter between two where a curve comes apart from others. */
+    /** Parameter at which a curve leaves the range of others, by bisection. */
     double free_end(const AxisCurve              &curve,
                     const std::vector<AxisCurve> &others,
                     const double                  least,
@@ -332,7 +332,7 @@ namespace auxfem
           for (unsigned int k = 0; k < n; ++k)
             curve.coefficients[k][c] += basis.coefficients[node * n + k] * u;
         }
-    // Lines, as most are at the start of a run, are quickly dealt with.
+    // Lowering the degree speeds up straight axes, which are frequent.
     while (curve.degree > 1 &&
            curve.coefficients[curve.degree] == AxisCurve::Vector())
       --curve.degree;
@@ -363,7 +363,7 @@ namespace auxfem
   StrutCurves::common_nodes(const unsigned int one,
                             const unsigned int other) const
   {
-    // Nodes at the ends are the first ones.
+    // FE_Q lists the end nodes first.
     const unsigned int      dimension = model.lattice.dimension;
     std::vector<CommonNode> nodes;
     for (unsigned int i = 0; i < 2; ++i)
@@ -376,7 +376,7 @@ namespace auxfem
 
   void StrutCurves::find_connected()
   {
-    // By the first unknown of a node.
+    // Nodes are identified by their first unknown.
     const unsigned int dimension = model.lattice.dimension;
     const auto node = [&](const ContactAxis &axis, const unsigned int end) {
       return axis.unknowns[end * dimension];

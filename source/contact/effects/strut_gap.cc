@@ -16,7 +16,7 @@ namespace auxfem
 {
   namespace
   {
-    /** A part of a curve, seen as the line between its ends. */
+    /** A part of a curve, approximated by its chord. */
     struct CurvePart
     {
       CurvePart(const AxisCurve &curve, const double begin, const double end)
@@ -49,8 +49,8 @@ namespace auxfem
       double           away = 0; ///< of the curve from the chord, at most (m)
     };
 
-    /** Lowers @p least to the distance of two parts of curves (m), or to less by
-     * at most @p tolerance. */
+    /** Lowers @p least to a lower bound of the distance of two curve parts (m),
+     * within @p tolerance. */
     void lower_to_distance(const CurvePart &one,
                            const CurvePart &other,
                            const double     tolerance,
@@ -60,7 +60,7 @@ namespace auxfem
                    bound = distance(one.chord, other.chord) - away;
       if (bound >= least)
         return;
-      // What is far is known well enough.
+      // Distant parts need no further subdivision.
       if (away <= std::max(tolerance, 0.05 * bound))
         {
           least = bound;
@@ -74,8 +74,8 @@ namespace auxfem
           lower_to_distance(one, half, tolerance, least);
     }
 
-    /** The least cosine of the angle between the tangents of two elements of a
-     * strut and the line between the ends of both. */
+    /** Smallest cosine between the tangents of two elements of a strut and
+     * their common chord. */
     double least_lean_cosine(const AxisCurve &one, const AxisCurve &other)
     {
       const AxisCurve::Vector chord = other.at(1) - one.at(0);
@@ -92,12 +92,12 @@ namespace auxfem
       return least;
     }
 
-    /** By how much the tangents of elements of a strut may turn each (rad). */
+    /** Rotation margin of two elements of one strut (rad). */
     double rotation_margin_within_strut(const AxisCurve &one,
                                         const AxisCurve &other,
                                         const double     least)
     {
-      // The line between the ends turns with the tangents.
+      // The chord rotates with the tangents.
       constexpr double safety = 2;
       const double     lean =
                      std::acos(std::max(-1., least_lean_cosine(one, other))),
@@ -106,16 +106,15 @@ namespace auxfem
       return std::max((most - lean) / safety, 0.);
     }
 
-    /** Of turning until axes with a common node come near each other. */
+    /** Safety factor of the rotation at which connected axes become near. */
     constexpr double rotation_safety_factor = 1.5;
 
     using Curves = std::array<AxisCurve, 2>;
 
-    /** By how much a point of a curve moves against one of the other at most
-     * (m). */
+    /** Upper bound of the relative motion of points of two curves (m). */
     double relative_motion(const Curves &from, const Curves &to)
     {
-      // All that both have in common is no motion against each other.
+      // Common motion is no relative motion.
       AxisCurve::Vector common;
       for (unsigned int i = 0; i < 2; ++i)
         common += (to[i].at(0.5) - from[i].at(0.5)) / 2;
@@ -136,7 +135,7 @@ namespace auxfem
       return sum;
     }
 
-    /** The curve at a @p part of the way from one to another. */
+    /** Curve at a fraction @p part of the path. */
     AxisCurve
     between(const AxisCurve &from, const AxisCurve &to, const double part)
     {
@@ -176,7 +175,7 @@ namespace auxfem
                                       const AxisCurve &one,
                                       const AxisCurve &other) const
   {
-    // Of what is allowed to a pair that is near this is little.
+    // Small against the allowed penetration of a near pair.
     constexpr double digits    = 0.02;
     const double     thickness = curves.thickness(pair[0], pair[1]);
     double           least     = std::numeric_limits<double>::infinity();
@@ -197,13 +196,13 @@ namespace auxfem
     const double thickness = curves.thickness(pair[0], pair[1]);
     if (pair[1] > pair[0] + 1)
       {
-        // Elements with others between them are mostly far apart as a whole.
+        // Separated elements are usually far apart as a whole.
         const double apart = distance(one, other, thickness);
         if (apart > 2 * thickness)
           return apart - thickness;
       }
-    // Where the tangents of a strut lean so little, its points are apart by the
-    // cosine of what there is of it between them.
+    // For small inclinations the distance of points is at least the cosine
+    // times their arc length.
     else if (const double apart =
                least_lean_cosine(one, other) * dealii::numbers::PI;
              apart > 1)
@@ -284,8 +283,8 @@ namespace auxfem
             const AxisCurve::Vector line = curves.at_rest(pair[i]).tangent(0);
             lines[i] = (node.end[i] > 0 ? -1. : 1.) / line.norm() * line;
           }
-        // Of two points that are nearest to each other, over their way along
-        // the lines.
+        // Distance of mutually nearest points over their arc length to the
+        // node.
         const double cosine   = std::max(lines[0] * lines[1], 0.),
                      distance = std::sqrt((1 - cosine) / (1 + cosine));
         margin =
@@ -308,11 +307,11 @@ namespace auxfem
     double                 margin  = (*this)(pair, to[0], to[1]) - least;
     if (margin < 0)
       return true;
-    // More than gaps are off, so that what stays where it was accepted is not
-    // taken for something that comes below.
+    // Larger than the error of gaps, so an accepted position is not reported
+    // again.
     const double slack = digits * curves.thickness(pair[0], pair[1]);
-    // From the end back to the start, which was accepted: no more of a gap can
-    // be lost on a part of the way than there is motion in it.
+    // Conservative advancement from the end to the accepted start: a gap
+    // shrinks by no more than the relative motion.
     double part = 1;
     for (unsigned int i = 0; i < max_checks; ++i)
       {
@@ -323,17 +322,18 @@ namespace auxfem
                          between(from[0], to[0], part),
                          between(from[1], to[1], part)) -
           least;
-        // What is looked for is come to from above and never quite reached.
+        // The iteration approaches the limit from above and never reaches it.
         if (margin <= -slack / 2)
           return true;
       }
-    // Axes that hang together stay near however far they move.
+    // Connected axes stay near for any motion.
     return !curves.are_neighbours(pair[0], pair[1]);
   }
 
   namespace
   {
-    /** Those of a part and behind it that meet the box around the part. */
+    /** Boxes from the part onwards that intersect the bounding box of the
+     * part. */
     std::vector<unsigned int>
     boxes_near(const std::vector<dealii::BoundingBox<3>> &boxes,
                const std::array<std::size_t, 2>          &part)
@@ -372,7 +372,7 @@ namespace auxfem
 
   dealii::BoundingBox<3> box_around(const AxisCurve &curve, const double margin)
   {
-    // Around lines along the curve, which it is away from by so much about.
+    // Box of chords, extended by the deviation of the curve from them.
     const unsigned int n    = curve.degree == 1 ? 1 : curve.degree + 1;
     double             away = 0;
     dealii::Point<3>   before(curve.at(0)), least = before, most = before;
@@ -400,10 +400,11 @@ namespace auxfem
                                           const std::vector<AxisPair> &near,
                                           const UnknownLayout         &layout)
   {
-    // By more than this, of half the sum of the thicknesses, they pass.
+    // Struts closer than this, over half the sum of their thicknesses, pass
+    // each other.
     constexpr double passing = 0.5, digits = 0.01;
 
-    // Over the thickness.
+    // Distances over the thickness.
     const std::vector<double> distances =
       shared_results(near.size(), layout, [&](const std::size_t i) {
         const auto [a, b] = near[i];

@@ -9,14 +9,12 @@ namespace auxfem
 {
   namespace
   {
-    /**
-     * Searches within which a pair that comes nearer touches if it counts as
-     * near.
-     * @tuned judgement
-     */
+    /** Number of checks within which an approaching pair would touch to count
+     * as near.
+     * @tuned judgement */
     constexpr double n_lookahead_checks = 4;
 
-    /** By how much more than its nodes a point of an axis may move. */
+    /** Largest motion of a point of an axis over that of its nodes. */
     constexpr double motion_safety_factor = 2;
   } // namespace
 
@@ -130,7 +128,7 @@ namespace auxfem
                                       const std::vector<double> &u,
                                       const double               least) const
   {
-    // The motion of its nodes tells what need not be checked_displacements at.
+    // Nodal motion excludes most pairs without computing a second gap.
     if (gap <= least)
       return true;
     return gap <= least +
@@ -218,8 +216,8 @@ namespace auxfem
     candidate_pairs.clear();
     for (const AxisPair &pair : pairs)
       candidate_pairs.push_back({pair, 0., false});
-    // What is not among them is more than the search_distance apart, and comes
-    // nearer by twice of what the nodes travel; a quarter is left for one step.
+    // Other pairs are farther apart than the search distance and approach by
+    // twice the nodal motion; a quarter remains for one step.
     list_update_due = total_motion + 3 * search_distance / 8;
   }
 
@@ -252,7 +250,7 @@ namespace auxfem
 
   double StrutProximity::unchecked_motion() const
   {
-    // Pairs that are not near may lose nine tenths of what is left by it.
+    // Pairs that are not near may lose nine tenths of their gap.
     return 0.9 * near_gap_fraction * thinnest / 2;
   }
 
@@ -291,7 +289,7 @@ namespace auxfem
   {
     if (!(thickest > 0))
       return 0;
-    // At first that is at rest.
+    // Before the first check the reference is the state at rest.
     return checked_displacements.empty()
       ? motion(std::vector<double>(u.size(), 0.), u)
       : motion(checked_displacements, u);
@@ -351,14 +349,14 @@ namespace auxfem
                                            const double               allowed,
                                            const double               way) const
   {
-    // Without a state to start from nothing is known.
+    // Nothing is known before the first check.
     if (!(thickest > 0) || checked_displacements.empty())
       return {};
     for (std::size_t i = 0; i < near_pairs.size(); ++i)
       {
         const AxisPair &pair  = near_pairs[i];
         const double    least = -allowed * curves.thickness(pair[0], pair[1]);
-        // No distance changes by more than nodes move against each other.
+        // A distance changes by at most the relative motion of nodes.
         if (near_gaps[i] - least < motion_safety_factor *
                 std::max(relative_motion(pair, checked_displacements, from),
                          relative_motion(pair, checked_displacements, to)) &&

@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <array>
 
-// Pairs of struts with a common node: they come near each other by
-// axis_rotation.
+// Pairs of axes with a common node, which approach each other by rotation.
 
 namespace auxfem
 {
@@ -26,7 +25,7 @@ namespace auxfem
 
   double StrutProximity::compute_allowed_rotation(const unsigned int axis) const
   {
-    // Pairs that are near need not be looked at to know when they touch.
+    // Near pairs are checked anyway, so a larger rotation is allowed.
     constexpr double least_of_near = 0.01;
     double           least         = dealii::numbers::PI;
     for (const unsigned int i : connected_of_axis[axis])
@@ -42,7 +41,7 @@ namespace auxfem
 
   void StrutProximity::invalidate_rotations()
   {
-    // So little that every axis has turned by it.
+    // A zero allowance makes every axis due.
     allowed_rotation.assign(allowed_rotation.size(), 0.);
     for (const AxisPair &pair : curves.connected())
       for (const unsigned int axis : pair)

@@ -42,10 +42,8 @@ namespace auxfem
 
   unsigned int StrutContactPoints::n_points(const unsigned int axis) const
   {
-    /**
-     * Distance of contact points in space over half a thickness.
-     * @tuned judgement: crossing struts touch along less than a thickness
-     */
+    /** Spacing of contact points in space over half a thickness.
+     * @tuned judgement: crossing struts touch along less than a thickness */
     constexpr double       spacing_in_space = 0.25;
     constexpr unsigned int most             = 10000;
     const double           h = curves.list()[axis].half_thickness > 0
@@ -99,8 +97,7 @@ namespace auxfem
                                     const unsigned int          end,
                                     std::vector<TouchingPoint> &points) const
   {
-    // Distances change by no more than the way along the axis, here with 10 %
-    // of stretch.
+    // Distances change by at most the arc length; 10 % allow for stretch.
     constexpr double     stretch = 1.1;
     const unsigned int   middle  = (begin + end) / 2;
     const double         at      = parameter(facing.axis, middle);
@@ -299,7 +296,7 @@ namespace auxfem
       }
     if (!touch.is_inside)
       return;
-    // The nearest point moves along the other axis.
+    // The nearest point slides along the other axis.
     const std::vector<double>  nearest_gradient = nearest_change(other);
     const dealii::Tensor<1, 3> tangent          = other.tangent(at);
     add_product(by_position * touch.force *
@@ -360,7 +357,7 @@ namespace auxfem
                                 return difference_slope(u);
                               }) -
            across * other.tangent(last.parameter));
-        // The point that the force acts on moves too.
+        // The point of application moves too.
         add_product(factors.stiffness,
                     tangent_gradient(touch.friction.force),
                     nearest_gradient,
