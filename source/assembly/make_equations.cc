@@ -10,7 +10,7 @@
 #include <auxfem/rigid/effects/rigid_part_group.h>
 #include <auxfem/struts/effects/struts.h>
 
-// Which effects a scene calls for.
+// Creates the effects of a scene.
 
 namespace auxfem
 {
@@ -78,18 +78,18 @@ namespace auxfem
   {
     const TimeParameters &time   = structure.plan.time;
     const ImplicitScheme &scheme = time.implicit_scheme();
-    // A rank without parts has constraints all the same.
+    // Constraint effects exist even on ranks without parts.
     if (time.relative_tolerance && scheme.stages() != nullptr &&
         !reporting_effects.constraints.empty())
       throw InputError(
-        "Time/Relative tolerance: the error of Time/Scheme = " + scheme.name() +
-        " is not known where parts are rigid or hinges revolute. Set it to none, or "
-        "choose newmark, hht or generalized-alpha.");
+        "Time/Relative tolerance: Time/Scheme = " + scheme.name() +
+        " has no error estimate with rigid parts or revolute hinges. Set it to "
+        "none, or choose newmark, hht or generalized-alpha.");
   }
 
   void Equations::enter_energies()
   {
-    // The ledger is that of all ranks, of which some may lack an effect.
+    // All ranks need the same ledger, though some may lack an effect.
     if (structure.plan.simulated.inertia)
       {
         state_layout.energies.enter(kinetic_energy_entry());
@@ -125,8 +125,8 @@ namespace auxfem
       }
     if (auto springs = make_rotational_springs(structure))
       effects.push_back(std::move(springs));
-    if (auto holds = make_spin_holds(structure))
-      effects.push_back(std::move(holds));
+    if (auto spin_holds = make_spin_holds(structure))
+      effects.push_back(std::move(spin_holds));
 
     const Scene &scene = structure.plan.scene;
     for (unsigned int group = 0; group < scene.connectors.size(); ++group)
@@ -158,7 +158,7 @@ namespace auxfem
         reporting_effects.plates_effect = effects.size();
         effects.push_back(std::move(contact));
       }
-    // Struts that turn little do not come near each other.
+    // With small rotations struts do not approach each other.
     if (structure.plan.simulated.large_rotation &&
         !scene.lattice.struts_may_cross)
       {

@@ -17,7 +17,7 @@ namespace auxfem
       return result;
     }
 
-    /** Increment over @p dt. */
+    /** Difference quotient over @p dt. */
     Vector rate_of(const Vector &before, const Vector &now, const double dt)
     {
       Vector result(now);
@@ -66,8 +66,8 @@ namespace auxfem
 
   bool may_have_excess(const Evaluation &step)
   {
-    // Mean forces go with means of the motion, large turns in the plane by
-    // Cayley's measure.
+    // Discrete gradients use mean rates, and the Cayley measure of rotations in
+    // the plane.
     if (step.kind == Evaluation::Kind::discrete_gradient)
       return true;
     const double  per_dt = 1 / step.dt;

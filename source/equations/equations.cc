@@ -35,14 +35,14 @@ namespace auxfem
 
     bool are_finite(const double *values, const std::size_t n)
     {
-      // Without a way out on the way, several are looked at at a time.
+      // Without an early exit the loop is vectorised.
       bool all = true;
       for (std::size_t i = 0; i < n; ++i)
         all &= std::isfinite(values[i]);
       return all;
     }
 
-    /** On every rank, the words of the lowest rank that has some. */
+    /** Text of the lowest rank with a nonempty one, on every rank. */
     std::string text_of_lowest_rank(const UnknownLayout &layout,
                                     const std::string   &mine)
     {
@@ -55,10 +55,8 @@ namespace auxfem
         : "";
     }
 
-    /**
-     * Multipliers have no inertia: their rates, by-products of the time scheme,
-     * must not enter its next prediction.
-     */
+    /** Clears the rates of multipliers, which are by-products of the time
+     * scheme and must not enter its predictor. */
     void clear_multiplier_rates(const DofNumbering &numbering, State &state)
     {
       for (const int multiplier : numbering.constraints().multipliers())
@@ -72,7 +70,7 @@ namespace auxfem
 
   bool Equations::is_linear() const
   {
-    // Turns in a step are measured by a nonlinear function.
+    // The Cayley measure of rotations is nonlinear.
     return state_layout.plane_rotations.empty() &&
       state_layout.space_rotations.empty() &&
       std::all_of(effects.begin(), effects.end(), [](const auto &effect) {
@@ -139,15 +137,15 @@ namespace auxfem
                  moments = std::max(all[1], all[3]);
     results.force_scale =
       std::sqrt(std::max(forces, moments / (length * length)));
-    // std::max drops a NaN in its second place.
+    // std::max drops a NaN in its second argument.
     if (!are_finite(all.data(), all.size()))
       results.force_scale = std::numeric_limits<double>::quiet_NaN();
   }
 
   void Equations::update_ghosts(State &state) const
   {
-    // Supports prescribe motions where they have known of unknowns from the
-    // start.
+    // Supports prescribe only unknowns known from the start, so additional
+    // ghosts need an update.
     if (!with_ghosts)
       return;
     unknowns().layout.update_ghosts(state.displacement.data());
@@ -291,28 +289,20 @@ namespace auxfem
 
   bool Equations::update_couplings(State &accepted)
   {
-    bool             changed = false;
-    std::vector<int> required_unknowns;
-    for (const auto &[effect, couplings] : changing_couplings)
-      changed =
-        couplings->update_couplings(accepted, required_unknowns) || changed;
-    return couple(changed, required_unknowns, accepted);
+    return update_pattern(&ChangingCouplings::update_couplings, accepted);
   }
 
   bool Equations::restart_couplings(State &accepted)
   {
+    return update_pattern(&ChangingCouplings::restart_couplings, accepted);
+  }
+
+  bool Equations::update_pattern(const CouplingUpdate update, State &accepted)
+  {
     bool             changed = false;
     std::vector<int> required_unknowns;
     for (const auto &[effect, couplings] : changing_couplings)
-      changed =
-        couplings->restart_couplings(accepted, required_unknowns) || changed;
-    return couple(changed, required_unknowns, accepted);
-  }
-
-  bool Equations::couple(const bool              changed,
-                         const std::vector<int> &required_unknowns,
-                         State                  &accepted)
-  {
+      changed = (couplings->*update)(accepted, required_unknowns) || changed;
     if (unknowns().layout.largest(changed || !required_unknowns.empty()) == 0)
       return false;
     auto       more = std::make_unique<Unknowns>(unknowns());
@@ -331,7 +321,7 @@ namespace auxfem
                                    const EvaluationResults &results,
                                    double                  *forces) const
   {
-    // Inertia balances the others.
+    // Loads are bounded by their sum; inertia balances the other forces.
     Vector loads(unknowns().layout.n_local(), 0.);
     for (unsigned int i = n_balanced; i < effects.size(); ++i)
       effects[i]->add_residual(evaluation,
@@ -361,7 +351,7 @@ namespace auxfem
                                         results.effect_caches[i].get(),
                                         largest,
                                         sizes.data());
-    // A row sums a few roundings of a few products each.
+    // A row sums a few products with a few roundings each.
     const double safety = 4;
     for (double &size : sizes)
       size *= safety * std::numeric_limits<double>::epsilon() *
@@ -441,7 +431,7 @@ namespace auxfem
     double              length = model.mean_strut_length;
     for (const Constraints *constraint : constraints)
       length = std::max(length, constraint->length());
-    // Parts lie on some ranks only, and all must decide alike.
+    // Only some ranks have constraints, but all must decide alike.
     const double longest = model.numbering.layout().largest(length);
     // A constraint sums a few products of displacements and lengths.
     const double safety = 16;
@@ -487,8 +477,8 @@ namespace auxfem
   std::string worst_unknown(const LatticeModel &model, const State &state)
   {
     std::vector<double> sizes(model.numbering.layout().n_owned(), 0.);
-    const auto measure = [&](const std::vector<int> &of, const double unit) {
-      for (const int row : of)
+    const auto measure = [&](const std::vector<int> &rows, const double unit) {
+      for (const int row : rows)
         {
           const double size = std::abs(state.residual[row]) / unit;
           sizes[row] =

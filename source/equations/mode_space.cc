@@ -8,7 +8,7 @@ namespace auxfem
 {
   namespace
   {
-    /** Numbers between -1 and 1, the same on any number of ranks. */
+    /** Random numbers between -1 and 1, independent of the number of ranks. */
     Vector random_mode(const UnknownLayout &layout)
     {
       Vector       mode(layout.n_local());
@@ -62,7 +62,7 @@ namespace auxfem
   {
     constexpr unsigned int n_frequency_iterations = 8;
 
-    /** x . A x over all ranks. */
+    /** x.A x over all ranks. */
     double quadratic_form(const TangentMatrix &matrix,
                           const Vector        &x,
                           const UnknownLayout &layout)
@@ -186,7 +186,7 @@ namespace auxfem
   std::optional<int> ModeSpace::determinant_sign() const
   {
     std::optional<int> sign = solver.linear_solver().determinant_sign();
-    // Each constraint makes one negative eigenvalue.
+    // Each constraint adds one negative eigenvalue.
     if (sign && solver.model().numbering.constraints().n_multipliers() % 2 != 0)
       *sign *= -1;
     return sign;
@@ -242,7 +242,7 @@ namespace auxfem
   CountLimit limit_below_last(const std::vector<double> &values,
                               const double               lowest)
   {
-    // Closer values may change their order on finer elements.
+    // Closer values may swap on finer elements.
     constexpr double equal = 1e-3, beside = 1e-2;
     for (std::size_t i = values.size(); i-- > 0;)
       {
@@ -257,7 +257,7 @@ namespace auxfem
   {
     using Columns = std::vector<std::vector<double>>;
 
-    /** a.b of all pairs, made symmetric. */
+    /** Symmetrised products a.b of all pairs. */
     dealii::FullMatrix<double>
     products(const UnknownLayout &layout, const Columns &a, const Columns &b)
     {

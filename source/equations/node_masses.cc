@@ -7,7 +7,7 @@ namespace auxfem
 {
   namespace
   {
-    /** kg */
+    /** Mass of element @p e (kg). */
     double element_mass(const LatticeModel &model, const unsigned int e)
     {
       const StrutInterval &interval = model.numbering.elements()[e].interval;

@@ -19,8 +19,8 @@ namespace auxfem
   void NodeRotations::rotate(const Evaluation &evaluation,
                              Vector           &increment) const
   {
-    // Of a tiny spin the difference of two rotation vectors would keep no
-    // digits, and divided by dt^2 these matter; the square of it is round-off.
+    // For a tiny spin the difference of two rotation vectors loses all digits,
+    // which division by dt^2 would amplify; the quadratic terms are round-off.
     for (unsigned int i = 0; i < evaluation.to.rotations.size(); ++i)
       {
         const SpaceVector spin     = values(increment, i);

@@ -42,8 +42,8 @@ namespace auxfem
   {
     const Stopwatch watch(work.wall.factorize);
     ++work.factorizations;
-    // Few factorizations serve long: they may depend on their matrix alone, so
-    // that restart() can keep them.
+    // A factorization of linear equations must depend on its matrix alone, so
+    // restart() can keep it.
     if (equation_system.is_linear())
       solver.forget_pivots();
     const FactorizationOutcome outcome = solver.factorize(exactness);

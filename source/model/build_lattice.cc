@@ -21,11 +21,12 @@ namespace auxfem
 {
   namespace
   {
-    /** Unknowns from which the size is told: set-up takes a second then. */
+    /** Number of unknowns from which the size is reported, about a second of
+     * set-up. */
     constexpr double many_unknowns = 2e5;
 
-    /** Memory at its peak (bytes): of the program itself, and over unknowns of
-     * runs of 50 x 50 and of 8 x 8 x 8 star cells with elements of order 3. */
+    /** Peak memory (bytes): program and per unknown, from star lattices with
+     * elements of order 3. */
     constexpr double bytes_of_program           = 1.5e8,
                      bytes_per_unknown_in_plane = 1700,
                      bytes_per_unknown_in_space = 2400;
@@ -44,9 +45,9 @@ namespace auxfem
       return {double(lattice.joints.size()), double(lattice.struts.size())};
     }
 
-    /** Counts of arrays of @p n_cells cells. As cells share joints and struts
-     * with their neighbours alone, they are linear in the number of cells along
-     * each of the directions, from @p direction on. */
+    /** Counts of an array of @p n_cells cells, extrapolated from @p direction
+     * on. Cells share parts with neighbours only, so counts are linear in the
+     * number of cells along each direction. */
     LatticeCounts continued_counts(const UnitCell             &cell,
                                    std::array<unsigned int, 3> n_cells,
                                    const unsigned int          direction = 0)
@@ -56,7 +57,7 @@ namespace auxfem
       const unsigned int n    = n_cells[direction];
       n_cells[direction]      = 1;
       const LatticeCounts one = continued_counts(cell, n_cells, direction + 1);
-      // make_array() refuses to repeat a cell without period.
+      // make_array() rejects repeating a cell without period.
       if (n == 1 || cell.period[direction] <= 0)
         return one;
       n_cells[direction]      = 2;
@@ -71,7 +72,7 @@ namespace auxfem
       return double(sysconf(_SC_PHYS_PAGES)) * sysconf(_SC_PAGESIZE);
     }
 
-    /** A number with three digits, or a whole one. */
+    /** Text of a number: three digits, integers in full. */
     std::string number(const double value)
     {
       std::ostringstream text;
@@ -111,30 +112,30 @@ namespace auxfem
       throw InputError("Lattice: it would have " + counts +
                        ", more than can be numbered.\nAllowed are " +
                        number(std::numeric_limits<unsigned int>::max()) +
-                       " unknowns. Take fewer cells.");
+                       " unknowns. Use fewer cells.");
     if (size.unknowns < many_unknowns)
       return "";
     constexpr double gigabyte = 1e9;
-    return "A large lattice is set up: " + counts + ". This takes about " +
+    return "Large lattice: " + counts + ". It needs about " +
       number(std::round(10 * size.memory / gigabyte) / 10) + " GB of the " +
       number(std::round(memory_of_machine() / gigabyte)) +
-      " GB that this machine has" +
-      (scene.discretization.tolerance ? ", more where the run refines elements"
+      " GB of memory of this machine" +
+      (scene.discretization.tolerance ? ", more if the run refines elements"
                                       : "") +
       (size.memory > memory_of_machine()
-         ? ", so it will probably fail. Take fewer cells, or several machines "
-           "by mpirun."
+         ? ", so it will probably fail. Use fewer cells, or several machines "
+           "with mpirun."
          : ".");
   }
 
   namespace
   {
-    /** @param path of what gives a set this name. */
+    /** @param path of the parameter that names the set */
     void check_name(const std::string &name,
                     const std::string &path,
                     const Lattice     &lattice)
     {
-      // Else a selection could not tell the name from a list or a condition.
+      // Selections must distinguish names from lists and conditions.
       const bool starts_well =
         !name.empty() && std::isalpha(static_cast<unsigned char>(name[0]));
       const bool is_plain =
@@ -221,17 +222,17 @@ namespace auxfem
       const auto has_none = [](const Strut &strut) {
         return strut.section == invalid_index && !strut.is_rigid();
       };
-      const auto n_bare =
+      const auto n_missing =
         std::count_if(lattice.struts.begin(), lattice.struts.end(), has_none);
-      if (n_bare == 0)
+      if (n_missing == 0)
         return;
       const auto first =
         std::find_if(lattice.struts.begin(), lattice.struts.end(), has_none) -
         lattice.struts.begin();
       throw InputError(
         "Sections: " + describe(first, lattice, dimension) +
-        (n_bare > 1 ? " and " + std::to_string(n_bare - 1) + " more have"
-                    : " has") +
+        (n_missing > 1 ? " and " + std::to_string(n_missing - 1) + " more have"
+                       : " has") +
         " no section. Add a section whose struts include them (\"all\" means "
         "every strut), or make them Rigid parts.");
     }
@@ -244,9 +245,10 @@ namespace auxfem
       lattice.joints.push_back(plate.position);
       ++lattice.n_plates;
     }
-    /** @param disturb_if_asked gives the designed lattice its imperfections */
+
+    /** @param add_imperfections adds imperfections to the designed lattice */
     template <class Disturb>
-    Lattice build(const Scene &scene, const Disturb &disturb_if_asked)
+    Lattice build(const Scene &scene, const Disturb &add_imperfections)
     {
       Lattice lattice =
         make_array(scene.lattice.cell->build(), scene.lattice.n_cells);
@@ -254,7 +256,7 @@ namespace auxfem
       for (const auto &definition : scene.sets)
         add_set(definition, scene.context, lattice);
       assign_sections(scene, lattice);
-      disturb_if_asked(lattice);
+      add_imperfections(lattice);
       make_rigid_parts(scene, lattice);
       check_sections(lattice, scene.context.dimension);
       for (const PlateDefinition &plate : scene.plates)
@@ -286,7 +288,7 @@ namespace auxfem
                     GeometryOffsets              &offsets)
     {
       GeometryOffsets added(lattice);
-      // The same numbers whatever the standard library.
+      // Boost gives the same numbers with any standard library.
       boost::random::mt19937                     generator(definition.seed);
       boost::random::normal_distribution<double> distances(
         0.,

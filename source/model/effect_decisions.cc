@@ -12,7 +12,7 @@ namespace auxfem
       return part_text(measure.change) + " of " + measure.of;
     }
 
-    /** Settles `auto` by what has been measured. */
+    /** Decides `auto` from the estimated contribution. */
     void decide_by_measure(const std::string &retention_reason,
                            const double       tolerance,
                            EffectDecision    &decision)
@@ -51,7 +51,7 @@ namespace auxfem
       return decision;
     }
 
-    /** What is there or not, and cannot be switched. */
+    /** Rigid parts cannot be switched; they are reported only. */
     EffectDecision rigid_parts_decision(const RunPlan &plan)
     {
       const bool has_parts = !plan.scene.rigid_parts.empty();

@@ -16,10 +16,9 @@ namespace auxfem
         first.push_back(first.back() + division.n_inner_nodes() + 2);
       return first;
     }
-    /**
-     * Place of a node among the inner nodes of its strut as they are numbered:
-     * of each element the end it shares with the next one, then its own.
-     */
+
+    /** Position of a node in the numbering of inner nodes of its strut: per
+     * element first the end shared with the next element, then inner nodes. */
     unsigned int place_among_inner(const StrutInterval &element,
                                    const unsigned int   order,
                                    const unsigned int   node)
@@ -41,8 +40,8 @@ namespace auxfem
     , first_inner(lattice.struts.size(), -1)
     , components(components)
   {
-    // Numbers are first counted apart for each rank (the rank whose strut
-    // touches the unknown first owns it), then shifted to rank ranges.
+    // Each rank first counts its own numbers; the first strut at an unknown
+    // decides the owner. Then the numbers are shifted to rank ranges.
     UnknownDistribution distribution(lattice, ties, n_ranks);
     for (unsigned int s = 0; s < lattice.struts.size(); ++s)
       {

@@ -23,7 +23,7 @@ namespace auxfem
         {velocity[first], velocity[first + 1], velocity[first + 2]});
     }
 
-    /** Share of the spin about @p axis, a unit vector. */
+    /** Component of the spin along the unit vector @p axis. */
     SpaceVector along(const SpaceVector &axis, const SpaceVector &spin)
     {
       return (axis * spin) * axis;
@@ -41,7 +41,7 @@ namespace auxfem
     const std::array<SpaceVector, 2> spins = {
       {part(ends[0].velocity, first_rotation),
        part(ends[1].velocity, first_rotation)}};
-    // Where one end is free to twist, all of the strut follows the other.
+    // If one end is free to twist, the strut follows the other end.
     const SpaceVector about_axis = ends[0].is_released == ends[1].is_released
       ? (spins[0] + spins[1]) / 2.
       : spins[ends[0].is_released ? 1 : 0];
@@ -55,7 +55,7 @@ namespace auxfem
           twist[i]                  = along(axis, against);
           bending[i]                = against - twist[i];
         }
-    // No moment at an end that is free: the slope of a propped beam.
+    // A released end has no moment: slope of a propped beam.
     for (unsigned int i = 0; i < 2; ++i)
       if (ends[i].is_released)
         {
@@ -90,7 +90,8 @@ namespace auxfem
 
   namespace
   {
-    /** Of a point of a body that moves with @p velocity at @p centre. */
+    /** Velocity at a point of a body that moves with @p velocity at
+     * @p centre. */
     JointVelocity velocity_at(const dealii::Point<3> &point,
                               const dealii::Point<3> &centre,
                               const JointVelocity    &velocity)
@@ -111,14 +112,14 @@ namespace auxfem
                         velocity[first + 2]);
     }
 
-    /** The velocity that a definition gives to one joint. */
+    /** Velocity of a joint set by a definition. */
     struct DefinedVelocity
     {
       const InitialVelocityDefinition *definition;
       JointVelocity                    velocity;
-      double largest_speed; ///< of the joints of the definition (m/s)
+      double largest_speed; ///< of all joints of the definition (m/s)
 
-      /** Against which a component is judged (m/s, rad/s). */
+      /** Reference size for tolerances of a component (m/s, rad/s). */
       double size(const unsigned int component) const
       {
         return component < first_rotation ? largest_speed
@@ -126,7 +127,7 @@ namespace auxfem
       }
     };
 
-    /** The joints of one definition, which move as one body. */
+    /** Joints of one definition, which move as a rigid body. */
     struct MovingSet
     {
       const InitialVelocityDefinition *definition;
@@ -231,7 +232,7 @@ namespace auxfem
                                              largest_speed};
       }
 
-      /** The rigid part whose rotation a joint has, if any. */
+      /** Rigid part whose rotation a joint shares, if any. */
       std::optional<unsigned int>
       rotating_part_of(const unsigned int joint) const
       {
@@ -242,7 +243,8 @@ namespace auxfem
         return found->second;
       }
 
-      /** A set of several joints moves them; one joint can only turn itself. */
+      /** Rejects an angular velocity of a single joint without a free
+       * rotation. */
       void refuse_lost_rotation(const MovingSet &set) const
       {
         if (!set.turns() || set.joints.size() > 1)
@@ -314,7 +316,8 @@ namespace auxfem
           velocities[numbering.constraints().motion(p, c)] = velocity[c];
       }
 
-      /** Known on every rank, as the strut may reach beyond this one's part. */
+      /** Position and velocity of a strut end; known on every rank, since
+       * struts cross rank boundaries. */
       MovingEnd end_of(const unsigned int strut, const unsigned int end) const
       {
         const unsigned int joint = lattice.struts[strut].joints[end];
@@ -329,7 +332,7 @@ namespace auxfem
         return result;
       }
 
-      /** Nodes of an element but those at joints, whose unknowns are these. */
+      /** Sets the velocities of an element except at unknowns of joints. */
       void move_element(const unsigned int e)
       {
         const StrutInterval &interval = numbering.elements()[e].interval;
@@ -366,8 +369,8 @@ namespace auxfem
       const Lattice                              &lattice;
       const DofNumbering                         &numbering;
       std::vector<std::optional<DefinedVelocity>> joint_velocities;
-      /** A rigid part turns with a set only if all of it does: its velocity,
-       * by part. */
+      /** Velocity by rigid part; a part rotates only with a set of all its
+       * joints. */
       std::vector<JointVelocity> spins_of_parts;
       /** Rigid parts by the global number of their rotation. */
       std::map<int, unsigned int> rotating_parts;

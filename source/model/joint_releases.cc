@@ -13,7 +13,7 @@ namespace auxfem
     using Type = JointDefinition::Type;
     using What = RotationOwner::What;
 
-    /** Ends of struts, elastic or rigid, by joint. */
+    /** Ends of elastic or of rigid struts, by joint. */
     std::vector<std::vector<StrutEnd>> ends_by_joint(const Lattice &lattice,
                                                      const bool     rigid)
     {
@@ -26,8 +26,8 @@ namespace auxfem
       return ends_at;
     }
 
-    /** A rigid part in the plane has no rotation that the spring of a lone
-     * strut could act on. */
+    /** Rejects a spring between a single strut and a rigid part in the plane,
+     * which has no rotation. */
     [[noreturn]] void
     refuse_spring_to_rigid_part(const JointDefinition &definition,
                                 const unsigned int     joint)
@@ -73,7 +73,7 @@ namespace auxfem
       return parts;
     }
 
-    /** What turns at a joint, in order. */
+    /** Released rotations at a joint, in order. */
     std::vector<RotationOwner> rotation_owners(const JointRelease::AtJoint &at)
     {
       std::vector<RotationOwner> rotation_owner;
@@ -84,7 +84,7 @@ namespace auxfem
       return rotation_owner;
     }
 
-    /** What the @p ends at a joint turn against. */
+    /** Base rotation of the released @p ends at a joint. */
     RotationOwner base_of(const JointRelease::AtJoint      &at,
                           const std::vector<RotationOwner> &ends,
                           const RotationOwner              &joint_owner,
@@ -96,7 +96,8 @@ namespace auxfem
         return joint_owner;
       if (ends.size() > 1)
         return ends.front();
-      // A lone part turns against the ground, a strut not if a part is there.
+      // A single part rotates relative to the ground; a strut at a bar has no
+      // base.
       if (at_bar && ends.front().what == What::strut_end)
         refuse_bar(definition, at.joint);
       return {};
@@ -133,7 +134,7 @@ namespace auxfem
                                                     rigid_ends_at[joint],
                                                     chosen,
                                                     joint);
-              // Elsewhere it acts between elastic struts.
+              // With two struts the spring acts between them.
               if (lattice.dimension == 2 &&
                   definition.type == Type::rotational_spring &&
                   ends_at[joint].size() < 2 && is_of_part[joint])
@@ -164,7 +165,7 @@ namespace auxfem
       return released;
     }
 
-    /** What springs and revolute hinges couple. */
+    /** Finds the rotations coupled by springs and revolute hinges. */
     void find_pairs(std::vector<JointRelease> &releases, const Lattice &lattice)
     {
       const std::vector<RotationOwner> joint_owners =
@@ -229,7 +230,8 @@ namespace auxfem
 
   namespace
   {
-    /** A force that follows its joint turns with it. */
+    /** Whether a load acts on rotations; follower forces rotate with their
+     * joint. */
     bool acts_on_rotation(const JointLoadDefinition &load)
     {
       return load.follows_joint ||
@@ -240,7 +242,7 @@ namespace auxfem
                     });
     }
 
-    /** Joints whose rotation something may act on beside the struts there. */
+    /** Joints whose rotation is acted on by other things than struts. */
     std::vector<bool>
     joints_held_or_turned(const RunPlan                   &plan,
                           const Lattice                   &lattice,
@@ -290,7 +292,7 @@ namespace auxfem
               rigid_ends[lattice.struts[s].joints[end]].push_back({s, end});
       }
 
-      /** That which begins at a strut's end; empty if none does. */
+      /** Chain that starts at a strut end; empty if there is none. */
       std::vector<unsigned int> chain_from(const StrutEnd &first) const
       {
         std::vector<unsigned int> chain;
@@ -310,7 +312,7 @@ namespace auxfem
             if (is_released(other) || is_held[joint] || there.size() != 2)
               return {};
             end = there[0].strut == end.strut ? there[1] : there[0];
-            // A ring would go on for ever.
+            // Stops at closed rings.
             if (std::count(chain.begin(), chain.end(), end.strut) > 0)
               return {};
           }
@@ -328,8 +330,8 @@ namespace auxfem
         return is_released(end) && !is_coupled[end.strut][end.end];
       }
 
-      /** Or one that ends alone at a joint that nothing turns or holds, as on a
-       * support of type pin. */
+      /** A ball hinge, or a single strut at a free joint, for example on a pin
+       * support. */
       bool is_free_end(const StrutEnd &end) const
       {
         const unsigned int joint = lattice.struts[end.strut].joints[end.end];
@@ -362,7 +364,7 @@ namespace auxfem
       const std::vector<std::array<bool, 2>> released;
       std::vector<std::array<bool, 2>>       is_coupled;
       const std::vector<bool>                is_held; ///< by joint
-      /** Elastic struts by joint. */
+      /** Unreleased ends of elastic struts, by joint. */
       std::vector<std::vector<StrutEnd>> rigid_ends;
     };
   } // namespace

@@ -17,12 +17,13 @@ namespace auxfem
       return lattice.struts.empty() ? 1. : sum / lattice.struts.size();
     }
 
-    /** Whether a strut comes close to the direction of @p reference anywhere. */
+    /** Whether a strut is nearly parallel to @p reference anywhere. */
     bool is_nearly_along(const Lattice              &lattice,
                          const Strut                &strut,
                          const dealii::Tensor<1, 3> &reference)
     {
-      // Of a full circle every 5.6 degrees, where 10 are too close.
+      // A full circle is sampled every 5.6 degrees; within 5 degrees counts as
+      // parallel.
       const unsigned int n = strut.sagitta == 0 ? 1 : 64;
       for (unsigned int i = 0; i <= n; ++i)
         {
@@ -35,7 +36,8 @@ namespace auxfem
       return false;
     }
 
-    /** A section cannot be oriented by the direction of its strut. */
+    /** Rejects reference vectors parallel to a strut, which do not orient its
+     * section. */
     void refuse_references_along_struts(const Scene   &scene,
                                         const Lattice &lattice)
     {

@@ -12,7 +12,7 @@ namespace auxfem
 {
   namespace
   {
-    /** Loads and motions are looked at this many times at most. */
+    /** Largest number of samples of a load. */
     constexpr unsigned long max_samples = 4096;
 
     unsigned long n_samples(const RunPlan &plan)
@@ -20,7 +20,7 @@ namespace auxfem
       return std::min(plan.time.n_steps(), max_samples);
     }
 
-    /** All loads in time of the scene that are not zero. */
+    /** All nonzero load histories of the scene. */
     std::vector<TimeFunction> load_histories(const RunPlan &plan)
     {
       std::vector<TimeFunction> loads = functions_of_time(plan);
@@ -60,7 +60,7 @@ namespace auxfem
       return largest > 0 ? rate / largest : 0;
     }
 
-    /** See uncommanded_motion(); of one load, which does not jump. */
+    /** uncommanded_motion() of one load without jumps. */
     double uncommanded_part(const TimeFunction &load,
                             const RunPlan      &plan,
                             const double        frequency)
@@ -97,7 +97,7 @@ namespace auxfem
       }
     catch (const ComputationError &)
       {
-        // A slope may be infinite where the load is a number all the same.
+        // The load may be finite where its slope is infinite.
         return 1;
       }
     return std::min(1., largest);
@@ -105,7 +105,7 @@ namespace auxfem
 
   double resolved_frequency(const RunPlan &plan)
   {
-    // The trapezoidal rule then errs by 0.8 %, which is not noticed.
+    // The period error of the trapezoidal rule is then 0.8 %.
     constexpr double steps_per_period = 20;
     return 2 * std::acos(-1.) / (steps_per_period * plan.time.step);
   }
@@ -130,7 +130,7 @@ namespace auxfem
       }
     catch (const ComputationError &)
       {
-        // What is no number stops the run when it gets there.
+        // An invalid load value stops the run later, at its time.
         return {resolved, true};
       }
     return {std::min(rate, resolved), false};
@@ -146,7 +146,7 @@ namespace auxfem
 
   namespace
   {
-    /** When loads are those of the load factor 1; nothing: there is none. */
+    /** Time of the loads at load factor 1; empty without load factor. */
     std::optional<double> time_of_reference(const RunPlan &plan)
     {
       if (plan.analysis == Analysis::static_path)

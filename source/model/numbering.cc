@@ -119,8 +119,8 @@ namespace auxfem
         result.numbers.insert(result.numbers.end(),
                               globals.begin(),
                               globals.end());
-        // The rank of the last node owns an unknown of the element, so it
-        // keeps the element; the rank of the strut may not.
+        // The owner of the last node stores the element, whereas the rank of
+        // the strut may not.
         element_list.push_back({interval, order, is_mine(globals.back())});
       }
     sort_elements(result);
@@ -317,7 +317,7 @@ namespace auxfem
         numbers[numbering.rotations().with(spin)] = number;
     };
 
-    // What comes later has a better claim to the name.
+    // Later assignments override earlier ones.
     const std::vector<std::size_t> &first_node = numbering.global().first_nodes;
     for (unsigned int e = 0; e < numbering.elements().size(); ++e)
       {

@@ -12,7 +12,8 @@ namespace auxfem
 {
   namespace
   {
-    /** About the axes across the base, zz in the plane (kg m2). */
+    /** Rotary inertia about axes perpendicular to the base, zz in the plane (kg
+     * m2). */
     template <int dim>
     double transverse_inertia(const RigidPart              &part,
                               const dealii::Tensor<1, dim> &base)
@@ -50,10 +51,8 @@ namespace auxfem
       return body;
     }
 
-    /**
-     * Weights w_k with sum_k w_k @p arms_k = @p target, the smallest there are;
-     * what is left of target, if it is not in their span, into @p rest.
-     */
+    /** Minimum-norm weights w_k with sum_k w_k @p arms_k = @p target. Writes
+     * the part of the target outside their span to @p rest. */
     std::vector<double> weights_of(const std::vector<SpaceVector> &arms,
                                    const SpaceVector              &target,
                                    SpaceVector                    &rest)
@@ -77,7 +76,7 @@ namespace auxfem
       return weights;
     }
 
-    /** The joints of @p part about its centre of mass (m). */
+    /** Joint positions of @p part relative to its centre of mass (m). */
     std::vector<SpaceVector> arms_of(const RigidPart &part,
                                      const Lattice   &lattice)
     {
@@ -189,7 +188,7 @@ namespace auxfem
       double           share;
     };
 
-    /** Points that stand for mass spread evenly along the struts of @p part. */
+    /** Quadrature points of mass spread evenly along the struts of @p part. */
     std::vector<Portion> along_struts(const Lattice   &lattice,
                                       const RigidPart &part)
     {
@@ -216,7 +215,7 @@ namespace auxfem
       return portions;
     }
 
-    /** Adds that of a point mass (kg) at @p arm (m) from the centre. */
+    /** Adds the inertia of a point mass (kg) at @p arm (m) from the centre. */
     void add_inertia(const double                mass,
                      const dealii::Tensor<1, 3> &arm,
                      dealii::Tensor<2, 3>       &inertia)
@@ -274,11 +273,10 @@ namespace auxfem
         (part.clamps_struts || !lie_on_base_line(lattice, part, portions));
     }
 
-    /**
-     * Only one part can give a joint's struts its rotation.
-     * @param clamped_to by joint: number of the part that does, or
-     * invalid_index. Gets those of @p part, which is to be the next.
-     */
+    /** Records clamped joints and rejects a second part that clamps the same
+     * joint.
+     * @param clamped_to clamping part by joint, or invalid_index; updated for
+     *   @p part, the next part */
     void clamp_once(const RigidPartDefinition &definition,
                     const Scene               &scene,
                     const Lattice             &lattice,
@@ -303,10 +301,8 @@ namespace auxfem
         }
     }
 
-    /**
-     * Brings the joint farthest from the first to the second place. Throws if
-     * there is none apart from the first.
-     */
+    /** Moves the joint farthest from the first to the second place. Throws if
+     * all joints coincide. */
     void choose_base(const RigidPartDefinition &definition,
                      const Lattice             &lattice,
                      RigidPart                 &part)

@@ -12,15 +12,13 @@ namespace auxfem
 {
   namespace
   {
-    /** Keeps track of which support prescribes what, on all ranks. */
+    /** Records which support prescribes each unknown, on all ranks. */
     class PrescribedMotions
     {
     public:
-      /**
-       * Whether @p definition is the first to prescribe a component of a joint.
-       * Two supports may both hold it at rest, as at a corner; else the second
-       * is refused.
-       */
+      /** Whether @p definition is the first to prescribe a component of a
+       * joint. Two supports may both fix it, as at a corner; otherwise the
+       * second is rejected. */
       bool is_first(const SupportDefinition &definition,
                     const unsigned int       joint,
                     const unsigned int       component,
@@ -28,7 +26,7 @@ namespace auxfem
                     const DofNumbering      &numbering)
       {
         const bool at_rest = definition.motion[component].is_zero();
-        // Joints of one rigid part may share a rotation.
+        // Joints of a rigid part may share a rotation.
         const auto [prescription, is_new] =
           prescriptions.insert({numbering.global().joints[joint][component],
                                 {&definition, at_rest}});
@@ -52,7 +50,8 @@ namespace auxfem
       std::map<int, Prescription> prescriptions;
     };
 
-    /** Whether a joint lacks a component that may be left out, as there. */
+    /** Whether a joint lacks the component and needs no support; throws if it
+     * needs one. */
     bool is_needless(const SupportDefinition &definition,
                      const unsigned int       joint,
                      const unsigned int       component,
@@ -61,7 +60,7 @@ namespace auxfem
     {
       if (numbering.joint_has(joint, component))
         return false;
-      // A hinge may be clamped: then its rotation is not there.
+      // A clamped hinge has no rotation to fix.
       if (definition.motion[component].is_zero() && !is_of_rigid_part[joint])
         return true;
       throw InputError(definition.path + "/Rotation " +
@@ -70,8 +69,8 @@ namespace auxfem
                        " Type = pin holds displacements only.");
     }
 
-    /** About some axes the angle is the integral of an angular velocity, which
-     * begins at rest. */
+    /** With fewer than three prescribed axes angles are integrated, so they
+     * must start at zero. */
     void refuse_turned_at_start(const SupportDefinition &definition)
     {
       const auto        first = definition.fixed.begin() + first_rotation;
@@ -82,8 +81,8 @@ namespace auxfem
           throw InputError(
             definition.path + "/Rotation " + "xyz"[c - first_rotation] +
             ": a large rotation prescribed about some axes alone begins with "
-            "zero at t = 0. Let it grow, e.g. as 0.1 * t, give the rotations "
-            "about the other axes as well, or set Effects/Large rotation = "
+            "zero at t = 0. Increase it in time, e.g. as 0.1 * t, prescribe the "
+            "rotations about the other axes as well, or set Effects/Large rotation = "
             "off.");
     }
 

@@ -32,7 +32,7 @@ namespace auxfem
 
   namespace
   {
-    /** Words for an unknown of a rigid part or a hinge; empty for others. */
+    /** Description of an unknown of a rigid part or hinge; empty for others. */
     std::string describe_constraint(const Lattice       &lattice,
                                     const GlobalNumbers &numbers,
                                     const int            global)
@@ -45,21 +45,21 @@ namespace auxfem
         {
           const GlobalNumbers::MotionNumbers &motion =
             numbers.rigid_parts[p].motion;
-          std::ostringstream words;
+          std::ostringstream text;
           if (has(numbers.rigid_parts[p].multipliers))
-            words << "constraint";
+            text << "constraint";
           else if (has(motion))
-            words << motion_name(
+            text << motion_name(
               std::find(motion.begin(), motion.end(), global) - motion.begin(),
               lattice.dimension);
           else
             continue;
-          words << " of the rigid part of joints";
+          text << " of the rigid part of joints";
           const auto &joints = lattice.rigid_parts[p].joints;
           for (unsigned int i = 0; i < joints.size() && i < 4; ++i)
-            words << ' ' << joints[i];
-          words << (joints.size() > 4 ? " ..." : "");
-          return words.str();
+            text << ' ' << joints[i];
+          text << (joints.size() > 4 ? " ..." : "");
+          return text.str();
         }
       for (const GlobalNumbers::HingeNumbers &hinge : numbers.hinges)
         if (has(hinge.multipliers))
@@ -68,7 +68,7 @@ namespace auxfem
       return "";
     }
 
-    /** `joint 3`, `plate "table"`. */
+    /** Name of a joint: `joint 3`, `plate "table"`. */
     std::string name_of_joint(const Lattice &lattice, const unsigned int joint)
     {
       if (joint >= lattice.n_structural_joints())
@@ -78,7 +78,7 @@ namespace auxfem
       return "joint " + std::to_string(joint);
     }
 
-    /** Words for an unknown of a joint; empty for others. */
+    /** Description of an unknown of a joint; empty for others. */
     std::string describe_joint_unknown(const Lattice      &lattice,
                                        const DofNumbering &numbering,
                                        const int           global)
@@ -87,19 +87,19 @@ namespace auxfem
         for (const unsigned int c : numbering.components())
           if (numbering.global().joints[j][c] == global)
             {
-              std::ostringstream words;
-              words << motion_name(c, lattice.dimension) << " of "
-                    << name_of_joint(lattice, j) << " at ("
-                    << lattice.joints[j][0] << ", " << lattice.joints[j][1];
+              std::ostringstream text;
+              text << motion_name(c, lattice.dimension) << " of "
+                   << name_of_joint(lattice, j) << " at ("
+                   << lattice.joints[j][0] << ", " << lattice.joints[j][1];
               if (lattice.dimension == 3)
-                words << ", " << lattice.joints[j][2];
-              words << ")";
-              return words.str();
+                text << ", " << lattice.joints[j][2];
+              text << ")";
+              return text.str();
             }
       return "";
     }
 
-    /** Words for an unknown of a node inside a strut or of a released end. */
+    /** Description of an unknown of an inner node or a released end. */
     std::string describe_strut_unknown(const Lattice      &lattice,
                                        const DofNumbering &numbering,
                                        const unsigned int  unknown)
@@ -114,13 +114,13 @@ namespace auxfem
             continue;
           const unsigned int number = numbering.elements()[e].interval.strut;
           const Strut       &strut  = lattice.struts[number];
-          std::ostringstream words;
-          words << motion_name(numbering.components()[(found - begin) %
-                                                      numbering.n_components()],
-                               lattice.dimension)
-                << " of strut " << number << " (joints " << strut.joints[0]
-                << " - " << strut.joints[1] << ")";
-          return words.str();
+          std::ostringstream text;
+          text << motion_name(numbering.components()[(found - begin) %
+                                                     numbering.n_components()],
+                              lattice.dimension)
+               << " of strut " << number << " (joints " << strut.joints[0]
+               << " - " << strut.joints[1] << ")";
+          return text.str();
         }
       return "";
     }
@@ -131,12 +131,11 @@ namespace auxfem
   {
     const Lattice &lattice = numbering.lattice();
     const int      global  = numbering.layout().global(unknown);
-    std::string    words =
-      describe_constraint(lattice, numbering.global(), global);
-    if (words.empty())
-      words = describe_joint_unknown(lattice, numbering, global);
-    return words.empty() ? describe_strut_unknown(lattice, numbering, unknown)
-                         : words;
+    std::string text = describe_constraint(lattice, numbering.global(), global);
+    if (text.empty())
+      text = describe_joint_unknown(lattice, numbering, global);
+    return text.empty() ? describe_strut_unknown(lattice, numbering, unknown)
+                        : text;
   }
 
   std::string describe_largest(const DofNumbering        &numbering,
@@ -148,14 +147,14 @@ namespace auxfem
     const auto           end     = size.begin() + layout.n_owned();
     const auto           found   = std::max_element(size.begin(), end);
     const double         largest = found == end ? -1. : *found;
-    // Every rank gets the words of the lowest rank that has the largest value.
+    // The lowest rank with the largest value gives the description.
     const unsigned int lowest =
       MPI::min(largest == layout.largest(largest) ? layout.rank()
                                                   : layout.n_ranks(),
                layout.communicator());
-    const std::string words =
+    const std::string text =
       lowest == layout.rank() ? describe(numbering, found - size.begin()) : "";
-    return text_of_rank(lowest, words, layout.communicator());
+    return text_of_rank(lowest, text, layout.communicator());
   }
 
   std::string why_no_rotation(const DofNumbering &numbering,
@@ -276,7 +275,8 @@ namespace auxfem
       if (lattice.struts[s].is_rigid())
         for (const unsigned int joint : lattice.struts[s].joints)
           assign_displacements(joint, ranks[s]);
-    // A joint without struts (a mass on connectors) has displacements only.
+    // A joint without struts, such as a mass on connectors, has displacements
+    // only.
     for (unsigned int joint = 0; joint < joint_unknowns.size(); ++joint)
       assign_displacements(joint, 0);
   }
@@ -328,7 +328,7 @@ namespace auxfem
     constexpr unsigned int not_numbered =
       std::numeric_limits<unsigned int>::max();
 
-    /** Numbers local unknowns one after the other, or leaves out others. */
+    /** Assigns consecutive numbers to local unknowns and skips others. */
     class SerialNumbers
     {
     public:
@@ -337,7 +337,7 @@ namespace auxfem
         , numbers(layout.n_local(), not_numbered)
       {}
 
-      /** Of the next unknown, by its global number; -1: not there. */
+      /** Numbers the next unknown, given by its global number; ignores -1. */
       void count(const int global)
       {
         if (global < 0)
@@ -359,7 +359,8 @@ namespace auxfem
       unsigned int              next = 0;
     };
 
-    /** Those of joints, rigid parts and hinges; joints may share some. */
+    /** Numbers the unknowns of joints, rigid parts and hinges; joints may share
+     * some. */
     void count_outside_struts(const GlobalNumbers &numbers,
                               SerialNumbers       &serial)
     {
@@ -406,7 +407,7 @@ namespace auxfem
       return serial.numbers;
     }
 
-    /** Also of ghosts that the numbering does not know. */
+    /** Serial numbers including ghosts unknown to the numbering. */
     std::vector<unsigned int> serial_numbers(const DofNumbering  &numbering,
                                              const UnknownLayout &layout)
     {

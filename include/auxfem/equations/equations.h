@@ -282,10 +282,11 @@ namespace auxfem
     void add_stage(const Evaluation        &stage,
                    const EvaluationResults &results,
                    EnergyAccount           &account) const;
-    /** Updates pattern and ghosts for changed couplings. */
-    bool couple(bool                    changed,
-                const std::vector<int> &required_unknowns,
-                State                  &accepted);
+    using CouplingUpdate = bool (ChangingCouplings::*)(const State &,
+                                                       std::vector<int> &);
+    /** Updates couplings of all effects, then pattern and ghosts if these
+     * change; returns whether @p accepted gained ghosts. */
+    bool update_pattern(CouplingUpdate update, State &accepted);
 
     /** An effect that implements an additional interface. */
     template <class Terms>
