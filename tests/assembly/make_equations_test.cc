@@ -127,7 +127,7 @@ TEST(MakeEquations, ASpringActsBetweenTheReleasedStrutAndTheJoint)
         {"Time/Scheme=static"},
         MPI_COMM_SELF);
       State from = of_scene.equations.initial_state(), to = from;
-      // All of strut 1 turns rigidly by a tiny angle, so it has no forces.
+      // Strut 1 rotates rigidly by a tiny angle, so it has no forces.
       const double angle = 1e-9;
       const auto   names = name_unknowns(of_scene.model);
       for (unsigned int i = 0; i < names.size(); ++i)
@@ -141,7 +141,7 @@ TEST(MakeEquations, ASpringActsBetweenTheReleasedStrutAndTheJoint)
       to.displacement[of_scene.dofs().end_rotation(1, 0)] = angle;
       const Evaluation step = of_scene.step(from, to, 1.);
       of_scene.residual(step);
-      // Strains of 1e-18 are left of the rotation's square.
+      // The square of the rotation causes strains of 1e-18.
       EXPECT_NEAR(to.residual[of_scene.dofs().end_rotation(1, 0)],
                   7 * angle,
                   1e-6 * angle);
@@ -163,7 +163,7 @@ TEST(MakeEquations, AReferenceVectorAlongAStrutIsRefused)
       .circle("blade", 0.1, {1, 1})
       .add("Sections/blade", "Struts = 1 | Reference vector = " + reference);
   };
-  // The arc 1 leads along y in its middle.
+  // Arc 1 is parallel to y in its middle.
   expect_parts(input_error_of([&] {
                  EquationsOnRanks(scene("0 1 0.05"), {}, MPI_COMM_SELF);
                }),

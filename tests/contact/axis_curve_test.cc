@@ -56,7 +56,7 @@ TEST(AxisCurve, DerivativesAreThoseOfThePosition)
     }
 }
 
-TEST(AxisCurve, NoPointOfThePartIsNearerThanTheNearestOne)
+TEST(AxisCurve, NoPointOfTheRangeIsNearer)
 {
   RandomCurves random;
   for (unsigned int i = 0; i < 400; ++i)

@@ -62,18 +62,18 @@ TEST(BernsteinPolynomial, EverySignChangeIsFound)
                                            {0.1, 0.2, 0.5, 0.50001, 0.9, 0.99}})
     {
       std::vector<double> all = roots;
-      // None of these lies within.
+      // None of these roots lies inside.
       for (const double outside : {-0.2, 1.3, 2.})
         all.push_back(outside);
       const std::vector<double> found = sign_changes(with_roots(all));
       ASSERT_EQ(found.size(), roots.size());
       for (std::size_t i = 0; i < roots.size(); ++i)
-        // Two roots this near each other take half of the digits.
+        // Two roots this close lose half of the digits.
         EXPECT_NEAR(found[i], roots[i], 1e-9);
     }
 }
 
-TEST(BernsteinPolynomial, WhatDoesNotChangeSignHasNone)
+TEST(BernsteinPolynomial, PolynomialsOfOneSignHaveNoSignChange)
 {
   BernsteinPolynomial zero;
   zero.degree = 5;
@@ -84,7 +84,7 @@ TEST(BernsteinPolynomial, WhatDoesNotChangeSignHasNone)
   EXPECT_TRUE(sign_changes(with_roots({-0.1, 1.1})).empty());
 }
 
-TEST(ControlPolygon, HasTheCurveAndItsSquare)
+TEST(ControlPolygon, RepresentsTheCurveAndItsSquare)
 {
   AxisCurve curve;
   curve.degree       = 3;

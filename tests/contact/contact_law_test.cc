@@ -11,7 +11,7 @@ namespace
 {
   constexpr ContactLaw law = {7., 0.2};
 
-  // Gap, parabola, where the pieces meet, line.
+  // Gap, parabola, transition, line.
   const std::vector<double> depths = {-1, -1e-9, 0, 1e-9, 0.05, 0.2, 0.3, 2};
 } // namespace
 
@@ -35,7 +35,7 @@ TEST(ContactLaw, IsTheDerivativeOfItsEnergy)
   const double h = 1e-6;
   for (const double depth : depths)
     {
-      // Of the third derivative, k / s, where that is not continuous.
+      // Error from the jump k / s of the third derivative.
       EXPECT_NEAR((law.energy(depth + h) - law.energy(depth - h)) / (2 * h),
                   law.force(depth),
                   1e-9);
@@ -57,7 +57,7 @@ TEST(ContactLaw, MeanForceDoesTheWork)
 
 TEST(ContactLaw, MeanForceIsExactInShortSteps)
 {
-  // Divided differences of the energy would have no digit left.
+  // Divided differences of the energy would lose all digits.
   for (const double depth : {0.1, 0.2, 1.})
     for (const double way : {1e-9, 1e-12, 1e-15, 0.})
       EXPECT_NEAR(law.mean_force(depth, depth + way),

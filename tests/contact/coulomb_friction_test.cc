@@ -13,7 +13,7 @@ namespace
 
   constexpr CoulombFriction law_of_friction = {0.4, 0.3};
 
-  /** Velocities, normals and pressures at random. */
+  /** Random velocities, normals and pressures. */
   struct RandomFriction
   {
     explicit RandomFriction(const unsigned int seed) : generator(seed)
@@ -62,13 +62,14 @@ TEST(CoulombFriction, IsAlongTheFaceAgainstTheSlipAndBelowItsLimit)
       EXPECT_NEAR(found.lost_power(),
                   -(found.force * at.velocity),
                   1e-15 * at.pressure);
-      // What moves across the face does not rub.
+      // Normal motion causes no friction.
       EXPECT_LT((found.force -
                  force(at.velocity + 5 * at.normal, at.normal, at.pressure))
                   .norm(),
                 1e-14 * at.pressure);
     }
-  // At its slip velocity over the square root of two, much faster: all.
+  // At the slip velocity the limit over sqrt(2); the full limit for much faster
+  // slip.
   EXPECT_NEAR(force(Vector3({0.3, 0, 0}), Vector3({0, 1, 0}), 2)[0],
               -0.4 * 2 / std::sqrt(2.),
               1e-15);

@@ -23,7 +23,7 @@ namespace
   }
 } // namespace
 
-TEST(PlateDefinition, TakesSupportMassAndVelocityOfItsJoint)
+TEST(PlateDefinition, ReadsSupportMassAndVelocityOfItsJoint)
 {
   const Scene scene = scene_with_plate(
     "Shape = plane | Position = 3 -1 | Normal = 0 5 | Displacement x = 2 * t | "
@@ -36,7 +36,7 @@ TEST(PlateDefinition, TakesSupportMassAndVelocityOfItsJoint)
   EXPECT_TRUE(plate.support->fixed[0]);
   EXPECT_FALSE(plate.support->fixed[1]);
   EXPECT_DOUBLE_EQ(plate.support->motion[0].value(0.5), 1);
-  // What holds, slows and moves it is that of its joint.
+  // Support, mass and velocity are those of its joint.
   ASSERT_EQ(scene.supports.size(), 2u);
   EXPECT_EQ(scene.supports[1].joints, "table");
   ASSERT_EQ(scene.masses.size(), 1u);
@@ -45,7 +45,7 @@ TEST(PlateDefinition, TakesSupportMassAndVelocityOfItsJoint)
   EXPECT_DOUBLE_EQ(scene.initial_velocities[0].velocity[1], -6);
 }
 
-TEST(PlateDefinition, StandsStillIfNothingElseIsSaid)
+TEST(PlateDefinition, IsFixedByDefault)
 {
   const Scene scene =
     scene_with_plate("Shape = sphere | Position = 0 3 0 | Radius = 0.5", 3);

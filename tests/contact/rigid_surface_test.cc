@@ -28,7 +28,7 @@ namespace
             {"cylinder", make_cylinder_surface(some_axis, 0.7)}};
   }
 
-  // None on an axis or a centre, where a normal would not be known.
+  // No point on an axis or centre, where the normal is undefined.
   const std::vector<Vector3> points = {Vector3({0.3, 0.5, -0.2}),
                                        Vector3({1.2, -0.4, 0.9}),
                                        Vector3({-0.1, 2.5, 0.4}),
@@ -123,7 +123,7 @@ TEST(RigidSurface, OutlinesLieOnTheSurface)
             EXPECT_NEAR(surface->distance(point), 0, 1e-14) << name;
         }
     }
-  // In the plane nothing stands out of it.
+  // In planar models outlines lie in the plane.
   for (const Surface &surface :
        {make_plane_surface(Vector3({0.6, 0.8, 0})), make_sphere_surface(0.7)})
     for (const auto &line : surface->outline(3, 2))

@@ -23,7 +23,7 @@ namespace
     return curve;
   }
 
-  /** Least distance at many points and instants. */
+  /** Smallest distance over many points and instants. */
   double sampled_distance(const RigidSurface &surface,
                           const AxisCurve    &from,
                           const AxisCurve    &to)
@@ -42,7 +42,7 @@ namespace
   }
 } // namespace
 
-TEST(SurfaceApproach, FindsAsNearAsTheCurveComesOnItsWay)
+TEST(SurfaceApproach, FindsTheClosestApproachOnThePath)
 {
   const Vector3 axis({0.6, 0, 0.8});
   for (const auto &surface : {make_plane_surface(Vector3({0, 1, 0})),
@@ -56,7 +56,7 @@ TEST(SurfaceApproach, FindsAsNearAsTheCurveComesOnItsWay)
                         to   = wave(Vector3({-0.2, 0.1, 0.3}));
         const ControlPolygon first(from, 4), last(to, 4);
         const double         least = sampled_distance(*surface, from, to);
-        // Places in the samples are up to 2 cm apart.
+        // Sampled positions are up to 2 cm apart.
         constexpr double spacing = 0.02;
         EXPECT_FALSE(find_passage(*surface, first, last, least - spacing));
         const auto found = find_passage(*surface, first, last, least + spacing);
@@ -70,7 +70,7 @@ TEST(SurfaceApproach, FindsAsNearAsTheCurveComesOnItsWay)
 
 TEST(SurfaceApproach, FindsASmallBodyThatALongAxisPasses)
 {
-  // A line of 1 m goes down through a ball of 0.1 mm.
+  // A line of 1 m moves through a ball of 0.1 mm.
   AxisCurve from;
   from.coefficients     = {{Vector3({-0.7123, 0.3, 0}), Vector3({1, 0, 0})}};
   AxisCurve to          = from;
@@ -95,7 +95,7 @@ TEST(SurfaceApproach, PartsLieBetweenTheRootsOfLevels)
   ASSERT_EQ(parameters.size(), 4u);
   EXPECT_NEAR(parameters[1], 1. / 3 - half, 1e-12);
   EXPECT_NEAR(parameters[2], 1. / 3 + half, 1e-12);
-  // A level that lies behind the centre is none.
+  // A level behind the centre does not exist.
   EXPECT_EQ(parameters_between_levels(*make_sphere_surface(0.9),
                                       {ControlPolygon(line, 3)},
                                       {-2})

@@ -6,8 +6,7 @@
 
 #include <iterator>
 
-// Couplings that come in the middle of a run, between unknowns that no rank has
-// had side by side before.
+// Couplings that appear during a run between unknowns of different ranks.
 
 using namespace auxfem;
 using namespace auxfem::testing_support;
@@ -133,11 +132,11 @@ namespace
   }
 } // namespace
 
-TEST(Couplings, MayComeBetweenUnknownsOfAnyRanks)
+TEST(Couplings, MayAppearBetweenUnknownsOfAnyRanks)
 {
   const std::vector<double> all   = ends_of_run(MPI_COMM_WORLD),
                             alone = ends_of_run(MPI_COMM_SELF);
-  // Nothing moves the others before the spring acts, and then only the last.
+  // Before the spring acts only the first end moves; then also the last.
   EXPECT_GT(alone[0], 1e-3);
   EXPECT_EQ(alone[3], 0.);
   EXPECT_GT(std::abs(alone[7]), 1e-3);

@@ -10,7 +10,7 @@ namespace auxfem
 {
   namespace testing_support
   {
-    /** Room in @p state for what effects keep that have been added to the layout. */
+    /** Allocates state variables of effects added to the layout. */
     inline void make_room(const StateLayout &layout, State &state)
     {
       state.history.resize(layout.history.n_values(), 0.);
@@ -31,7 +31,7 @@ namespace auxfem
         effect.add_residual(evaluation, residual.data(), results.get());
       }
 
-      /** What the effect takes down; its entries must be in the states. */
+      /** Energies of the effect; its entries must be in the states. */
       Energies accept() const
       {
         EnergyAccount account(evaluation);

@@ -18,8 +18,8 @@ namespace auxfem
 {
   namespace testing_support
   {
-    /** A scene from `.prm` text with its model and equations on given ranks,
-     * and room for one evaluation. */
+    /** A scene from `.prm` text with model, equations and one evaluation on
+     * given ranks. */
     struct EquationsOnRanks
     {
       explicit EquationsOnRanks(const std::string              &prm_text,
@@ -37,7 +37,7 @@ namespace auxfem
         return model.numbering;
       }
 
-      /** A step with inertia or without, as the scene's scheme has it. */
+      /** A step with or without inertia, according to the scheme. */
       Evaluation step(const State &from, State &to, const double dt) const
       {
         return scene.time.implicit_scheme().is_dynamic()
@@ -52,7 +52,7 @@ namespace auxfem
         return results;
       }
 
-      /** Of the evaluation last given to residual(). */
+      /** Uses the evaluation last passed to residual(). */
       void tangent(const Evaluation     &evaluation,
                    const TangentFactors &factors,
                    TangentMatrix        &matrix) const
@@ -60,7 +60,7 @@ namespace auxfem
         equations.tangent(evaluation, results, factors, matrix);
       }
 
-      /** Of the evaluation last given to residual(). */
+      /** Uses the evaluation last passed to residual(). */
       void accept(const Evaluation &evaluation) const
       {
         equations.accept(evaluation, results);
@@ -78,11 +78,9 @@ namespace auxfem
       EvaluationResults  results;
     };
 
-    /**
-     * What an unknown is, independent of its number: joint or strut, fraction
-     * of the strut's length, component. Released ends count as points of the
-     * strut, rigid parts and constraints as joints past the last.
-     */
+    /** Partition-independent name of an unknown: joint or strut, fraction of
+     * the length, component. Released ends are points of the strut; rigid parts
+     * and constraints are joints past the last. */
     using UnknownName = std::tuple<bool, unsigned int, double, unsigned int>;
 
     /** Name and position at rest of a local unknown. */
@@ -92,7 +90,7 @@ namespace auxfem
       dealii::Point<3> position;
     };
 
-    /** Unknowns of the rigid parts themselves and all multipliers. */
+    /** Unknowns owned by rigid parts and all multipliers. */
     inline void name_constraints(const LatticeModel        &model,
                                  std::vector<NamedUnknown> &names)
     {
@@ -117,7 +115,7 @@ namespace auxfem
           ++number;
           n_of_parts += dofs.constraints().n_multipliers(part);
         }
-      // A hinge has two.
+      // A hinge has two multipliers.
       const unsigned int n_hinges =
         (dofs.constraints().n_multipliers() - n_of_parts) / 2;
       for (unsigned int hinge = 0; hinge < n_hinges; ++hinge, ++number)
@@ -169,10 +167,8 @@ namespace auxfem
       return names;
     }
 
-    /**
-     * Fills @p vector with an irregular field of about @p size that depends on
-     * where an unknown lies and what it is, not on its number.
-     */
+    /** Fills @p vector with an irregular field of about @p size that depends on
+     * position and kind of unknowns only. */
     inline void fill_by_position(const LatticeModel &model,
                                  const double        size,
                                  Vector             &vector)
@@ -188,7 +184,7 @@ namespace auxfem
         }
     }
 
-    /** Values of @p vector at this rank's own unknowns, by their names. */
+    /** Values of @p vector at owned unknowns, by name. */
     inline std::map<UnknownName, double> by_name(const LatticeModel &model,
                                                  const Vector       &vector)
     {
@@ -226,11 +222,9 @@ namespace auxfem
         .add("Time", time);
     }
 
-    /**
-     * Star cells with strut length 1 and section stiffnesses of about one, and
-     * everything a scene may have: hinges, rotational springs, connectors of
-     * several laws, prescribed motion, masses, loads, gravity, damping.
-     */
+    /** Star cells with strut length 1 and section stiffnesses of about one and
+     * all features: hinges, springs, connectors, prescribed motion, masses,
+     * loads, gravity, damping. */
     inline SceneText star_with_everything(const unsigned int n_x,
                                           const unsigned int n_y)
     {
@@ -277,11 +271,8 @@ namespace auxfem
         .time(0.5, 0.05);
     }
 
-    /**
-     * 2 x 1 x 2 stars in space with all that star_with_everything() has, a
-     * revolute hinge and loads in all directions: hit so hard that struts turn
-     * far.
-     */
+    /** 2 x 1 x 2 stars in space with the features of star_with_everything(), a
+     * revolute hinge and loads that cause large rotations. */
     inline SceneText space_star_with_everything()
     {
       return star_with_everything(2, 1)

@@ -148,7 +148,7 @@ TEST(Equations, ResidualNormLeavesPrescribedRowsOut)
   EXPECT_GT(norm.force_scale, 0);
 }
 
-TEST(Equations, WorstUnknownIsFreeAndHasTheLargestResidual)
+TEST(Equations, UnknownWithTheLargestResidualIsFree)
 {
   Trial       trial;
   const auto &dofs = trial.of_scene.dofs();
@@ -203,7 +203,7 @@ TEST(Equations, PrescribedMotionAndRightSideFollowTheSupports)
 
 namespace
 {
-  /** Values in the records of @p layout whose names end with @p what. */
+  /** Number of values in records of @p layout whose names end with @p what. */
   unsigned int n_kept(const StateLayout &layout, const std::string &what)
   {
     unsigned int n = 0;
@@ -217,7 +217,7 @@ namespace
   }
 } // namespace
 
-TEST(Equations, WhatIsLeftOutCostsNoState)
+TEST(Equations, DisabledEffectsNeedNoState)
 {
   const StateLayout whole =
     EquationsOnRanks(star_with_everything(2, 2), {}, MPI_COMM_SELF)
@@ -302,7 +302,7 @@ namespace
   /** A trial state and the results of its evaluation. */
   struct EvaluatedTrial
   {
-    /** Irregular motion that is larger the larger @p size. */
+    /** Irregular motion proportional to @p size. */
     EvaluatedTrial(const EquationsOnRanks &of_scene, const double size)
       : of_scene(of_scene)
       , from(of_scene.equations.initial_state())
@@ -326,7 +326,7 @@ namespace
       return of_scene.step(from, to, dt);
     }
 
-    /** Evaluates; returns the residual and all that came with it. */
+    /** Evaluates; returns the residual and the norms. */
     std::vector<double> residual()
     {
       of_scene.equations.residual(evaluation(), results);
@@ -373,7 +373,7 @@ TEST(Equations, EvaluationsDoNotInfluenceEachOther)
   for (const std::string text :
        {star_with_everything(1, 1), space_star_with_everything()})
     {
-      // What each of the two gives if nothing else is ever asked.
+      // Results of each trial alone.
       const EquationsOnRanks fresh(text, {}, MPI_COMM_SELF),
         other(text, {}, MPI_COMM_SELF), asked(text, {}, MPI_COMM_SELF);
       EvaluatedTrial first(fresh, 0.4), second(other, 0.25);
@@ -387,7 +387,7 @@ TEST(Equations, EvaluationsDoNotInfluenceEachOther)
       EXPECT_NE(tangent, tangent_of_second);
       EXPECT_NE(accepted, accepted_of_second);
 
-      // The same, one in the middle of the other.
+      // The same trials, interleaved.
       EvaluatedTrial a(asked, 0.4), b(asked, 0.25);
       EXPECT_EQ(a.residual(), residual);
       EXPECT_EQ(b.residual(), second_residual);
@@ -398,7 +398,7 @@ TEST(Equations, EvaluationsDoNotInfluenceEachOther)
     }
 }
 
-TEST(Equations, TheSameQuestionHasTheSameAnswer)
+TEST(Equations, RepeatedEvaluationsAgree)
 {
   for (const std::string text :
        {star_with_everything(1, 1), space_star_with_everything()})
@@ -468,7 +468,7 @@ TEST(Equations, AStageInsideAStepHasTheForcesOfItsOwnTime)
   const int    tip  = of_scene.dofs().joint_unknown(1, 0);
   const State  from = of_scene.equations.initial_state();
   const double rate = 0.5, relaxation_time = 3. / 2;
-  // One trial state for all stages, as a time stepper has it.
+  // One trial state serves all stages, as in a time stepper.
   State      to    = from;
   const auto force = [&](const double time) {
     // Stretched at a constant rate since the start of the step.
@@ -485,7 +485,7 @@ TEST(Equations, AStageInsideAStepHasTheForcesOfItsOwnTime)
     EvaluationResults plain_results = without.equations.make_results();
     without.equations.residual(Evaluation::step(start, plain, time),
                                plain_results);
-    // The force of the connector and the load: what the strut does not do.
+    // Connector force and load, without the strut.
     return to.residual[tip] - plain.residual[tip];
   };
   const auto expected = [&](const double time) {
@@ -494,7 +494,7 @@ TEST(Equations, AStageInsideAStepHasTheForcesOfItsOwnTime)
   const double whole = force(0.8);
   for (const double time : {0.2, 0.4, 0.6})
     EXPECT_NEAR(force(time), expected(time), 1e-14);
-  // The stages have left nothing behind.
+  // The stages have no side effects.
   EXPECT_EQ(force(0.8), whole);
   EXPECT_NEAR(whole, expected(0.8), 1e-14);
 }

@@ -17,8 +17,8 @@
 using namespace auxfem;
 using namespace auxfem::testing_support;
 
-// The same scene on all ranks and on each rank alone. With one rank all the
-// tests compare a computation with itself; they say something with two.
+// Compares the same scene on all ranks and on each rank alone; meaningful with
+// two or more ranks.
 
 namespace
 {
@@ -55,7 +55,7 @@ namespace
     Vector                         product;
   };
 
-  /** Compares this rank's own values with those of the same unknowns alone. */
+  /** Compares owned values with those of the same unknowns on one rank. */
   void expect_equal(const LatticeModel &model,
                     const Vector       &values,
                     const LatticeModel &alone,
@@ -79,7 +79,7 @@ namespace
     const Evaluated all(text, MPI_COMM_WORLD), alone(text, MPI_COMM_SELF);
     ASSERT_EQ(all.on_ranks.dofs().layout().n_global(),
               alone.on_ranks.dofs().layout().n_global());
-    // Rows are summed in another order: some roundings.
+    // Tolerance for a different order of summation.
     const double tolerance = 1e-13;
     expect_equal(all.on_ranks.model,
                  all.to.residual,
@@ -141,7 +141,10 @@ namespace
     unsigned int     iterations = 0;
   };
 
-  /** Force, extension and lost energy of this rank's connectors by position. */
+  /**
+   * Force, extension and dissipation of the connectors of this rank, by
+   * position.
+   */
   std::map<std::string, std::array<double, 3>>
   connector_reports(const Advanced &run)
   {
@@ -167,14 +170,13 @@ namespace
   }
 
   /**
-   * Stars with everything, whose stubs are rigid and clamped to their edges;
-   * a few edges are rigid bars.
+   * Stars with all features; stubs are rigid and clamped, and some edges are
+   * rigid bars.
    */
   SceneText stars_with_rigid_parts()
   {
-    // No elastic strut is left at the top that could be released, none at the
-    // bottom that could be clamped, and at some tips none a spring could act
-    // on.
+    // Rigid stubs leave no elastic struts for some releases, clamps and
+    // springs.
     return star_with_everything(3, 3)
       .remove("Joints/hinges")
       .remove("Joints/springs/Stiffness")
@@ -186,7 +188,7 @@ namespace
            "Struts = 0, 13, 37, 50 | Parts = single struts | Mass = 0.2");
   }
 
-  /** From rest: rigid parts cannot follow a jump of velocities. */
+  /** Start from rest, since rigid parts cannot follow a velocity jump. */
   const std::string slow_shaker =
     "Supports/shaker/Displacement x=0.02 * (1 - cos(3 * t))";
 
@@ -199,7 +201,7 @@ namespace
     EXPECT_EQ(all.iterations, alone.iterations);
     EXPECT_EQ(all.state.time, alone.state.time);
 
-    // Round-off through some ten steps of a few iterations each.
+    // Round-off of some ten steps with a few iterations each.
     const double        tolerance = 1e-10;
     const LatticeModel &model     = all.on_ranks.model,
                        &reference = alone.on_ranks.model;
@@ -279,7 +281,7 @@ TEST(Ranks, RigidPartsAreReportedOnceAndAlike)
             alone.on_ranks.lattice.rigid_parts.size());
   for (unsigned int i = 0; i < parts.n_reported(); ++i)
     {
-      // One rank reports on all parts, in their order.
+      // One rank reports all parts in order.
       const unsigned int    part   = parts.part(i);
       const RigidPartReport report = parts.report(i, all.state),
                             wanted = reference.report(part, alone.state);
@@ -295,7 +297,7 @@ TEST(Ranks, RigidPartsAreReportedOnceAndAlike)
 
 TEST(Ranks, RigidPartsAloneMoveAsOnOneRank)
 {
-  // A chain of six bars: no finite element anywhere.
+  // A chain of six bars without finite elements.
   const SceneText chain =
     SceneText()
       .frame("0 0; 1 0.2; 2 0; 3 0.1; 4 0; 5 0; 6 0.3",
@@ -338,8 +340,7 @@ namespace
     return all;
   }
 
-  /** The value of each item of each record after a run, from one of its ranks.
-   */
+  /** Value of each item of each record after a run. */
   std::map<std::string, std::map<unsigned int, std::vector<double>>>
   kept_values(const Advanced &run)
   {
@@ -390,7 +391,7 @@ TEST(Ranks, HistoryIsNamedAlikeOnAnyNumberOfRanks)
 {
   // Internal variables of two groups, dissipated energies of four.
   compare_history(star_with_everything(3, 3), {}, 6);
-  // And rotational springs.
+  // Rotational springs are included.
   compare_history(space_star_with_everything(),
                   {"Time/Scheme=generalized-alpha"},
                   7);
@@ -398,7 +399,7 @@ TEST(Ranks, HistoryIsNamedAlikeOnAnyNumberOfRanks)
 
 namespace
 {
-  /** The numbers of the rotations of this rank by what they are. */
+  /** Numbers of the rotations of this rank, by name. */
   std::map<UnknownName, unsigned int>
   numbered_rotations(const std::string              &text,
                      const std::vector<std::string> &overrides,

@@ -41,7 +41,7 @@ namespace
           right_side[i] = 0;
     }
 
-    /** By a type of solver; its residual must be small. */
+    /** Solution by a type of solver; checks its residual. */
     Vector solve(const std::string &type, const double largest_error) const
     {
       SCOPED_TRACE(type);
@@ -56,7 +56,7 @@ namespace
       return x;
     }
 
-    /** Of motions, rotations measured in metres, and not of multipliers. */
+    /** Norm of motions with rotations in metres, without multipliers. */
     double difference(const Vector &x, const Vector &y) const
     {
       const Unknowns &unknowns = on_ranks.equations.unknowns();
@@ -79,7 +79,7 @@ namespace
   const TangentFactors statics = {1., 0., 0.}, short_step = {1., 2e5, 1e10};
 
   /**
-   * Expects the same solution of all types.
+   * Expects equal solutions of all types.
    * @param tolerance round-off times the condition of the tangent
    */
   void expect_same_solution(const RealTangent              &tangent,

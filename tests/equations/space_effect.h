@@ -29,7 +29,7 @@ namespace auxfem
         .add(further);
     }
 
-    /** A scene in space far from rest, on which single effects are tried. */
+    /** A spatial scene far from rest for tests of single effects. */
     struct SpaceEffect
     {
       explicit SpaceEffect(const std::string &text, const bool large_rotation)
@@ -64,7 +64,7 @@ namespace auxfem
         return result;
       }
 
-      /** Lets the states carry what @p effect asks for. */
+      /** Adds the state variables of @p effect to the states. */
       void make_room_for(Effect &effect)
       {
         StateLayout layout = of_scene.equations.layout();
@@ -119,7 +119,7 @@ namespace auxfem
         return state;
       }
 
-      /** Expects the tangent of @p effect to be that of differences. */
+      /** Compares the tangent of @p effect with differences. */
       void expect_tangent(Effect &effect, const TangentFactors &factors)
       {
         TangentAlone tangent(effect, of_scene.dofs());

@@ -11,7 +11,7 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  /** A frame in space with everything a scene may have. */
+  /** A spatial frame with all features of scenes. */
   const SceneText frame_with_everything =
     SceneText()
       .dimension(3)
@@ -129,7 +129,8 @@ namespace
       , scheme(trial.of_scene.scene.time.implicit_scheme())
     {
       State &from = trial.from;
-      // Neighbouring nodes turn by less than half a turn against each other.
+      // Neighbouring nodes rotate relative to each other by less than half a
+      // turn.
       for (Quaternion &rotation : from.rotations)
         rotation = exponential(SpaceVector(
                      {trial.noise(0.5), trial.noise(0.5), trial.noise(0.5)})) *
@@ -158,15 +159,15 @@ namespace
       return Evaluation::discrete_gradient(trial.from, to, trial.dt);
     }
 
-    /** As Newton's method does. */
+    /** Applies an increment as Newton's method does. */
     void move(Vector increment, State &to) const
     {
       trial.rotations.rotate(evaluation(to), increment);
       scheme.correct(trial.from, increment, trial.dt, to);
     }
 
-    /** Largest difference of the tangent from differences, of its largest
-     * entry. */
+    /** Largest error of the tangent against differences, relative to its
+     * largest entry. */
     double error_of_tangent()
     {
       EquationsOnRanks &of_scene   = trial.of_scene;
@@ -268,8 +269,7 @@ TEST(SpaceTangent, HoldsForEveryOrder)
     }
 }
 
-// Struts, rigid parts, inertia, springs, hinges, connectors, loads, weight and
-// supports at once: every row times what it does work on, against the ledger.
+// All effects at once: the work of every row must balance the energy ledger.
 TEST(SpaceTangent, MeanForcesBetweenStatesBalanceTheLedger)
 {
   for (const std::string order : {"1", "2", "4"})
@@ -281,8 +281,8 @@ TEST(SpaceTangent, MeanForcesBetweenStatesBalanceTheLedger)
       EquationsOnRanks &of_scene   = step.trial.of_scene;
       const StepTravel  travel(evaluation, of_scene.dofs());
       of_scene.residual(evaluation);
-      // Constraints are not met here; that their forces do no work is seen in
-      // whole runs.
+      // Constraints are not satisfied here; whole runs test that their forces
+      // do no work.
       double     work = 0, multiplier_work = 0;
       const auto without_multipliers = [&] {
         State free = to;
@@ -314,8 +314,8 @@ TEST(SpaceTangent, MeanForcesBetweenStatesBalanceTheLedger)
     }
 }
 
-// Left out of the tangent are terms that go with the turn of the step, and
-// derivatives that are multiplied by section forces: these are small here.
+// The tangent omits terms proportional to the rotation of the step and
+// derivatives times section forces, which are small here.
 TEST(SpaceTangent, BetweenStatesIsTheDerivativeOfMeanForcesUpToTheTurn)
 {
   const std::vector<std::string> soft = {"Sections/band/Young's modulus=1e-9"};

@@ -49,7 +49,7 @@ TEST(BuildLattice, InSpaceAStrutWithoutSectionIsShownWithItsZ)
                        "middle at (0, 0, 0.5) m"));
 }
 
-TEST(BuildLattice, RefusesNamesThatAreTakenOrCannotBe)
+TEST(BuildLattice, RejectsUsedAndInvalidNames)
 {
   const auto refusal = [](const SetDefinition &definition) {
     Scene scene = ladder_scene();

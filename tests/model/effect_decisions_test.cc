@@ -28,7 +28,7 @@ namespace
   }
 } // namespace
 
-TEST(EffectDecisions, AutomaticPutsOnWhatTheSceneGivesCauseFor)
+TEST(EffectDecisions, AutomaticEnablesEffectsWithACause)
 {
   const SimulatedEffects everything = decide(star_with_everything(1, 1));
   for (const EffectDecision &one : everything.decisions)
@@ -37,7 +37,7 @@ TEST(EffectDecisions, AutomaticPutsOnWhatTheSceneGivesCauseFor)
   EXPECT_EQ(everything.decisions.size(), 10u);
 }
 
-TEST(EffectDecisions, AutomaticLeavesOutWhatTheSceneLacks)
+TEST(EffectDecisions, AutomaticDisablesEffectsWithoutACause)
 {
   const SimulatedEffects effects = decide(plain);
   EXPECT_TRUE(effects.large_rotation);
@@ -58,7 +58,7 @@ TEST(EffectDecisions, StaticsHasNoInertia)
   EXPECT_EQ(decision(effects, "inertia").reason, "time scheme static");
 }
 
-TEST(EffectDecisions, WhatTheUserSaysCounts)
+TEST(EffectDecisions, TheUserOverridesDecisions)
 {
   const SimulatedEffects off = decide(star_with_everything(1, 1),
                                       {"Effects/Large rotation=off",

@@ -75,7 +75,7 @@ TEST(LoadHistory, JumpsAreAsFastAsStepsResolve)
 TEST(LoadHistory, OscillationsLoseInEveryRadian)
 {
   const Scene scene = read_scene_from_text(strut_with("1"), "test.prm");
-  // Half of the loss of the energy, 100 pi radians a second.
+  // Half of the energy loss, at 100 pi rad/s.
   EXPECT_NEAR(load_history(scene).lost(scene, 1e-5),
               1e-5 * 50 * half_turn,
               1e-12);
@@ -142,7 +142,7 @@ TEST(EffectMeasures, SpringsAreTheirPartInTheBendingCompliance)
          "Joints = 1 | Struts = 1 | Type = rotational spring | "
          "Stiffness = 1000");
   EXPECT_NEAR(measure_of("hinges", scene)->change, 3 * 2. / 1000, 1e-12);
-  // At its end alone a strut turns against the ground.
+  // A single strut at its end rotates relative to the ground.
   EXPECT_FALSE(measure_of("hinges", scene.set("Joints/knee/Joints", "2")));
   EXPECT_FALSE(measure_of("hinges",
                           scene.set("Joints/knee/Joints", "1")

@@ -62,7 +62,7 @@ TEST(Imperfections, RandomOnesHaveTheirStandardDeviation)
     EXPECT_EQ(strut.sagitta, 0.);
 }
 
-TEST(Imperfections, TheSeedTellsWhichLatticeItIs)
+TEST(Imperfections, TheSeedDeterminesTheLattice)
 {
   const auto first_joint = [](const unsigned int seed) {
     return lattice_of(with("random",
@@ -108,7 +108,7 @@ TEST(Imperfections, AddUp)
     }
 }
 
-TEST(Imperfections, WhatIsNotUnderstoodIsRefused)
+TEST(Imperfections, InvalidInputIsRejected)
 {
   expect_parts(input_error_of([] {
                  lattice_of(with("expression", "Displacement x = 2 * tt"));

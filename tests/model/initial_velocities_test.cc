@@ -40,7 +40,7 @@ namespace
                                                         {{2, 1.5}},
                                                         {{2, 3.5}}};
 
-  /** Struts and a half circle, of which each joint is given its velocity. */
+  /** Struts and a half circle with a velocity for each joint. */
   SceneText joint_by_joint(const SceneText &further = {})
   {
     SceneText groups;
@@ -121,7 +121,7 @@ TEST(InitialVelocities, AStrutBetweenTwoSetsIsBentAsABeam)
     }
 }
 
-TEST(InitialVelocities, RefuseWhatASupportDoesNotAllow)
+TEST(InitialVelocities, RejectVelocitiesThatContradictASupport)
 {
   const SceneText clamp = SceneText().support("wall", "0", "clamp");
   expect_parts(
@@ -133,7 +133,7 @@ TEST(InitialVelocities, RefuseWhatASupportDoesNotAllow)
      "Supports/wall",
      "starts with 0 m/s, not with -3 m/s",
      "Take the joint out of the set"});
-  // What a later set says counts.
+  // Later sets override earlier ones.
   EXPECT_EQ(refusal(frame_scene("0 0; 2 0",
                                 "0 1",
                                 clamp +
@@ -159,7 +159,7 @@ TEST(InitialVelocities, RefuseWhatASupportDoesNotAllow)
             "");
 }
 
-TEST(InitialVelocities, RefuseToTurnWhatHasNoRotation)
+TEST(InitialVelocities, RejectAngularVelocitiesWithoutARotation)
 {
   const SceneText   bar  = SceneText().rigid_part("bar", "0", 1);
   const std::string spin = "Angular velocity z = 2";

@@ -30,8 +30,8 @@ namespace
   }
 
   /**
-   * Three struts from joint 0, the last two of which go on at right angles, so
-   * that they may be bodies; two struts that meet at joint 6.
+   * Three struts from joint 0, the last two bent so that they can be rotating
+   * bodies; two struts that meet at joint 6.
    */
   SceneText tripod(const SceneText &further)
   {
@@ -40,7 +40,7 @@ namespace
                        further);
   }
 
-  /** Base and end of each pair, in words. */
+  /** Text of base and end of each pair. */
   std::vector<std::string> pairs(const SceneText &further)
   {
     const Scene   scene   = read_scene_from_text(tripod(further), "test.prm");
@@ -116,7 +116,7 @@ TEST(JointReleases, ABodyTurnsAgainstTheGroundABodyOrTheStrutsThere)
   // Elastic struts 0 and 5 are rigidly connected at joint 0.
   EXPECT_EQ(pairs(one + definition("hinge", "0", "1", revolute)),
             (Words{"joint 0 - part 0"}));
-  // All elastic ones are released, and the joint turns with the only body.
+  // All elastic struts are released; the joint rotates with the only body.
   EXPECT_EQ(
     pairs(one + definition("hinge", "0", "0, 2, 5", revolute)),
     (Words{"part 0 - strut 0", "part 0 - strut 2", "part 0 - strut 5"}));

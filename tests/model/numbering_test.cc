@@ -245,7 +245,7 @@ TEST(DofNumbering, WordsForAReleasedEndNameItsStrut)
             "rotation of strut 2 (joints 0 - 3)");
 }
 
-TEST(DofNumbering, KindsTellRotationsAndPrescribedUnknownsApart)
+TEST(DofNumbering, KindsDistinguishRotationsAndPrescribedUnknowns)
 {
   const Numbered free(tripod(), 2, 1, {}, MPI_COMM_SELF);
   const int      x = free.dofs.joint_unknown(1, 0),
@@ -476,7 +476,7 @@ TEST(DofNumbering, JointsOfRigidPartsAloneHaveNoRotation)
   EXPECT_EQ(dofs.end_rotation(2, 0), dofs.joint_unknown(0, rotation_z));
   ASSERT_EQ(dofs.elements().size(), 1u);
   EXPECT_EQ(dofs.elements()[0].interval.strut, 2u);
-  // Multipliers are unknowns of the matrix, but no freedoms.
+  // Multipliers are matrix unknowns but no degrees of freedom.
   EXPECT_EQ(dofs.unknowns().n_free(), dofs.layout().n_global() - 3);
   EXPECT_EQ(dofs.unknowns().kinds[dofs.constraints().multiplier(0, 2)],
             UnknownKind::multiplier);
@@ -490,7 +490,7 @@ TEST(DofNumbering, AClampedRotationHasAConstraintOfItsOwn)
   EXPECT_EQ(clamped.dofs.layout().n_global(), 3u * 3 + 2 * 2 + 4);
   EXPECT_EQ(clamped.dofs.constraints().clamped_joints(0),
             std::vector<unsigned int>{0});
-  // A released end is not of the joint.
+  // A released end does not belong to the joint.
   Ties ties;
   ties.released = {{{false, false}}, {{false, false}}, {{true, false}}};
   const Numbered released(tripod_with_rigid_part(true),

@@ -139,7 +139,7 @@ TEST(RigidParts, AHalfCircleHasItsClosedFormMassProperties)
               10 * rigid_parts_round_off);
 }
 
-TEST(RigidParts, AGivenRotaryInertiaCounts)
+TEST(RigidParts, ASpecifiedRotaryInertiaIsUsed)
 {
   const Lattice lattice =
     lattice_of("0 0; 3 0",
@@ -151,7 +151,7 @@ TEST(RigidParts, AGivenRotaryInertiaCounts)
 
 TEST(RigidParts, SectionsDoNotMakeThemElastic)
 {
-  // Struts 0 and 1 are rigid; of the section they have the thickness.
+  // Struts 0 and 1 are rigid and use the thickness of the section.
   const Lattice lattice =
     lattice_of(six_joints,
                four_struts,

@@ -27,7 +27,7 @@ namespace
   }
 } // namespace
 
-TEST(SceneSize, IsThatOfTheLattice)
+TEST(SceneSize, MatchesTheLattice)
 {
   std::vector<Scene> scenes;
   for (const auto &[nx, ny] :
@@ -55,7 +55,7 @@ TEST(SceneSize, CountsUnknownsOfJointsAndNodes)
             6 * (5 + 4 * 5));
 }
 
-TEST(SceneSize, IsToldOfLargeScenes)
+TEST(SceneSize, IsReportedForLargeScenes)
 {
   EXPECT_EQ(size_text(scene_of_size("star-10x10.prm", {})), "");
   const Scene     large = scene_of_size("star-10x10.prm", cells(500, 500));

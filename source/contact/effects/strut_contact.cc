@@ -207,18 +207,18 @@ namespace auxfem
 
       bool follow(const State &accepted) override
       {
-        std::vector<double> room;
+        std::vector<double> gathered;
         return proximity.follow(by_global_number(accepted.displacement,
                                                  model.numbering.layout(),
-                                                 room));
+                                                 gathered));
       }
 
       bool restart(const State &accepted) override
       {
-        std::vector<double> room;
+        std::vector<double> gathered;
         return proximity.restart(by_global_number(accepted.displacement,
                                                   model.numbering.layout(),
-                                                  room));
+                                                  gathered));
       }
 
       const std::vector<AxisPair> &near() const override

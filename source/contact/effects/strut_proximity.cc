@@ -394,10 +394,10 @@ namespace auxfem
   {
     const UnknownLayout &layout = model.numbering.layout();
     if (!is_following)
-      proximity.follow(by_global_number(from.displacement, layout, room));
+      proximity.follow(by_global_number(from.displacement, layout, gathered));
     is_following = true;
     const std::vector<double> &end =
-      by_global_number(to.displacement, layout, room);
+      by_global_number(to.displacement, layout, gathered);
     const double way = proximity.largest_motion_to(end);
     const auto   found =
       proximity.first_excessive_approach(proximity.last_checked_displacements(),

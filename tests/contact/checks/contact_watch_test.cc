@@ -7,9 +7,10 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  /** Two struts of 1 cm thickness with soft faces, 12 mm apart; the upper one
-   * is
-   * moved down by @p way (m). */
+  /**
+   * Two struts of 1 cm thickness with soft faces, 12 mm apart; the upper one
+   * moves down by @p way (m).
+   */
   SceneText pressed_struts(const double way)
   {
     const std::string motion = text(-way) + " * t";
@@ -23,8 +24,7 @@ namespace
       .time(1, 0.1, "static");
   }
 
-  /** The same with a plate that is moved up from below the lower strut, whose
-   * faces are 1 cm from it. */
+  /** As above, with a plate that rises from 1 cm below the lower strut. */
   SceneText pressed_by_plate(const double way)
   {
     return pressed_struts(0).add("Plates/press",
@@ -47,9 +47,9 @@ namespace
   }
 } // namespace
 
-TEST(ContactWatch, TellsWhereStrutsGoDeepIntoEachOther)
+TEST(ContactWatch, ReportsDeepPenetrationOfStruts)
 {
-  // Faces give so much more than the struts that the way is the penetration.
+  // Faces are so soft that the motion equals the penetration.
   EXPECT_TRUE(deep_contacts(pressed_struts(0.002 + 0.0008)).empty());
   const auto texts = deep_contacts(pressed_struts(0.002 + 0.0015));
   ASSERT_EQ(texts.size(), 1u);
@@ -58,7 +58,7 @@ TEST(ContactWatch, TellsWhereStrutsGoDeepIntoEachOther)
     << texts[0];
 }
 
-TEST(ContactWatch, TellsWhereStrutsGoDeepIntoPlates)
+TEST(ContactWatch, ReportsDeepPenetrationOfPlates)
 {
   EXPECT_TRUE(deep_contacts(pressed_by_plate(0.01 + 0.0008)).empty());
   const auto texts = deep_contacts(pressed_by_plate(0.01 + 0.0015));
@@ -69,7 +69,7 @@ TEST(ContactWatch, TellsWhereStrutsGoDeepIntoPlates)
     << texts[0];
 }
 
-TEST(ContactWatch, LargestPenetrationIsThatOfPartsOfStepsToo)
+TEST(ContactWatch, LargestPenetrationIncludesSubsteps)
 {
   // In one step down by 3.5 mm, at the kink, and up again.
   SceneText scene = pressed_struts(0);
@@ -85,7 +85,7 @@ TEST(ContactWatch, LargestPenetrationIsThatOfPartsOfStepsToo)
   EXPECT_FALSE(result_of(scene.str()).largest_penetration);
 }
 
-TEST(ContactWatch, TellsOfPlatesThatGoThroughStrutsWithoutContact)
+TEST(ContactWatch, ReportsPlatesThatPassThroughStruts)
 {
   const auto told = [](const double way) {
     std::vector<Finding> found;

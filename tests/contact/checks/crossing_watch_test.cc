@@ -25,7 +25,7 @@ namespace
       .time(1, 0.01, "static");
   }
 
-  /** A cantilever, whose end is bent through a bar at y = 0.2. */
+  /** A cantilever whose end moves through a bar at y = 0.2. */
   std::string bent_through(const std::string &motion)
   {
     return bars(2,
@@ -35,7 +35,7 @@ namespace
                 "Displacement y = " + motion);
   }
 
-  /** The same in space, beside the bar. */
+  /** As above in space, beside the bar. */
   std::string bent_past(const std::string &z)
   {
     return bars(3,
@@ -46,12 +46,12 @@ namespace
   }
 } // namespace
 
-TEST(CrossingWatch, SaysWhichStrutsCrossAndWhen)
+TEST(CrossingWatch, ReportsCrossingStrutsAndTheirTime)
 {
   const auto found = findings_of(bent_through("0.4 * t"));
   ASSERT_EQ(found.size(), 1u) << verdict_text(found);
   EXPECT_EQ(found[0].verdict, Verdict::doubtful);
-  // At a distance of 20 mm. Looks are two steps from each other.
+  // Contact distance is 20 mm; checks are two steps apart.
   EXPECT_NEAR(found[0].time, 0.45, 0.101);
   EXPECT_NE(found[0].text.find("touch"), std::string::npos) << found[0].text;
   EXPECT_NE(found[0].text.find("have passed into each other"),
@@ -66,10 +66,9 @@ TEST(CrossingWatch, SaysWhichStrutsCrossAndWhen)
   EXPECT_TRUE(short_of.empty()) << verdict_text(short_of);
 }
 
-TEST(CrossingWatch, LooksAtSmallDisplacementsByHandToo)
+TEST(CrossingWatch, ChecksSmallDisplacementsSetByTheUserToo)
 {
-  // A bar that is led through another, without turning: all energies are
-  // round-off.
+  // A bar translates through another, so all energies are round-off.
   const auto led = [](const std::string &way) {
     return findings_of(SceneText()
                          .frame("0 0; 1 0; 0.3 0.1; 0.7 0.1", "0 1; 2 3")
@@ -81,7 +80,7 @@ TEST(CrossingWatch, LooksAtSmallDisplacementsByHandToo)
   };
   const auto found = led("0.15 * t");
   ASSERT_EQ(found.size(), 1u) << verdict_text(found);
-  // From 80 mm to 120 mm on, and looked at every 20 mm.
+  // Contact from 80 mm to 120 mm, checked every 20 mm.
   EXPECT_GE(found[0].time, 0.08 / 0.15);
   EXPECT_LE(found[0].time, 0.101 / 0.15);
   EXPECT_NE(found[0].text.find("leave Effects/Large rotation"),
@@ -90,7 +89,7 @@ TEST(CrossingWatch, LooksAtSmallDisplacementsByHandToo)
   EXPECT_TRUE(led("0.075 * t").empty());
 }
 
-TEST(CrossingWatch, WhatCrossesAtRestMay)
+TEST(CrossingWatch, CrossingAtRestIsAllowed)
 {
   const auto found = findings_of(bars(2,
                                       "0.9 0; 0 0; 0.3 -1; 0.3 1",
@@ -102,7 +101,7 @@ TEST(CrossingWatch, WhatCrossesAtRestMay)
 
 TEST(CrossingWatch, AStrutMayCrossItself)
 {
-  // Its end turned by more than once round and led past its beginning.
+  // Its end rotates by more than a turn and passes its start.
   const std::string motion = "Displacement x = -0.95 * t | "
                              "Displacement y = 0.3 * sin(pi * t) - 0.05 * t | "
                              "Rotation z = 2 * pi * t";
@@ -115,9 +114,10 @@ TEST(CrossingWatch, AStrutMayCrossItself)
   EXPECT_TRUE(is_told) << verdict_text(found);
 }
 
-TEST(CrossingWatch, KnowsThicknessInSpace)
+TEST(CrossingWatch, ConsidersThicknessInSpace)
 {
-  // Along y past the end of a bar along z, in it by 15 mm and beside it.
+  // Moves along y past the end of a bar along z: overlapping by 15 mm, and
+  // beside it.
   const auto through = findings_of(bent_past("0.005"));
   ASSERT_EQ(through.size(), 1u) << verdict_text(through);
   EXPECT_NEAR(through[0].time, 0.5, 0.05);
@@ -125,7 +125,7 @@ TEST(CrossingWatch, KnowsThicknessInSpace)
   EXPECT_TRUE(beside.empty()) << verdict_text(beside);
 }
 
-TEST(CrossingWatch, FindsTheSameInRunsThatAreResumed)
+TEST(CrossingWatch, IsUnchangedByARestart)
 {
   for (const char *motion : {"0.4 * t", "0.4 * sin(3 * t)"})
     EXPECT_EQ(

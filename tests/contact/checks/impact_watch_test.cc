@@ -8,8 +8,9 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  /** A rod of 1 m, in which waves run with 100 m/s, hits a wall at 0.5 m/s: it
-   * touches that for 20 ms. Another flies beside it, @p beside times as thick.
+  /**
+   * A rod of 1 m with a wave speed of 100 m/s hits a wall at 0.5 m/s; contact
+   * lasts 20 ms. A second rod flies beside it, @p beside times as thick.
    */
   SceneText rods(const std::string &step, const double beside = 1)
   {
@@ -26,7 +27,7 @@ namespace
       .time("60 ms", step, "newmark");
   }
 
-  /** What it says of impacts. */
+  /** Findings on impacts. */
   std::vector<Finding> impacts(const SceneText &scene,
                                const MPI_Comm   communicator = MPI_COMM_SELF)
   {
@@ -42,11 +43,11 @@ namespace
   }
 } // namespace
 
-TEST(ImpactWatch, TellsOfContactForLessThanThreeStepsOrSo)
+TEST(ImpactWatch, ReportsContactShorterThanAboutThreeSteps)
 {
   const auto found = impacts(rods("15 ms"));
   ASSERT_EQ(found.size(), 1u);
-  // Its end gets there after 10 ms.
+  // The rod reaches the wall after 10 ms.
   EXPECT_NEAR(found[0].time, 0.02, 0.011);
   EXPECT_NE(found[0].text.find("Set Time/Relative tolerance"),
             std::string::npos)
@@ -54,21 +55,20 @@ TEST(ImpactWatch, TellsOfContactForLessThanThreeStepsOrSo)
   EXPECT_TRUE(impacts(rods("1 ms")).empty());
 }
 
-TEST(ImpactWatch, StepsThatFollowTheirErrorResolveImpacts)
+TEST(ImpactWatch, AdaptiveStepsResolveImpacts)
 {
   EXPECT_TRUE(
     impacts(rods("15 ms").set("Time/Relative tolerance", 1e-2)).empty());
 }
 
-TEST(ImpactWatch, SaysNothingOfWhatPassesLittleOn)
+TEST(ImpactWatch, IgnoresContactWithSmallImpulse)
 {
   EXPECT_TRUE(impacts(rods("15 ms", 1e5)).empty());
 }
 
 namespace
 {
-  /** A plate of 1 kg falls on a rod that stands and whose damping acts against
-   * its sudden velocity. */
+  /** A plate of 1 kg falls on a standing rod with damping. */
   SceneText rod_that_is_struck(const std::string &step)
   {
     return SceneText()
@@ -95,17 +95,17 @@ namespace
   }
 } // namespace
 
-TEST(ImpactWatch, NotesPeaksThatLastForFewSteps)
+TEST(ImpactWatch, NotesUnresolvedPeaks)
 {
   const auto found = peaks(rod_that_is_struck("0.2 ms"));
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].verdict, Verdict::sound);
-  // The weight comes down by 1 mm.
+  // The plate falls by 1 mm.
   EXPECT_NEAR(found[0].time, 0.002, 1e-3);
   EXPECT_TRUE(peaks(rod_that_is_struck("0.05 ms")).empty());
 }
 
-TEST(ImpactWatch, FindsTheSameInRunsThatAreResumed)
+TEST(ImpactWatch, IsUnchangedByARestart)
 {
   ASSERT_EQ(impacts(rods("7 ms")).size(), 1u);
   EXPECT_EQ(expect_same_when_resumed(rods("7 ms")).result.findings.size(),

@@ -23,8 +23,10 @@ namespace
       .time(1, 0.01, scheme);
   }
 
-  /** The first step after which the rods are told to touch, if one moves as a
-   * whole by @p way of the number of steps (m); 0: none is. */
+  /**
+   * First step in which contact of the rods is detected, if one rod moves by
+   * @p way(step) (m); 0 if never.
+   */
   unsigned int step_of_touch(const std::function<double(unsigned int)> &way,
                              const unsigned int                         n_steps,
                              const std::string &scheme       = "newmark",
@@ -52,14 +54,14 @@ namespace
   }
 } // namespace
 
-TEST(FirstContactDetector, TellsOfSlowMotionsInTheStepInWhichTheyTouch)
+TEST(FirstContactDetector, DetectsSlowContactInItsStep)
 {
   const auto steady = [](const unsigned int step) { return 1e-5 * step; };
   EXPECT_EQ(step_of_touch(steady, 8999), 0u);
   EXPECT_NEAR(step_of_touch(steady, 9100), 9001, 1);
 }
 
-TEST(FirstContactDetector, SeesThePeakOfASwing)
+TEST(FirstContactDetector, DetectsThePeakOfASwing)
 {
   // With 20 steps a period; the peaks are between two steps.
   const auto swing = [](const double amplitude) {
@@ -72,7 +74,7 @@ TEST(FirstContactDetector, SeesThePeakOfASwing)
   EXPECT_EQ(step_of_touch(swing(0.0905 / peak), 200), 5u);
 }
 
-TEST(FirstContactDetector, SeesThePeakOfASmallSwingNearTheOtherRod)
+TEST(FirstContactDetector, DetectsThePeakOfASmallSwingNearTheOtherRod)
 {
   const auto swing = [](const double nearest) {
     return [nearest](const unsigned int step) {
@@ -84,7 +86,7 @@ TEST(FirstContactDetector, SeesThePeakOfASmallSwingNearTheOtherRod)
   EXPECT_EQ(step_of_touch(swing(0.090003), 200), 5u);
 }
 
-TEST(FirstContactDetector, SeesMotionsAfterLongRest)
+TEST(FirstContactDetector, DetectsMotionsAfterLongRest)
 {
   const auto pushed = [](const unsigned int step) {
     return step > 100 ? 0.0901 * std::min((step - 100) / 5., 1.) : 0.;
@@ -93,7 +95,7 @@ TEST(FirstContactDetector, SeesMotionsAfterLongRest)
   EXPECT_GE(found, 105u);
   EXPECT_LE(found, 108u);
 
-  // However many steps have been passed over.
+  // Independent of the number of unchecked steps.
   for (const double peak : {20021., 20022., 20023., 20024.})
     {
       const auto pulse = [peak](const unsigned int step) {
@@ -103,7 +105,7 @@ TEST(FirstContactDetector, SeesMotionsAfterLongRest)
     }
 }
 
-TEST(FirstContactDetector, PassesOverNoStepWithoutInertia)
+TEST(FirstContactDetector, ChecksEveryStepWithoutInertia)
 {
   const auto jump = [](const unsigned int step) {
     return step == 51 ? 0.0901 : 0.;
@@ -111,7 +113,7 @@ TEST(FirstContactDetector, PassesOverNoStepWithoutInertia)
   EXPECT_EQ(step_of_touch(jump, 100, "static"), 51u);
 }
 
-TEST(FirstContactDetectorOnRanks, TellsTheSame)
+TEST(FirstContactDetectorOnRanks, AgreesWithOneRank)
 {
   const auto swing = [](const unsigned int step) {
     return 0.0905 * std::sin(2 * pi * step / 47.);

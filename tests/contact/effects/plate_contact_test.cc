@@ -49,7 +49,7 @@ TEST(PlateContact, TangentIsTheDerivativeOfTheForces)
                        std::to_string(int(kind)));
           PressedStep step(above_plate(contact_case, friction),
                            kind == Kind::discrete_gradient);
-          // Of differences over 2e-6 of forces of about one.
+          // Error of differences over 2e-6 of forces of about one.
           EXPECT_LT(error_of_tangent(step, kind), 1e-8);
         }
 }
@@ -121,7 +121,7 @@ TEST(PlateContact, MeanForcesDoTheWorkThatIsStoredOrLost)
         for (unsigned int i = 0; i < step.n; ++i)
           work += evaluated.residual[i] *
             (step.to.displacement[i] - step.from.displacement[i]);
-        // Some hundred products of numbers below one.
+        // Round-off of some hundred products of numbers below one.
         EXPECT_NEAR(work,
                     after.stored() - stored_before + after.dissipated(),
                     1e-15);
@@ -132,7 +132,7 @@ TEST(PlateContact, MeanForcesDoTheWorkThatIsStoredOrLost)
 
 TEST(PlateContact, FrictionIsThatOfCoulombWhereItSlips)
 {
-  // A rod across the plane: only its end touches.
+  // A rod normal to the plane; only its end touches.
   const double friction = 0.3, v0 = 1e-4, slip = 2;
   SceneText    text;
   text.frame("0 0; 0 1", "0 1")
@@ -155,8 +155,8 @@ TEST(PlateContact, FrictionIsThatOfCoulombWhereItSlips)
       evaluated.residual[dofs.joint_unknown(1, component)];
   };
   const double across = on_rod(1), along = on_rod(0);
-  // E A / (2 h^2) of a cap beyond the smooth part, and the integral over what
-  // of the rod is in the plane: the energy of the law over its stretch.
+  // E A / (2 h^2) of a cap beyond the smooth part, plus the integral over the
+  // penetrating part of the rod.
   const double smoothing = 1e-3, depth = 0.01;
   EXPECT_NEAR(across,
               30 *
@@ -165,7 +165,7 @@ TEST(PlateContact, FrictionIsThatOfCoulombWhereItSlips)
                    1.01),
               1e-13);
   EXPECT_NEAR(along, -friction * across, friction * across * v0 * v0);
-  // Where nothing slips, there is none.
+  // Without slip there is no friction.
   (*step.to.velocity)[dofs.joint_unknown(0, 0)] = 0;
   EXPECT_EQ(EvaluatedAlone(step.contact, step.evaluation(Kind::step))
               .residual[dofs.joint_unknown(0, 0)],
@@ -174,8 +174,10 @@ TEST(PlateContact, FrictionIsThatOfCoulombWhereItSlips)
 
 namespace
 {
-  /** Elements that are coupled with a plate below the lattice, which moves
-   * down so fast (m/s). */
+  /**
+   * Number of elements coupled with a plate below a lattice that moves down at
+   * @p speed (m/s).
+   */
   std::size_t n_coupled(const double gap, const double speed)
   {
     ContactCase far = contact_cases[0];
@@ -191,16 +193,16 @@ namespace
   }
 } // namespace
 
-TEST(PlateContact, CouplesOnlyWhatIsNear)
+TEST(PlateContact, CouplesOnlyNearElements)
 {
-  // Of two times two elements, taken for balls of 0.55 of their length about
-  // their middles, those that are nearer than two thicknesses.
+  // Of four elements, bounded by balls of 0.55 of their length, those closer
+  // than two thicknesses.
   EXPECT_EQ(n_coupled(0.001, 0), 3u);
   EXPECT_EQ(n_coupled(0.6, 0), 2u);
   EXPECT_EQ(n_coupled(10, 0), 0u);
 }
 
-TEST(PlateContact, CouplesWhatComesNearInTheNextStep)
+TEST(PlateContact, CouplesElementsThatAreNearInTheNextStep)
 {
   EXPECT_EQ(n_coupled(3, 1), 0u);
   EXPECT_EQ(n_coupled(3, 3 / dt), 4u);
@@ -208,7 +210,7 @@ TEST(PlateContact, CouplesWhatComesNearInTheNextStep)
 
 namespace
 {
-  /** Why a step is not accepted in which the lattice moves by (x, y). */
+  /** Rejection reason of a step in which the lattice moves by (x, y). */
   std::string why_not_moved_by(const std::string &plate,
                                const double       x,
                                const double       y,
@@ -232,22 +234,22 @@ namespace
   }
 } // namespace
 
-TEST(PlateContact, StepsIntoOrThroughAPlateAreNotAccepted)
+TEST(PlateContact, StepsIntoOrThroughAPlateAreRejected)
 {
   const std::string plane = "Shape = plane | Normal = 0 1 | Position = 0 -0.11",
                     disc =
                       "Shape = sphere | Position = 0.5 -0.37 | Radius = 0.25";
-  // Half of half the thickness is allowed, after a gap of 0.01.
+  // A quarter of the thickness is allowed after a gap of 0.01.
   EXPECT_EQ(why_not_moved_by(plane, 0, -0.059, true), "");
   expect_parts(why_not_moved_by(plane, 0, -0.061, true),
                {"strut 0 would go 0.051 m into the plate \"plate\"",
                 "Contact/Largest penetration"});
-  // What the equations do not know of must not touch at all.
+  // Uncoupled struts must not touch at all.
   EXPECT_EQ(why_not_moved_by(plane, 0, -0.009, false), "");
   expect_parts(why_not_moved_by(plane, 0, -0.011, false), {"0.001 m into"});
-  // Clear of it at both ends, but not between.
+  // Without contact at both ends of the step, but not between.
   expect_parts(why_not_moved_by(disc, 0, -2, true), {"into the plate"});
-  // Between two points of an element, too.
+  // Also between two points of an element.
   const std::string point =
     "Shape = sphere | Position = 0.1234 -0.37 | Radius = 1e-4";
   expect_parts(why_not_moved_by(point, 0, -2, true), {"into the plate"});
@@ -258,7 +260,7 @@ TEST(PlateContact, StepsIntoOrThroughAPlateAreNotAccepted)
 
 namespace
 {
-  /** What an evaluation gives, by names of unknowns, and sums of all ranks. */
+  /** Results of an evaluation by name of unknowns, and sums over all ranks. */
   struct RankResults
   {
     RankResults(const ContactCase &contact_case,

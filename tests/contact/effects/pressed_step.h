@@ -44,7 +44,7 @@ namespace auxfem
       return text;
     }
 
-    /** A step in which the beam is pressed on the plate and slides on it. */
+    /** A step in which the beam presses on the plate and slides. */
     struct PressedStep
     {
       PressedStep(const std::string &text,
@@ -92,7 +92,7 @@ namespace auxfem
         layout().update_ghosts(values.data());
       }
 
-      /** A component of the plate's motion. */
+      /** Unknown of a motion component of the plate. */
       void set_plate(const unsigned int component,
                      const double       value,
                      Vector            &values) const
@@ -125,7 +125,7 @@ namespace auxfem
       unsigned int        n = 0;
     };
 
-    /** What the velocity at the end changes by with the displacement. */
+    /** Derivative of the end velocity with respect to the displacement. */
     inline double velocity_factor(PressedStep           &step,
                                   const Evaluation::Kind kind)
     {
@@ -134,7 +134,8 @@ namespace auxfem
         : 2 / contact_step;
     }
 
-    /** The largest error of a column of the tangent over its largest entry. */
+    /** Largest error of a column of the tangent, relative to its largest
+     * entry. */
     inline double error_of_tangent(PressedStep           &step,
                                    const Evaluation::Kind kind)
     {

@@ -11,11 +11,9 @@ namespace auxfem
 {
   namespace testing_support
   {
-    /**
-     * The least of the values of a function at @p n + 1 equidistant points of
-     * [0, 1], and of @p least. Skips points that cannot have it.
-     * @param steepest bound of the function's slope
-     */
+    /** Minimum of @p least and the values of a function at @p n + 1 equidistant
+     * points of [0, 1]. Skips points that cannot be the minimum.
+     * @param steepest bound of the slope of the function */
     template <typename Function>
     double least_value(const unsigned int n,
                        const double       steepest,
@@ -33,8 +31,8 @@ namespace auxfem
       return least;
     }
 
-    /** Bound of the length of a vector that is a polynomial of a parameter in
-     * [0, 1], from its coefficients of powers: the longest of Bernstein's. */
+    /** Upper bound of the norm of a vector polynomial on [0, 1] from monomial
+     * coefficients: its longest Bernstein coefficient. */
     inline double
     longest(const std::vector<AxisCurve::Vector> &power_coefficients)
     {
@@ -55,7 +53,7 @@ namespace auxfem
       return bound;
     }
 
-    /** Bound of the length of a curve's tangents (m). */
+    /** Upper bound of the norm of the tangents of a curve (m). */
     inline double longest_tangent(const AxisCurve &curve)
     {
       std::vector<AxisCurve::Vector> tangent;
@@ -64,8 +62,8 @@ namespace auxfem
       return longest(tangent);
     }
 
-    /** Bound of the distance (m) of points of two curves of one degree that
-     * have the same parameter. */
+    /** Upper bound of the distance (m) of points of equal parameter on two
+     * curves of equal degree. */
     inline double longest_way(const AxisCurve &from, const AxisCurve &to)
     {
       std::vector<AxisCurve::Vector> way;
@@ -74,8 +72,8 @@ namespace auxfem
       return longest(way);
     }
 
-    /** The least of the distances of @p n + 1 points of the part @p range of
-     * @p one from @p other, and of @p least (m). */
+    /** Minimum of @p least and the distances of @p n + 1 points of the @p range
+     * of @p one from @p other (m). */
     inline double sampled_distance(const unsigned int           n,
                                    const AxisCurve             &one,
                                    const std::array<double, 2> &range,

@@ -5,7 +5,7 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  /** Much smaller than the elements, 0.5 m long. */
+  /** Bodies much smaller than the elements of 0.5 m. */
   const std::vector<ContactCase> small_bodies = {
     {"small disc",
      2,
@@ -20,7 +20,7 @@ namespace
      "4e-3"}};
 } // namespace
 
-TEST(SmallBodyContact, HasThePotentialAndTheWorkOfLargeOnes)
+TEST(SmallBodyContact, HasThePotentialAndWorkOfLargeBodies)
 {
   for (const ContactCase &contact_case : small_bodies)
     for (const Evaluation::Kind kind :
@@ -45,8 +45,7 @@ TEST(SmallBodyContact, HasThePotentialAndTheWorkOfLargeOnes)
         for (unsigned int i = 0; i < step.n; ++i)
           work += evaluated.residual[i] *
             (step.to.displacement[i] - step.from.displacement[i]);
-        // Of the quadrature: bodies go as deep as a third of half the
-        // thickness.
+        // Quadrature error for penetrations of a third of half the thickness.
         EXPECT_NEAR(work, after - before, 1e-9 * after);
       }
 }

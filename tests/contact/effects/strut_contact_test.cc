@@ -29,7 +29,7 @@ namespace
       .mesh(3, 1);
   }
 
-  /** The effect of two struts that press on each other, by itself. */
+  /** The contact effect of two pressed struts alone. */
   struct Pressed
   {
     Pressed(const SceneText &text, const unsigned int seed)
@@ -44,7 +44,7 @@ namespace
       layout.acceleration = true;
       effect.register_in(layout);
       make_room(layout, from);
-      // Until now the second strut touched the first one lightly.
+      // The second strut touches the first one lightly so far.
       lower_second_strut(0.03, from);
       add_noise(0.004, from.displacement);
       to = from;
@@ -57,7 +57,7 @@ namespace
       tangent = std::make_unique<TangentAlone>(effect, of_scene.dofs());
     }
 
-    /** All of its nodes, along the last axis. */
+    /** Moves all its nodes along the last axis. */
     void lower_second_strut(const double way, State &state) const
     {
       const DofNumbering &dofs = of_scene.dofs();
@@ -151,7 +151,7 @@ TEST(StrutContact, TangentsAreDerivatives)
                      Evaluation::Kind::step,
                      {0.7, 0, 0},
                      1e-5);
-      // With it how friction turns with the struts, and where it acts.
+      // Includes the change of direction and location of friction.
       SceneText rubbed = pressed_struts(dimension);
       rubbed.set("Contact/Friction coefficient", 0.4)
         .set("Contact/Slip velocity", 0.3);
@@ -159,12 +159,12 @@ TEST(StrutContact, TangentsAreDerivatives)
                                             TangentFactors{0, 3, 0},
                                             TangentFactors{0.7, 3, 0}})
         expect_tangent(rubbed, Evaluation::Kind::step, factors, 1e-5);
-      // The velocity follows from the displacement: over the step of 0.1 s.
+      // Velocity is the displacement over the step of 0.1 s.
       expect_tangent(rubbed, Evaluation::Kind::static_step, {1, 10, 0}, 1e-5);
     }
 }
 
-TEST(StrutContact, MeanForcesConserveMomentumAndTellWhatEnergyTheyMiss)
+TEST(StrutContact, MeanForcesConserveMomentumAndReportTheirEnergyDefect)
 {
   for (const unsigned int dimension : {2u, 3u})
     for (unsigned int seed = 1; seed < 6; ++seed)
@@ -188,7 +188,7 @@ TEST(StrutContact, MeanForcesConserveMomentumAndTellWhatEnergyTheyMiss)
             (pressed.to.displacement[i] - pressed.from.displacement[i]);
         const double missed = pressed.to.energies.numerical();
         EXPECT_NEAR(work, stored - stored_before + missed, 1e-13 * stored);
-        // Of third order in the step, which is a large one here.
+        // The defect is of third order in the step, which is large here.
         EXPECT_LT(std::abs(missed), 0.05 * (stored - stored_before));
 
         const std::vector<NamedUnknown> names =

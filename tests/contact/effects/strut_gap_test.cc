@@ -70,8 +70,7 @@ namespace
         u[list[axis].unknowns[i]] += way[i % dimension];
     }
 
-    /** Least distance of points of both axes that may touch, less the
-     * thickness (m), by many points. */
+    /** Gap of the ranges that may touch (m), by dense sampling. */
     double sampled_gap(const std::array<AxisCurve, 2> &now) const
     {
       double least = 1e9;
@@ -89,7 +88,7 @@ namespace
     StrutGap                  gap;
   };
 
-  /** The displacements at a part of the way. */
+  /** Displacements at a fraction of the path. */
   std::vector<double> on_the_way(const std::vector<double> &from,
                                  const std::vector<double> &to,
                                  const double               part)
@@ -100,7 +99,7 @@ namespace
     return u;
   }
 
-  /** Two struts that cross, apart by twice their thickness. */
+  /** Two crossing struts, apart by twice their thickness. */
   Axes crossing_axes(const unsigned int dimension)
   {
     return dimension == 3
@@ -109,9 +108,9 @@ namespace
   }
 } // namespace
 
-TEST(StrutGap, StraightWaysThroughEachOtherAreSeen)
+TEST(StrutGap, StraightPathsThroughEachOtherAreDetected)
 {
-  // Ways that are as long as the bound by which they are looked for.
+  // Paths as long as the bound of the search.
   for (const unsigned int dimension : {2u, 3u})
     for (const double way : {0.21, 0.3, 0.4, 0.5, 0.7, 1., 3., 30.})
       {
@@ -127,7 +126,7 @@ TEST(StrutGap, StraightWaysThroughEachOtherAreSeen)
                                            axes.at(axes.rest()),
                                            axes.at(to),
                                            least));
-        // Up and away, and aside.
+        // Vertical and lateral motions.
         EXPECT_FALSE(
           axes.gap.falls_below(Axes::pair, axes.at(to), axes.at(to), -10));
         std::vector<double> away = axes.rest();
@@ -139,7 +138,7 @@ TEST(StrutGap, StraightWaysThroughEachOtherAreSeen)
       }
 }
 
-TEST(StrutGap, ComesBelowFindsWhatHappensInTheMiddleOfAStep)
+TEST(StrutGap, FallsBelowDetectsContactWithinAStep)
 {
   constexpr double thickness = Axes::thickness;
   std::mt19937     generator(5);
@@ -169,8 +168,7 @@ TEST(StrutGap, ComesBelowFindsWhatHappensInTheMiddleOfAStep)
             },
             1e9);
           const bool found = axes.gap.falls_below(Axes::pair, begin, end, 0);
-          // It may miss what goes in by a twentieth of the thickness, and take
-          // for touching what comes as near.
+          // The tolerance is a twentieth of the thickness in both directions.
           if (least < -0.06 * thickness)
             {
               ++n_through;
@@ -187,7 +185,7 @@ TEST(StrutGap, ComesBelowFindsWhatHappensInTheMiddleOfAStep)
     }
 }
 
-TEST(StrutGap, AxesThatTurnByNoMoreThanIsLeftDoNotTouch)
+TEST(StrutGap, RotationsWithinTheMarginCauseNoContact)
 {
   std::mt19937 generator(7);
   const auto   number = [&](const double low, const double high) {
@@ -196,7 +194,7 @@ TEST(StrutGap, AxesThatTurnByNoMoreThanIsLeftDoNotTouch)
   for (const unsigned int dimension : {2u, 3u})
     for (unsigned int i = 0; i < 200; ++i)
       {
-        // An angle of two struts of different length.
+        // Two struts of different length at an angle.
         const double      angle = number(0.3, 3), length = number(0.7, 1.5);
         const std::string z = dimension == 3 ? " 0" : "";
         const Axes        axes(dimension,
@@ -212,7 +210,7 @@ TEST(StrutGap, AxesThatTurnByNoMoreThanIsLeftDoNotTouch)
           {
             EXPECT_GT(left, 0.01);
           }
-        // Straight towards each other, then in any way.
+        // Directly towards each other, then at random.
         std::vector<double> closed = axes.rest(), bent = axes.rest();
         for (const unsigned int axis : {0u, 1u})
           {
@@ -221,7 +219,7 @@ TEST(StrutGap, AxesThatTurnByNoMoreThanIsLeftDoNotTouch)
             for (std::size_t k = 0; k < unknowns.size(); k += dimension)
               {
                 const unsigned int node = k / dimension;
-                // The nodes at the ends are the first ones.
+                // The end nodes are the first ones.
                 const double      at    = node == 0 ? 0.
                           : node == 1               ? 1.
                           : node == 2               ? 0.276393202250021

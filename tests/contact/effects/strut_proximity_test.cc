@@ -12,7 +12,7 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  /** A star lattice; on one rank, and thin, unless asked for otherwise. */
+  /** A star lattice, by default thin and on one rank. */
   struct Stars
   {
     explicit Stars(const MPI_Comm     communicator = MPI_COMM_SELF,
@@ -40,7 +40,7 @@ namespace
       return curves.curve(axis, axes[axis].unknowns.data(), u.data());
     }
 
-    /** Whether two axes touch, by many points of both. */
+    /** Whether two axes touch, by dense sampling. */
     bool touch(const AxisPair &pair, const std::vector<double> &u) const
     {
       const double thickness = curves.thickness(pair[0], pair[1]);
@@ -58,7 +58,7 @@ namespace
   };
 } // namespace
 
-TEST(StrutProximity, AllThatTouchAreNearHoweverTheLatticeMoves)
+TEST(StrutProximity, TouchingPairsAreNearForAnyMotion)
 {
   Stars               stars;
   std::mt19937        generator(3);
@@ -108,7 +108,7 @@ TEST(StrutProximity, StrutsThatPassEachOtherAtRestAreNeverNear)
       ASSERT_EQ(proximity.overlaps().size(), 1u);
       EXPECT_EQ(proximity.overlaps()[0].is_passing, pass);
       std::vector<double> u(of_scene.dofs().layout().n_global(), 0.);
-      // In reach since the start, and by a list made anew.
+      // Among the first candidates, and after a rebuild of the list.
       for (const double moved : {0., 0.01, 1.})
         {
           for (const ContactAxis &axis : axes)
@@ -120,20 +120,20 @@ TEST(StrutProximity, StrutsThatPassEachOtherAtRestAreNeverNear)
     }
 }
 
-TEST(StrutProximity, WhatPassesThroughInOneStepIsSeen)
+TEST(StrutProximity, AStrutThatPassesThroughInOneStepIsDetected)
 {
   Stars                     stars;
   const std::vector<double> rest(stars.of_scene.dofs().layout().n_global(), 0.);
   stars.proximity.follow(rest);
   EXPECT_TRUE(stars.proximity.near().empty());
   EXPECT_FALSE(stars.proximity.first_excessive_approach(rest, rest, 0.5));
-  // All moves on far; nothing comes nearer to anything.
+  // A large rigid motion changes no distance.
   std::vector<double> moved = rest;
   for (const ContactAxis &axis : stars.axes)
     for (std::size_t i = 0; i < axis.unknowns.size(); i += 2)
       moved[axis.unknowns[i]] = 50;
   EXPECT_FALSE(stars.proximity.first_excessive_approach(rest, moved, 0.5));
-  // One strut alone goes through the others, to the other side of them.
+  // One strut passes through the others.
   std::vector<double> thrown = rest;
   const ContactAxis  &axis   = stars.axes.front();
   for (std::size_t i = 0; i < axis.unknowns.size(); i += 2)
@@ -141,9 +141,9 @@ TEST(StrutProximity, WhatPassesThroughInOneStepIsSeen)
   EXPECT_TRUE(stars.proximity.first_excessive_approach(rest, thrown, 0.5));
 }
 
-TEST(StrutProximityOnRanks, SharedLooksFindWhatOneRankFinds)
+TEST(StrutProximityOnRanks, SharedChecksMatchOneRank)
 {
-  // So flat and thick that struts overlap at rest.
+  // The cells are so flat and thick that struts overlap at rest.
   Stars shared(MPI_COMM_WORLD, 8, "50 deg", "0.2"),
     alone(MPI_COMM_SELF, 8, "50 deg", "0.2");
   ASSERT_GT(alone.curves.connected().size(), 1000u);
@@ -162,7 +162,7 @@ TEST(StrutProximityOnRanks, SharedLooksFindWhatOneRankFinds)
     {
       for (Stars *stars : {&shared, &alone})
         {
-          // The same of each axis on any number of ranks.
+          // Motion of each axis, equal on any number of ranks.
           std::mt19937        generator(5);
           std::vector<double> u(stars->of_scene.dofs().layout().n_global(), 0.);
           for (const ContactAxis &axis : stars->axes)

@@ -263,7 +263,7 @@ namespace auxfem
     const StrutCurves  &curves;
     StrutProximity      proximity;
     bool                is_following = false;
-    std::vector<double> room; ///< displacements gathered from all ranks
+    std::vector<double> gathered; ///< displacements gathered from all ranks
   };
 } // namespace auxfem
 
