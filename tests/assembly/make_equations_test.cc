@@ -182,7 +182,7 @@ TEST(MakeEquations, RungeKuttaStepsWithRigidPartsFollowNoError)
   EXPECT_NO_THROW(EquationsOnRanks(two_struts_with(esdirk), {}, MPI_COMM_SELF));
   EXPECT_EQ(
     equations_refusal(SceneText(esdirk).rigid_part("bar", "1", 0.5)),
-    "Time/Relative tolerance: the error of Time/Scheme = esdirk is not "
-    "known where parts are rigid or hinges revolute. Set it to none, or "
-    "choose newmark, hht or generalized-alpha.");
+    "Time/Relative tolerance: Time/Scheme = esdirk has no error estimate "
+    "with rigid parts or revolute hinges. Set it to none, or choose newmark, "
+    "hht or generalized-alpha.");
 }

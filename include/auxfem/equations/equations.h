@@ -222,7 +222,7 @@ namespace auxfem
                             EvaluationResults &results) const;
 
     /**
-     * Rates of internal variables at @p state, as StageTerms::find_internal_rates().
+     * Rates of internal variables, as StageTerms::find_internal_rates().
      * @param results of residual() at the state
      */
     std::vector<double>

@@ -91,7 +91,7 @@ TEST(ContactWatch, ReportsPlatesThatPassThroughStruts)
     std::vector<Finding> found;
     for (const Finding &finding :
          findings_of(pressed_by_plate(way).set("Effects/Contact", "off")))
-      if (finding.text.find("into the plate \"press\": contact is left out") !=
+      if (finding.text.find("into the plate \"press\": contact is disabled") !=
           std::string::npos)
         found.push_back(finding);
     return found;

@@ -83,8 +83,7 @@ TEST(CrossingWatch, ChecksSmallDisplacementsSetByTheUserToo)
   // Contact from 80 mm to 120 mm, checked every 20 mm.
   EXPECT_GE(found[0].time, 0.08 / 0.15);
   EXPECT_LE(found[0].time, 0.101 / 0.15);
-  EXPECT_NE(found[0].text.find("leave Effects/Large rotation"),
-            std::string::npos)
+  EXPECT_NE(found[0].text.find("set Effects/Large rotation"), std::string::npos)
     << found[0].text;
   EXPECT_TRUE(led("0.075 * t").empty());
 }
