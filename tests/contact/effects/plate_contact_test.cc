@@ -195,8 +195,8 @@ namespace
 
 TEST(PlateContact, CouplesOnlyNearElements)
 {
-  // Of four elements, bounded by balls of 0.55 of their length, those closer
-  // than two thicknesses.
+  // Four elements exist; balls of 0.55 of their length bound them, and those
+  // closer than two thicknesses are coupled.
   EXPECT_EQ(n_coupled(0.001, 0), 3u);
   EXPECT_EQ(n_coupled(0.6, 0), 2u);
   EXPECT_EQ(n_coupled(10, 0), 0u);
