@@ -84,12 +84,10 @@ namespace auxfem
           for (const unsigned int item : others.items(record.name))
             if (known.count(item) == 0)
               more.push_back(item);
-          const std::vector<double> of_more =
+          const std::vector<double> added =
             others.values(record.name, more, record.values_per_item);
           record.items.insert(record.items.end(), more.begin(), more.end());
-          record.values.insert(record.values.end(),
-                               of_more.begin(),
-                               of_more.end());
+          record.values.insert(record.values.end(), added.begin(), added.end());
         }
   }
 

@@ -30,10 +30,10 @@ namespace auxfem
     hold_still(model, state, before);
     solver.residual(instant, results);
     if (!prepare_mass(instant))
-      prepare_stand_in(instant, dt);
+      prepare_substitute_mass(instant, dt);
     std::vector<double> rates;
     refuse_strain(before, find_rates(before, rates));
-    strike(instant, dt);
+    apply_impulses(instant, dt);
     find_accelerations(instant);
     if (state.algorithmic_acceleration)
       *state.algorithmic_acceleration = *state.acceleration;
@@ -41,7 +41,7 @@ namespace auxfem
     return before;
   }
 
-  void ConsistentRates::leave_to_equilibrium(State &state) const
+  void ConsistentRates::clear_massless_accelerations(State &state) const
   {
     if (!state.is_massless)
       return;
@@ -62,14 +62,14 @@ namespace auxfem
     solver.residual(now, results);
     solver.assemble(now, results, {0., 0., 1.});
     std::vector<double> kinds = empty_rows();
-    if (!is_anywhere(kinds))
+    if (!is_set_on_any_rank(kinds))
       return;
     mark_damped(kinds, now);
     state.is_massless.emplace(state.displacement.size(), 0.);
     std::copy(kinds.begin(), kinds.end(), state.is_massless->begin());
     solver.equations().unknowns().layout.update_ghosts(
       state.is_massless->data());
-    leave_to_equilibrium(state);
+    clear_massless_accelerations(state);
   }
 
   void ConsistentRates::mark_damped(std::vector<double> &kinds,
@@ -85,7 +85,7 @@ namespace auxfem
           if (!model.numbering.unknowns().is_rotation[i])
             refused[i] = 1;
         }
-    if (is_anywhere(refused))
+    if (is_set_on_any_rank(refused))
       throw InputError(
         "The " + describe_largest(model.numbering, refused) +
         " has no inertia, but a dashpot or damping acts on it: its velocity "
@@ -105,12 +105,13 @@ namespace auxfem
     solver.residual(instant, results);
     if (!prepare_mass(instant))
       return;
-    strike(instant, step.dt);
+    apply_impulses(instant, step.dt);
     find_accelerations(instant);
   }
 
-  State
-  ConsistentRates::renew(State &state, const double event, const double dt)
+  State ConsistentRates::update_after_jump(State       &state,
+                                           const double event,
+                                           const double dt)
   {
     const State before  = state;
     Evaluation  instant = Evaluation::consistent_rates(before, state);
@@ -118,19 +119,19 @@ namespace auxfem
     prescribe_motion(model, instant);
     solver.residual(instant, results);
     if (!prepare_mass(instant))
-      prepare_stand_in(instant, dt);
-    strike(instant, dt);
+      prepare_substitute_mass(instant, dt);
+    apply_impulses(instant, dt);
     find_accelerations(instant);
     if (state.algorithmic_acceleration)
       *state.algorithmic_acceleration = *state.acceleration;
-    leave_to_equilibrium(state);
+    clear_massless_accelerations(state);
     return before;
   }
 
   bool ConsistentRates::prepare_mass(const Evaluation &evaluation)
   {
     solver.assemble(evaluation, results, {0., 0., 1.});
-    is_singular = is_anywhere(empty_rows());
+    is_singular = is_set_on_any_rank(empty_rows());
     if (is_singular)
       return false;
     // Constraints make the matrix indefinite.
@@ -144,8 +145,8 @@ namespace auxfem
     return !is_singular;
   }
 
-  void ConsistentRates::prepare_stand_in(const Evaluation &evaluation,
-                                         const double      dt)
+  void ConsistentRates::prepare_substitute_mass(const Evaluation &evaluation,
+                                                const double      dt)
   {
     method = Method::factorization;
     solver.assemble(evaluation, results, {dt * dt / 4, dt / 2, 1.});
@@ -162,9 +163,9 @@ namespace auxfem
   {
     const DofNumbering &numbering = model.numbering;
     rates.assign(solver.equations().unknowns().layout.n_local(), 0.);
-    for (const Constraints *of_kind :
+    for (const Constraints *constraints :
          solver.equations().reporting().constraints)
-      of_kind->find_rates(state, rates.data());
+      constraints->find_rates(state, rates.data());
     double mine = 0;
     for (const double rate : rates)
       mine = std::max(mine, std::abs(rate));
@@ -190,10 +191,11 @@ namespace auxfem
     throw InputError(message.str());
   }
 
-  void ConsistentRates::strike(const Evaluation &instant, const double dt)
+  void ConsistentRates::apply_impulses(const Evaluation &instant,
+                                       const double      dt)
   {
     State &state = instant.to;
-    impulses_of_supports.clear();
+    support_impulses.clear();
     std::vector<double> rates;
     find_rates(instant.from, rates);
     increment.assign(solver.equations().unknowns().layout.n_local(), 0.);
@@ -206,7 +208,7 @@ namespace auxfem
     solve();
     if (strikes)
       find_impulses(instant, dt);
-    hold_prescribed();
+    zero_prescribed_rows();
     for (const int multiplier : model.numbering.constraints().multipliers())
       increment[multiplier] = 0;
     NodeRotations(model.numbering).make_material(state, increment);
@@ -231,12 +233,12 @@ namespace auxfem
     Evaluation evaluation  = Evaluation::consistent_rates(instant.from, struck);
     evaluation.event_at_to = instant.event_at_to;
     solver.residual(evaluation, results);
-    impulses_of_supports.assign(increment.size(), 0.);
+    support_impulses.assign(increment.size(), 0.);
     for (const Support &support : model.supports)
       for (const Support::PrescribedUnknown &prescribed : support.unknowns)
         if (const int i = prescribed.unknown;
             model.numbering.layout().is_owned(i))
-          impulses_of_supports[i] =
+          support_impulses[i] =
             dt * (struck.residual[i] - instant.to.residual[i]);
   }
 
@@ -246,7 +248,7 @@ namespace auxfem
     increment.assign(solver.equations().unknowns().layout.n_local(), 0.);
     for (unsigned int i = 0; i < model.numbering.layout().n_owned(); ++i)
       increment[i] = -state.residual[i];
-    hold_prescribed();
+    zero_prescribed_rows();
     solve();
     NodeRotations(model.numbering).make_material(state, increment);
     add_multiple(1., increment, *state.acceleration);
@@ -257,7 +259,7 @@ namespace auxfem
       }
   }
 
-  void ConsistentRates::hold_prescribed()
+  void ConsistentRates::zero_prescribed_rows()
   {
     for (const Support &support : model.supports)
       for (const Support::PrescribedUnknown &prescribed : support.unknowns)
@@ -287,7 +289,8 @@ namespace auxfem
     return emptiness;
   }
 
-  bool ConsistentRates::is_anywhere(const std::vector<double> &flags) const
+  bool
+  ConsistentRates::is_set_on_any_rank(const std::vector<double> &flags) const
   {
     return model.numbering.layout().sum(
              std::count(flags.begin(), flags.end(), 1.)) > 0;
@@ -296,7 +299,7 @@ namespace auxfem
   void ConsistentRates::refuse_empty_rows()
   {
     const std::vector<double> emptiness = empty_rows();
-    if (!is_anywhere(emptiness))
+    if (!is_set_on_any_rank(emptiness))
       return;
     throw InputError(
       "Nothing resists the " + describe_largest(model.numbering, emptiness) +

@@ -158,7 +158,7 @@ namespace auxfem
         if (!is_equilibrium(from, to, between))
           {
             if (!start)
-              start.emplace(at_own_rates(from, solver));
+              start.emplace(evaluate_start(from, solver));
             interpolate_forces(*start, to, between);
           }
         recorder.between(between);
@@ -167,8 +167,8 @@ namespace auxfem
       recorder.between(to);
   }
 
-  Solution DenseOutput::at_own_rates(const Solution &start,
-                                     TangentSolver  &solver) const
+  Solution DenseOutput::evaluate_start(const Solution &start,
+                                       TangentSolver  &solver) const
   {
     Solution instant{start.state, equations.make_results()};
     State    evaluated = start.state;

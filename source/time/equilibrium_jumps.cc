@@ -60,11 +60,11 @@ namespace auxfem
     const State &from   = step.from;
     Vector       motion = step.to.displacement;
     add_multiple(-1., from.displacement, motion);
-    const double size = largest(motion), by_tangent = largest(predicted);
+    const double size = largest(motion), predicted_size = largest(predicted);
     Vector       difference = motion;
     add_multiple(-1., predicted, difference);
     const double deviation = largest(difference);
-    double       expected  = by_tangent;
+    double       expected  = predicted_size;
     if (from.before)
       {
         Vector before = from.displacement;
@@ -79,26 +79,26 @@ namespace auxfem
       deviation > largest_first_deviation * expected;
     if (!is_far && !is_first_and_far && !changes_stability)
       return "";
-    const bool follows_load_jump = last_attempt &&
-      last_attempt->time == from.time &&
-      by_tangent > unshrunk_prediction * last_attempt->predicted;
+    const bool follows_load_jump = last_rejected &&
+      last_rejected->time == from.time &&
+      predicted_size > unshrunk_prediction * last_rejected->predicted;
     // Without a longer step to compare with nothing is known.
-    const bool is_shortest = largest_attempt &&
+    const bool is_shortest = largest_rejected &&
       step.dt <= (1 + 1e-9) * shortest_part * model.plan.time.step;
     if (!allows_jumps && !is_shortest && !follows_load_jump)
       {
-        if (!largest_attempt || size > largest_attempt->size)
-          largest_attempt = {step.dt, size};
-        last_attempt = {from.time, by_tangent};
+        if (!largest_rejected || size > largest_rejected->size)
+          largest_rejected = {step.dt, size};
+        last_rejected = {from.time, predicted_size};
         if (is_far)
-          beyond = step.to;
+          rejected_end = step.to;
         return is_far || is_first_and_far
           ? "the equilibrium lies far from the predicted one"
           : "the stability changes within the step";
       }
     const auto is_unshrunk = [&]() {
-      return size >
-        largest_attempt->size * unshrunk_motion(step.dt / largest_attempt->dt);
+      return size > largest_rejected->size *
+        unshrunk_motion(step.dt / largest_rejected->dt);
     };
     if (is_far && !follows_load_jump && (allows_jumps || is_unshrunk()))
       {
@@ -116,7 +116,7 @@ namespace auxfem
 
   bool EquilibriumJumps::allow_jumps()
   {
-    if (!beyond || allows_jumps)
+    if (!rejected_end || allows_jumps)
       return false;
     allows_jumps = true;
     return true;
@@ -124,19 +124,20 @@ namespace auxfem
 
   double EquilibriumJumps::target(const double time) const
   {
-    return allows_jumps && beyond ? std::min(time, beyond->time) : time;
+    return allows_jumps && rejected_end ? std::min(time, rejected_end->time)
+                                        : time;
   }
 
-  bool EquilibriumJumps::guess(const Evaluation    &step,
-                               const NodeRotations &rotations,
-                               Vector              &increment) const
+  bool EquilibriumJumps::extrapolate(const Evaluation    &step,
+                                     const NodeRotations &rotations,
+                                     Vector              &increment) const
   {
-    if (!allows_jumps || !beyond || beyond->time != step.to.time)
+    if (!allows_jumps || !rejected_end || rejected_end->time != step.to.time)
       return false;
-    increment = beyond->displacement;
+    increment = rejected_end->displacement;
     add_multiple(-1., step.to.displacement, increment);
-    for (unsigned int i = 0; i < beyond->rotations.size(); ++i)
-      rotations.set_values(rotation_vector(beyond->rotations[i] *
+    for (unsigned int i = 0; i < rejected_end->rotations.size(); ++i)
+      rotations.set_values(rotation_vector(rejected_end->rotations[i] *
                                            conjugate(step.to.rotations[i])),
                            i,
                            increment);
@@ -149,7 +150,7 @@ namespace auxfem
                               TangentSolver & /*solver*/)
   {
     if (allows_jumps)
-      beyond.reset();
+      rejected_end.reset();
     if (!candidate)
       return;
     ++n_jumps;

@@ -221,8 +221,8 @@ namespace auxfem
     return state;
   }
 
-  bool LargeRotationErrorEstimator::find_error(const Vector  &motion,
-                                               const bool     by_rest,
+  bool LargeRotationErrorEstimator::find_error(const Vector &motion,
+                                               const bool uses_rest_stiffness,
                                                TangentSolver &solver,
                                                Vector        &error) const
   {
@@ -236,7 +236,7 @@ namespace auxfem
     }
     EvaluationResults results = exact.make_results();
     double            last = infinity, before_last = infinity;
-    bool              is_reducing = by_rest;
+    bool              is_reducing = uses_rest_stiffness;
     for (unsigned int i = 0; i < most_iterations; ++i)
       {
         State            now        = exact_state(motion, error);
@@ -259,8 +259,8 @@ namespace auxfem
                      accuracy_of_tolerance * allowed * size(motion)))
           return true;
         is_reducing = plan.newton.kept_reduction * size_of_change <=
-          (by_rest ? before_last : last);
-        if (by_rest && !is_reducing)
+          (uses_rest_stiffness ? before_last : last);
+        if (uses_rest_stiffness && !is_reducing)
           return false;
         before_last = std::exchange(last, size_of_change);
       }
@@ -293,8 +293,8 @@ namespace auxfem
     TangentSolver solver(exact, plan.solver, work);
     Vector        error(motion.size(), 0.);
     if (!factorize_at_rest(solver) ||
-        !(find_error(motion, /*by_rest=*/true, solver, error) ||
-          find_error(motion, /*by_rest=*/false, solver, error)))
+        !(find_error(motion, /*uses_rest_stiffness=*/true, solver, error) ||
+          find_error(motion, /*uses_rest_stiffness=*/false, solver, error)))
       return found;
     found.relative    = size(error) / size(motion);
     found.translation = relative_translation(model, error, motion);

@@ -17,12 +17,12 @@ namespace auxfem
      * Residual of a single row over the tolerance of the norm of all rows.
      * @tuned observed: rows of sound scenes hardly ever ask for an iteration
      */
-    constexpr double allowed_in_a_row = 300;
+    constexpr double row_tolerance_factor = 300;
   } // namespace
 
   RowCriterion::RowCriterion(const Equations &equations, const double tolerance)
     : equations(equations)
-    , tolerance(allowed_in_a_row * tolerance)
+    , tolerance(row_tolerance_factor * tolerance)
   {}
 
   double RowCriterion::excess(const Evaluation        &evaluation,
@@ -77,29 +77,29 @@ namespace auxfem
      * cable predicts far more. From larger motions than that of the equilibrium
      * Newton's method converges.
      */
-    constexpr double largest_turn_of_slack = small_rotation;
+    constexpr double largest_slack_rotation = small_rotation;
 
     /**
      * Mean forces have a singularity where a step turns a section by half a
      * turn (rad); long before that they mean nothing.
      */
-    constexpr double largest_increment_between = 1;
+    constexpr double largest_rotation_increment = 1;
 
     /**
      * Of the force scale: below, a residual that does not get smaller may have
      * come to its round-off.
      */
-    constexpr double far_from_solution = 1e-6;
+    constexpr double stagnation_threshold = 1e-6;
 
     /**
      * Safety factor on a residual that is predicted by the last reduction
      * and not computed.
      * @tuned judgement
      */
-    constexpr double doubt = 10;
+    constexpr double residual_safety_factor = 10;
 
     /** How often an increment is halved. */
-    constexpr unsigned int most_halvings = 5;
+    constexpr unsigned int max_halvings = 5;
 
     /** Largest rotation increment of the step (rad) over all ranks. */
     double largest_increment(const LatticeModel &model, const Evaluation &step)
@@ -147,10 +147,10 @@ namespace auxfem
     double size      = in_force_units(results);
     double reduction = std::numeric_limits<double>::infinity();
     // Prescribed unknowns may still have to move to their place.
-    bool is_in_place = supports_rest ||
+    bool supports_in_place = supports_rest ||
       (scheme.is_dynamic() && prescribes_all(solver.model(), evaluation));
     // Where the residual has grown in the iteration before, too.
-    bool grows = false;
+    bool has_grown = false;
     // Of the last iterate; large if its norm was not small.
     double excess_before = std::numeric_limits<double>::infinity();
 
@@ -176,10 +176,10 @@ namespace auxfem
           }
         result.relative_residual = force > 0 ? size / force : 0.;
         const auto stagnates     = [&] {
-          return result.iterations == 0 ? size <= far_from_solution * force
+          return result.iterations == 0 ? size <= stagnation_threshold * force
                                             : reduction < parameters.kept_reduction;
         };
-        if (is_in_place && meets_constraints(results, evaluation.to) &&
+        if (supports_in_place && meets_constraints(results, evaluation.to) &&
             is_small(evaluation, results, size, force, stagnates()))
           {
             const double excess = rows.excess(evaluation, results);
@@ -212,9 +212,9 @@ namespace auxfem
         result.reason = iterate(scheme, evaluation, added);
         if (!result.reason.empty())
           return result;
-        is_in_place = true;
+        supports_in_place = true;
         if (result.iterations == 0 && !scheme.is_dynamic())
-          first_increment = way;
+          first_increment = last_increment;
         ++result.iterations;
         if (added == nullptr && result.iterations == 1 &&
             can_skip_residual(evaluation, size, force))
@@ -228,14 +228,14 @@ namespace auxfem
         size                = in_force_units(results);
         const bool is_worse = !(size < before);
         if (is_worse &&
-            (has_contact_candidates || (grows && !scheme.is_dynamic())) &&
-            before > far_from_solution * force)
-          size = shorten(scheme, evaluation, results, added, before);
-        grows     = is_worse;
+            (has_contact_candidates || (has_grown && !scheme.is_dynamic())) &&
+            before > stagnation_threshold * force)
+          size = backtrack(scheme, evaluation, results, added, before);
+        has_grown = is_worse;
         reduction = before / size;
-        kept->reduction.reset();
-        if (result.iterations == 1 && (is_linear || !kept->is_fresh))
-          kept->reduction = reduction;
+        stored->reduction.reset();
+        if (result.iterations == 1 && (is_linear || !stored->is_fresh))
+          stored->reduction = reduction;
       }
   }
 
@@ -243,10 +243,10 @@ namespace auxfem
   {
     has_failed   = false;
     allows_slack = false;
-    if (is_linear && kept)
-      kept->reduction.reset();
+    if (is_linear && stored)
+      stored->reduction.reset();
     else
-      kept.reset();
+      stored.reset();
     solver.restart();
   }
 
@@ -271,29 +271,29 @@ namespace auxfem
   {
     const TangentFactors factors =
       scheme.factors(evaluation.from, evaluation.dt);
-    const auto is_of_step = [&](const Kept &tangent) {
+    const auto matches_step = [&](const StoredFactorization &tangent) {
       return tangent.kind == evaluation.kind && tangent.dt == evaluation.dt &&
         tangent.factors == factors &&
         tangent.pattern_version == solver.equations().pattern().version();
     };
-    if (kept && is_of_step(*kept) &&
+    if (stored && matches_step(*stored) &&
         (is_linear ||
          (parameters.keep_factorization &&
           reduction >= parameters.kept_reduction)))
       {
-        kept->is_fresh = false;
+        stored->is_fresh = false;
         return true;
       }
     // A symmetric part that does not even serve where it was made is not near
     // enough to the tangent.
-    if (kept && kept->is_fresh && !kept->is_exact &&
+    if (stored && stored->is_fresh && !stored->is_exact &&
         reduction < parameters.kept_reduction)
       exactness = Exactness::exact;
-    kept.reset();
+    stored.reset();
     solver.assemble(evaluation, results, factors);
     if (!solver.factorize(exactness))
       return false;
-    take_factorization(evaluation, factors);
+    adopt_factorization(evaluation, factors);
     return true;
   }
 
@@ -306,15 +306,15 @@ namespace auxfem
     return true;
   }
 
-  void Newton::take_factorization(const Evaluation     &evaluation,
-                                  const TangentFactors &factors)
+  void Newton::adopt_factorization(const Evaluation     &evaluation,
+                                   const TangentFactors &factors)
   {
-    kept = Kept{evaluation.kind,
-                evaluation.dt,
-                factors,
-                solver.matrix().version(),
-                solver.linear_solver().is_exact(),
-                /*is_fresh=*/true};
+    stored = StoredFactorization{evaluation.kind,
+                                 evaluation.dt,
+                                 factors,
+                                 solver.matrix().version(),
+                                 solver.linear_solver().is_exact(),
+                                 /*is_fresh=*/true};
 #ifndef DEBUG // where solutions are checked by it
     // Its factorization will serve for long.
     if (is_linear)
@@ -335,30 +335,30 @@ namespace auxfem
     if (!is_linear)
       {
         const double turn = largest_motion(model, increment).second;
-        if (is_slack && turn > largest_turn_of_slack)
-          scale(largest_turn_of_slack / turn, increment);
+        if (is_slack && turn > largest_slack_rotation)
+          scale(largest_slack_rotation / turn, increment);
         else if (!(turn <= half_revolution))
           return "an iteration turned a section by more than half a turn";
       }
     if (!scheme.is_dynamic() || has_contact_candidates)
-      way = increment;
+      last_increment = increment;
     rotations.rotate(evaluation, increment);
     scheme.correct(evaluation.from, increment, evaluation.dt, evaluation.to);
     if (evaluation.kind == Evaluation::Kind::discrete_gradient &&
-        !(largest_increment(model, evaluation) <= largest_increment_between))
+        !(largest_increment(model, evaluation) <= largest_rotation_increment))
       return "the step turns a section by more than 1 rad, too far for mean "
              "forces";
     return "";
   }
 
-  double Newton::shorten(const ImplicitScheme &scheme,
-                         const Evaluation     &evaluation,
-                         EvaluationResults    &results,
-                         AddedEquation *const  added,
-                         const double          before)
+  double Newton::backtrack(const ImplicitScheme &scheme,
+                           const Evaluation     &evaluation,
+                           EvaluationResults    &results,
+                           AddedEquation *const  added,
+                           const double          before)
   {
     double part = 1;
-    for (unsigned int i = 0; i < most_halvings; ++i)
+    for (unsigned int i = 0; i < max_halvings; ++i)
       {
         part /= 2;
         const double size =
@@ -376,7 +376,7 @@ namespace auxfem
                                 const double          part)
   {
     solver.count_shortened();
-    increment = way;
+    increment = last_increment;
     scale(-part, increment);
     if (added != nullptr)
       added->undo_increment(evaluation, increment, part);
@@ -392,22 +392,23 @@ namespace auxfem
                         const double             scale,
                         const bool               stagnates) const
   {
-    const double wanted = parameters.tolerance * scale;
+    const double allowed = parameters.tolerance * scale;
     // The floor is that of the iterate: a static step from rest begins without
     // motion, hence without round-off.
-    return size <= wanted ||
+    return size <= allowed ||
       (stagnates &&
        size <=
-         wanted + solver.equations().round_off_floor(evaluation, results));
+         allowed + solver.equations().round_off_floor(evaluation, results));
   }
 
   bool Newton::can_skip_residual(const Evaluation &evaluation,
                                  const double      size,
                                  const double      scale) const
   {
-    return estimates_stages && !has_contact_candidates && kept->reduction &&
+    return estimates_stages && !has_contact_candidates && stored->reduction &&
       evaluation.kind == Evaluation::Kind::stage && !evaluation.ends_step &&
-      doubt * size <= *kept->reduction * parameters.tolerance * scale;
+      residual_safety_factor * size <=
+      *stored->reduction * parameters.tolerance * scale;
   }
 
   bool Newton::meets_constraints(const EvaluationResults &results,

@@ -31,14 +31,14 @@ namespace auxfem
 
     /** Those of a part by itself. */
     void add(const Errors      &candidate,
-             const Kind         of_kind,
+             const Kind         constraints,
              const unsigned int with_number,
              const unsigned int in_group = 0)
     {
       if (candidate.total() <= error.total())
         return;
       error  = candidate;
-      kind   = of_kind;
+      kind   = constraints;
       number = with_number;
       group  = in_group;
     }
@@ -213,12 +213,12 @@ namespace auxfem
   }
 
   double
-  SmallDisplacementEstimate::of_all_struts(const double work_of_mine,
-                                           const double axial_energy_of_mine,
-                                           const State &state) const
+  SmallDisplacementEstimate::overall_second_order(const double own_work,
+                                                  const double own_axial_energy,
+                                                  const State &state) const
   {
     const std::vector<double> sums = equations.unknowns().layout.sum(
-      std::vector<double>{work_of_mine, axial_energy_of_mine});
+      std::vector<double>{own_work, own_axial_energy});
     const double elastic = state.energies.strain() + state.energies.stored(),
                  bending = elastic - sums[1];
     // What is left of more than ten digits is round-off.
@@ -293,7 +293,7 @@ namespace auxfem
       : *std::max_element(compressions.begin(), compressions.end());
     return {worst.error.rotation,
             std::max(worst.error.second_order,
-                     of_all_struts(work, axial_energy, state)),
+                     overall_second_order(work, axial_energy, state)),
             worst.error.strain,
             location_of(worst),
             equations.unknowns().layout.largest(largest),

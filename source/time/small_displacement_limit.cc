@@ -102,7 +102,7 @@ namespace auxfem
 
   SecondOrderEffect::~SecondOrderEffect() = default;
 
-  Work SecondOrderEffect::take_effort()
+  Work SecondOrderEffect::collect_effort()
   {
     return std::exchange(effort, Work());
   }

@@ -8,7 +8,7 @@ namespace auxfem
   namespace
   {
     /** Large rotations in space that no support moves or holds as a whole. */
-    std::vector<unsigned int> rotations_to_find(const LatticeModel &model)
+    std::vector<unsigned int> free_large_rotations(const LatticeModel &model)
     {
       std::set<unsigned int> known;
       for (const Support &support : model.supports)
@@ -33,7 +33,7 @@ namespace auxfem
          Vector               &vectors)
       : ImplicitScheme(scheme.name())
       , rotations(model.numbering)
-      , to_find(rotations_to_find(model))
+      , free_rotations(free_large_rotations(model))
       , scheme(scheme)
       , base(base)
       , vectors(vectors)
@@ -43,7 +43,7 @@ namespace auxfem
     {
       scheme.predict(from, dt, to);
       const Evaluation stage = Evaluation::stage(from, to, dt, /*weight=*/0);
-      for (const unsigned int i : to_find)
+      for (const unsigned int i : free_rotations)
         {
           const SpaceVector at_base = rotations.values(base, i);
           const SpaceVector vector  = at_base +
@@ -67,7 +67,7 @@ namespace auxfem
     {
       scheme.correct(from, increment, dt, trial);
       const Evaluation stage = Evaluation::stage(from, trial, dt, /*weight=*/0);
-      for (const unsigned int i : to_find)
+      for (const unsigned int i : free_rotations)
         {
           rotations.set_values(rotations.values(vectors, i) +
                                  rotations.values(increment, i),
@@ -95,7 +95,7 @@ namespace auxfem
     }
 
     const NodeRotations             rotations;
-    const std::vector<unsigned int> to_find;
+    const std::vector<unsigned int> free_rotations;
     const ImplicitScheme           &scheme;
     /** Rotation vectors since the start of the step: at the base and now. What
      * is added to the latter counts divided by dt^2, so it must not be lost in
@@ -249,7 +249,7 @@ namespace auxfem
     find_slopes(solved);
     if (stage + 1 == n())
       {
-        kinetic_energy_defect();
+        find_kinetic_energy_defect();
         return;
       }
     if (solved.weight != 0)
@@ -258,7 +258,7 @@ namespace auxfem
     base.energy_sums = solved.to.energy_sums;
   }
 
-  void Stages::kinetic_energy_defect()
+  void Stages::find_kinetic_energy_defect()
   {
     for (unsigned int i = 0; i < n(); ++i)
       {
@@ -282,8 +282,8 @@ namespace auxfem
 
   Stages::Difference Stages::embedded_difference() const
   {
-    const Vector none(base.displacement.size(), 0.);
-    Difference   difference{none, none};
+    const Vector zero(base.displacement.size(), 0.);
+    Difference   difference{zero, zero};
     for (unsigned int j = 0; j < n(); ++j)
       {
         const double factor = tableau.embedded_difference[j] * dt;

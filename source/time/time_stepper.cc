@@ -16,7 +16,7 @@ namespace auxfem
   namespace
   {
     /** Of @p now, which follows on @p before or is the same. */
-    void raise_largest_energy(const State &before, State &now)
+    void update_largest_energy(const State &before, State &now)
     {
       now.largest_energy = std::max({before.largest_energy,
                                      now.energies.total(),
@@ -35,33 +35,33 @@ namespace auxfem
     , control(make_step_control(parameters))
     , dense_output(equations, scheme)
     , ends(equations.model().plan)
-    , watches_of_scene(equations, work)
+    , scene_watches(equations, work)
   {
     if (!equations.reporting().constraints.empty() &&
-        scheme.carries_on_alternating_errors())
+        scheme.propagates_alternating_errors())
       solvers->rates = std::make_unique<RateSolver>(equations, work);
     if (parameters.relative_tolerance)
       error.emplace(equations);
     if (scheme.stages() != nullptr)
       stages.emplace(equations, scheme);
     if (!scheme.is_dynamic() && !equations.is_linear())
-      jumps = watches_of_scene.add(
+      jumps = scene_watches.add(
         std::make_unique<EquilibriumJumps>(equations.model()));
   }
 
   std::vector<Finding> TimeStepper::findings() const
   {
-    std::vector<Finding> all = watches_of_scene.findings();
+    std::vector<Finding> all = scene_watches.findings();
     if (error)
       for (const Finding &finding : error->findings())
         all.push_back(finding);
     return all;
   }
 
-  void TimeStepper::account_for_rates(Solution              &solution,
-                                      const State           &before,
-                                      const ConsistentRates *rates,
-                                      const double           event)
+  void TimeStepper::update_results(Solution              &solution,
+                                   const State           &before,
+                                   const ConsistentRates *rates,
+                                   const double           event)
   {
     State     &state    = solution.state;
     Evaluation instant  = Evaluation::consistent_rates(before, state);
@@ -80,7 +80,7 @@ namespace auxfem
                 << '.';
         throw ComputationError(message.str());
       }
-    raise_largest_energy(state, state);
+    update_largest_energy(state, state);
   }
 
   StepReport TimeStepper::advance(Solution &solution, Recorder &recorder)
@@ -94,8 +94,8 @@ namespace auxfem
     while (state.time < end)
       {
         update_couplings(state);
-        const bool is_jump = pass_events(solution, report, recorder);
-        take_step(solution, ends.next(state.time, end), report, recorder);
+        const bool is_jump = handle_events(solution, report, recorder);
+        advance_substep(solution, ends.next(state.time, end), report, recorder);
         if (is_jump)
           state.before.reset();
       }
@@ -126,13 +126,13 @@ namespace auxfem
       return;
     trial.state.take_ghosts(equations.unknowns().layout);
     if (stages)
-      stages->forget();
+      stages->reset_prediction();
   }
 
-  void TimeStepper::take_step(Solution    &solution,
-                              const double target,
-                              StepReport  &report,
-                              Recorder    &recorder)
+  void TimeStepper::advance_substep(Solution    &solution,
+                                    const double target,
+                                    StepReport  &report,
+                                    Recorder    &recorder)
   {
     while (true)
       {
@@ -151,14 +151,14 @@ namespace auxfem
           continue;
         if (!(jumps && jumps->allow_jumps()) &&
             !solvers->newton.allow_slack(solution.state))
-          give_up(solution.state, planned.dt);
+          throw_step_failure(solution.state, planned.dt);
         control = make_step_control(parameters);
       }
   }
 
-  bool TimeStepper::pass_events(Solution   &solution,
-                                StepReport &report,
-                                Recorder   &recorder)
+  bool TimeStepper::handle_events(Solution   &solution,
+                                  StepReport &report,
+                                  Recorder   &recorder)
   {
     const std::optional<StepEnd::Jump> jump = ends.jump_at(solution.state.time);
     if (!jump)
@@ -166,34 +166,34 @@ namespace auxfem
     if (scheme.is_dynamic())
       {
         if (stages)
-          stages->forget();
-        renew_rates(solution, *jump);
+          stages->reset_prediction();
+        restart_rates(solution, *jump);
         return false;
       }
     solution.state.before.reset();
     if (*jump != StepEnd::Jump::accelerations || !solution.state.velocity)
       return *jump != StepEnd::Jump::none;
-    take_sudden_loads(solution, report, recorder);
+    apply_load_jump(solution, report, recorder);
     return false;
   }
 
-  void TimeStepper::take_sudden_loads(Solution   &solution,
-                                      StepReport &report,
-                                      Recorder   &recorder)
+  void TimeStepper::apply_load_jump(Solution   &solution,
+                                    StepReport &report,
+                                    Recorder   &recorder)
   {
-    constexpr double part_of_step = 1e-5;
-    State           &state        = solution.state;
-    StepReport       of_jump;
-    take_step(solution,
-              state.time + part_of_step * parameters.step,
-              of_jump,
-              recorder);
-    report.iterations += of_jump.iterations;
-    report.retries += of_jump.retries;
+    constexpr double step_fraction = 1e-5;
+    State           &state         = solution.state;
+    StepReport       jump_report;
+    advance_substep(solution,
+                    state.time + step_fraction * parameters.step,
+                    jump_report,
+                    recorder);
+    report.iterations += jump_report.iterations;
+    report.retries += jump_report.retries;
     state.before.reset();
   }
 
-  void TimeStepper::renew_rates(Solution &solution, const StepEnd::Jump jump)
+  void TimeStepper::restart_rates(Solution &solution, const StepEnd::Jump jump)
   {
     using Jump   = StepEnd::Jump;
     State &state = solution.state;
@@ -202,9 +202,9 @@ namespace auxfem
         (scheme.balances_means() && jump != Jump::velocities))
       return;
     ConsistentRates rates(solvers->tangent);
-    const double    event  = *ends.event_at_begin(state.time);
-    const State     before = rates.renew(state, event, parameters.step);
-    account_for_rates(solution, before, &rates, event);
+    const double    event = *ends.event_at_begin(state.time);
+    const State before = rates.update_after_jump(state, event, parameters.step);
+    update_results(solution, before, &rates, event);
     solvers->newton.drop_factorization();
   }
 
@@ -216,7 +216,7 @@ namespace auxfem
     State &state       = solution.state;
     rejected_error     = 0;
     trial.state.time   = planned.end;
-    Evaluation step    = evaluation_of(state, planned.dt);
+    Evaluation step    = make_evaluation(state, planned.dt);
     step.event_at_from = ends.event_at_begin(state.time);
     step.event_at_to   = ends.event_at_end(planned.end);
     if (stages ? !solve_stages(solution, step, report)
@@ -236,12 +236,12 @@ namespace auxfem
     control->accepted(error ? error->accept(step) : 0);
     if (stages)
       stages->accept();
-    raise_largest_energy(solution.state, trial.state);
+    update_largest_energy(solution.state, trial.state);
     if (jumps && jumps->is_jump())
-      watches_of_scene.expect_jump();
+      scene_watches.expect_jump();
     if (limit != nullptr)
       limit->check(step);
-    watches_of_scene.step(step, trial.results, solvers->tangent);
+    scene_watches.step(step, trial.results, solvers->tangent);
     trial.state.step = solution.state.step;
     std::swap(solution, trial);
     dense_output.record(trial,
@@ -315,7 +315,7 @@ namespace auxfem
       if (const std::string why = jumps->rejection_reason(
             step,
             solvers->newton.predicted_increment(),
-            watches_of_scene.changes_stability(step, solvers->tangent));
+            scene_watches.changes_stability(step, solvers->tangent));
           !why.empty())
         return reject(why);
     const double error_of_step = error ? relative_error(step) : 0;
@@ -331,7 +331,7 @@ namespace auxfem
                   : error->relative(step);
   }
 
-  Evaluation TimeStepper::evaluation_of(const State &from, const double dt)
+  Evaluation TimeStepper::make_evaluation(const State &from, const double dt)
   {
     if (!scheme.is_dynamic())
       return Evaluation::static_step(from, trial.state, dt);
@@ -348,7 +348,7 @@ namespace auxfem
     if (equations.is_linear())
       repeat_last_increment(rule, step);
     Vector increment;
-    if (jumps && jumps->guess(step, rotations, increment))
+    if (jumps && jumps->extrapolate(step, rotations, increment))
       rule.correct(step.from, increment, step.dt, step.to);
     rotations.follow(step);
     if (scheme.is_dynamic())
@@ -398,7 +398,8 @@ namespace auxfem
     return false;
   }
 
-  void TimeStepper::give_up(const State &state, const double dt) const
+  void TimeStepper::throw_step_failure(const State &state,
+                                       const double dt) const
   {
     const auto         jump = ends.jump_at(state.time);
     std::ostringstream message;

@@ -12,28 +12,29 @@ namespace auxfem
       find_static_equilibrium(state);
     if (!scheme.is_dynamic())
       {
-        account_for_rates(solution, State(state), nullptr, 0.);
-        watches_of_scene.start(state);
+        update_results(solution, State(state), nullptr, 0.);
+        scene_watches.start(state);
         return;
       }
     ConsistentRates rates(solvers->tangent);
     const State     before = rates.start(state, parameters.step);
     if (scheme.keeps_massless_in_equilibrium())
       rates.keep_massless(state);
-    account_for_rates(solution, before, &rates, 0.);
-    watches_of_scene.start(state);
+    update_results(solution, before, &rates, 0.);
+    scene_watches.start(state);
     solvers->newton.drop_factorization();
   }
 
-  void TimeStepper::begin_with_factorization(const State &rest)
+  void TimeStepper::adopt_rest_factorization(const State &rest)
   {
     State now = rest;
     if (parameters.static_start)
-      solvers->newton.take_factorization(Evaluation::equilibrium(rest, now),
-                                         Equilibrium().factors(rest, 0.));
+      solvers->newton.adopt_factorization(Evaluation::equilibrium(rest, now),
+                                          Equilibrium().factors(rest, 0.));
     else
-      solvers->newton.take_factorization(evaluation_of(rest, parameters.step),
-                                         scheme.factors(rest, parameters.step));
+      solvers->newton.adopt_factorization(
+        make_evaluation(rest, parameters.step),
+        scheme.factors(rest, parameters.step));
   }
 
   void TimeStepper::find_static_equilibrium(State &state)
@@ -73,22 +74,22 @@ namespace auxfem
     control->serialize(archive);
     if (error)
       error->serialize(archive);
-    watches_of_scene.serialize(archive);
+    scene_watches.serialize(archive);
   }
 
   void TimeStepper::restart(Solution &solution)
   {
     take_ghosts(equations.restart_couplings(solution.state));
     if (stages)
-      stages->forget();
-    watches_of_scene.forget_steps();
+      stages->reset_prediction();
+    scene_watches.forget_steps();
     solvers->newton.restart();
     if (solvers->rates)
       solvers->rates->solver.restart();
     trial.state = solution.state;
     if (!stages && last_dt > 0)
       solvers->newton.factorize_ahead(scheme,
-                                      evaluation_of(solution.state, last_dt),
+                                      make_evaluation(solution.state, last_dt),
                                       trial.results);
     State evaluated = solution.state;
     solvers->tangent.residual(Evaluation::consistent_rates(solution.state,

@@ -10,10 +10,10 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  void start(EquationsOnRanks &of_scene, State &state)
+  void start(EquationsOnRanks &setup, State &state)
   {
     Work          work;
-    TangentSolver solver(of_scene.equations, of_scene.scene.solver, work);
+    TangentSolver solver(setup.equations, setup.scene.solver, work);
     ConsistentRates(solver).start(state, 1e-3);
   }
 
@@ -22,10 +22,10 @@ namespace
   initial_acceleration(const std::string              &text,
                        const std::vector<std::string> &overrides = {})
   {
-    EquationsOnRanks of_scene(text, overrides, MPI_COMM_SELF);
-    State            state = of_scene.equations.initial_state();
-    start(of_scene, state);
-    return by_name(of_scene.model, *state.acceleration);
+    EquationsOnRanks setup(text, overrides, MPI_COMM_SELF);
+    State            state = setup.equations.initial_state();
+    start(setup, state);
+    return by_name(setup.model, *state.acceleration);
   }
 
   const SceneText falling = frame_scene("0 0; 3 4; 5 4", "0 1; 1 2")
@@ -76,10 +76,10 @@ namespace
 
 TEST(ConsistentRates, VelocitiesAreRoundedToThoseOfRigidParts)
 {
-  EquationsOnRanks of_scene(rotating_bar("2e-6"), {}, MPI_COMM_SELF);
-  State            state = of_scene.equations.initial_state();
-  start(of_scene, state);
-  const auto &dofs = of_scene.dofs();
+  EquationsOnRanks setup(rotating_bar("2e-6"), {}, MPI_COMM_SELF);
+  State            state = setup.equations.initial_state();
+  start(setup, state);
+  const auto &dofs = setup.dofs();
   // The momentum stays, the ends share it.
   for (unsigned int joint = 0; joint < 2; ++joint)
     EXPECT_NEAR((*state.velocity)[dofs.joint_unknown(joint, 0)], 1e-6, 1e-18);
@@ -91,9 +91,9 @@ TEST(ConsistentRates, VelocitiesAreRoundedToThoseOfRigidParts)
 
 TEST(ConsistentRates, VelocitiesThatNoRigidPartCanHaveAreRefused)
 {
-  EquationsOnRanks  of_scene(rotating_bar("2e-4"), {}, MPI_COMM_SELF);
-  State             state   = of_scene.equations.initial_state();
-  const std::string message = input_error_of([&] { start(of_scene, state); });
+  EquationsOnRanks  setup(rotating_bar("2e-4"), {}, MPI_COMM_SELF);
+  State             state   = setup.equations.initial_state();
+  const std::string message = input_error_of([&] { start(setup, state); });
   EXPECT_TRUE(contains(message, "move apart with 0.0002 m/s")) << message;
 }
 
@@ -106,37 +106,37 @@ namespace
   void expect_those_of_direct_solution(const std::string &text)
   {
     // The support accelerates: columns of prescribed rows have a part.
-    EquationsOnRanks of_scene(text,
-                              {"Supports/shaker/Displacement x=0.02 * t^2"},
-                              MPI_COMM_SELF);
-    ASSERT_EQ(of_scene.dofs().constraints().n_multipliers(), 0u);
-    State         state = of_scene.equations.initial_state();
+    EquationsOnRanks setup(text,
+                           {"Supports/shaker/Displacement x=0.02 * t^2"},
+                           MPI_COMM_SELF);
+    ASSERT_EQ(setup.dofs().constraints().n_multipliers(), 0u);
+    State         state = setup.equations.initial_state();
     Work          work;
-    TangentSolver solver(of_scene.equations, of_scene.scene.solver, work);
+    TangentSolver solver(setup.equations, setup.scene.solver, work);
     ConsistentRates(solver).start(state, 1e-3);
     EXPECT_EQ(work.factorizations, 0u);
 
     State      direct  = state;
     const auto is_free = [&](const unsigned int i) {
-      return of_scene.dofs().unknowns().kinds[i] != UnknownKind::prescribed;
+      return setup.dofs().unknowns().kinds[i] != UnknownKind::prescribed;
     };
-    for (unsigned int i = 0; i < of_scene.dofs().layout().n_owned(); ++i)
+    for (unsigned int i = 0; i < setup.dofs().layout().n_owned(); ++i)
       if (is_free(i))
         (*direct.acceleration)[i] = 0;
     const State      before  = direct;
     const Evaluation instant = Evaluation::consistent_rates(before, direct);
-    of_scene.residual(instant);
-    solver.assemble(instant, of_scene.results, {0., 0., 1.});
+    setup.residual(instant);
+    solver.assemble(instant, setup.results, {0., 0., 1.});
     ASSERT_TRUE(solver.factorize());
-    Vector increment(of_scene.dofs().layout().n_local());
-    for (unsigned int i = 0; i < of_scene.dofs().layout().n_owned(); ++i)
+    Vector increment(setup.dofs().layout().n_local());
+    for (unsigned int i = 0; i < setup.dofs().layout().n_owned(); ++i)
       increment[i] = is_free(i) ? -direct.residual[i] : 0.;
     ASSERT_TRUE(solver.solve(increment)) << solver.why();
     add_multiple(1., increment, *direct.acceleration);
 
     const double largest    = largest_size(*direct.acceleration);
     double       prescribed = 0;
-    for (unsigned int i = 0; i < of_scene.dofs().layout().n_owned(); ++i)
+    for (unsigned int i = 0; i < setup.dofs().layout().n_owned(); ++i)
       {
         // Residuals of 1e-13, and inertias that differ by some hundreds.
         EXPECT_NEAR((*state.acceleration)[i],

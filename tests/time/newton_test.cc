@@ -25,10 +25,10 @@ namespace
     StaticStep(const std::string              &text,
                const NewtonParameters         &parameters,
                const std::vector<std::string> &overrides = {})
-      : of_scene(text, overrides, MPI_COMM_SELF)
-      , solver(of_scene.equations, of_scene.scene.solver, work)
+      : setup(text, overrides, MPI_COMM_SELF)
+      , solver(setup.equations, setup.scene.solver, work)
       , newton(solver, parameters)
-      , from(of_scene.equations.initial_state())
+      , from(setup.equations.initial_state())
       , to(from)
     {}
 
@@ -37,15 +37,15 @@ namespace
       to.time               = from.time + 1.;
       const Evaluation step = Evaluation::static_step(from, to, 1.);
       scheme.predict(step.from, step.dt, step.to);
-      return newton.solve(scheme, step, of_scene.results);
+      return newton.solve(scheme, step, setup.results);
     }
 
     double tip(const unsigned int component) const
     {
-      return to.displacement[of_scene.dofs().joint_unknown(1, component)];
+      return to.displacement[setup.dofs().joint_unknown(1, component)];
     }
 
-    EquationsOnRanks of_scene;
+    EquationsOnRanks setup;
     Work             work;
     TangentSolver    solver;
     Newton           newton;
@@ -70,10 +70,10 @@ TEST(Newton, ConvergesQuadraticallyWithAFreshFactorization)
       parameters.maximum_iterations = n;
       parameters.tolerance          = 1e-11;
       StaticStep           step(cantilever("0.5", in_statics), parameters);
-      const Newton::Result of_n = step.solve();
-      residuals.push_back(of_n.relative_residual);
-      EXPECT_EQ(step.work.factorizations, of_n.iterations);
-      if (of_n.converged)
+      const Newton::Result at_n = step.solve();
+      residuals.push_back(at_n.relative_residual);
+      EXPECT_EQ(step.work.factorizations, at_n.iterations);
+      if (at_n.converged)
         break;
     }
   std::printf("iteration  relative residual  over square of the last\n");
@@ -115,7 +115,7 @@ namespace
   {
     step.to.time             = 1;
     const Evaluation instant = Evaluation::static_step(step.from, step.to, 1.);
-    EvaluationResults &results = step.of_scene.results;
+    EvaluationResults &results = step.setup.results;
     Vector             increment(step.to.displacement.size());
     step.scheme.predict(instant.from, instant.dt, step.to);
     step.solver.residual(instant, results);
@@ -126,9 +126,9 @@ namespace
                              step.scheme.factors(step.from, 1.));
         if (!step.solver.factorize())
           return false;
-        find_right_side(step.of_scene.model, instant, increment.data());
+        find_right_side(step.setup.model, instant, increment.data());
         if (!step.solver.solve(increment) ||
-            !(largest_motion(step.of_scene.model, increment).second <= pi))
+            !(largest_motion(step.setup.model, increment).second <= pi))
           return false;
         step.scheme.correct(step.from, increment, 1., step.to);
         step.solver.residual(instant, results);
@@ -272,13 +272,13 @@ namespace
   struct StagesInTurn
   {
     explicit StagesInTurn(const SceneText &and_this = {})
-      : of_scene(testing_support::cantilever("0.1 * t", "Scheme = esdirk")
-                   .add(and_this),
-                 {},
-                 MPI_COMM_SELF)
-      , solver(of_scene.equations, of_scene.scene.solver, work)
+      : setup(testing_support::cantilever("0.1 * t", "Scheme = esdirk")
+                .add(and_this),
+              {},
+              MPI_COMM_SELF)
+      , solver(setup.equations, setup.scene.solver, work)
       , newton(solver, estimating())
-      , from(of_scene.equations.initial_state())
+      , from(setup.equations.initial_state())
       , to(from)
     {}
 
@@ -299,19 +299,19 @@ namespace
       to.time          = time;
       Evaluation asked = stage();
       asked.ends_step  = ends_step;
-      prescribe_motion(of_scene.model, asked);
-      return newton.solve(of_scene.scene.time.implicit_scheme(),
+      prescribe_motion(setup.model, asked);
+      return newton.solve(setup.scene.time.implicit_scheme(),
                           asked,
-                          of_scene.results);
+                          setup.results);
     }
 
     double relative_residual()
     {
-      solver.residual(stage(), of_scene.results);
-      return of_scene.results.force / of_scene.results.force_scale;
+      solver.residual(stage(), setup.results);
+      return setup.results.force / setup.results.force_scale;
     }
 
-    EquationsOnRanks of_scene;
+    EquationsOnRanks setup;
     Work             work;
     TangentSolver    solver;
     Newton           newton;
@@ -344,7 +344,7 @@ TEST(Newton, TheResidualOfAStageIsEstimatedOnceIterationsAreKnown)
       // A tangent tells how it serves elsewhere after its second stage; that of
       // linear equations is the same everywhere.
       EXPECT_EQ(is_estimated(stages.solve(1.00001)),
-                stages.of_scene.equations.is_linear());
+                stages.setup.equations.is_linear());
       EXPECT_TRUE(is_estimated(stages.solve(1.00002)));
       EXPECT_LT(stages.relative_residual(), tolerance_of_stages);
     }

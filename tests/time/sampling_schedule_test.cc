@@ -34,7 +34,7 @@ namespace
                     blow      = "1e-5 * exp(-((t - 200e-6) / 50e-6)^2)";
 
   /** Without that of bending, which is sampled in single steps. */
-  std::vector<Finding> of_bursts(std::vector<Finding> findings)
+  std::vector<Finding> without_rates(std::vector<Finding> findings)
   {
     findings.erase(std::remove_if(findings.begin(),
                                   findings.end(),
@@ -108,9 +108,9 @@ TEST(SamplingSchedule, FindsInSamplesWhatAllStepsTell)
     {
       SCOPED_TRACE(force);
       const auto in_samples =
-                   of_bursts(findings_of(shaken_stars("top", force))),
+                   without_rates(findings_of(shaken_stars("top", force))),
                  in_all =
-                   of_bursts(findings_of(shaken_stars("top", force, "on")));
+                   without_rates(findings_of(shaken_stars("top", force, "on")));
       const std::vector<double> found    = percentages(in_samples),
                                 expected = percentages(in_all);
       EXPECT_EQ(expected.size(), force == vibration ? 3u : 1u)
@@ -126,10 +126,11 @@ TEST(SamplingSchedule, FindsInSamplesWhatAllStepsTell)
 
 TEST(SamplingSchedule, FindsWhatHappensToOneJoint)
 {
-  const auto of_joint = [](const std::string &large_rotation) {
-    return of_bursts(findings_of(shaken_stars("2000", blow, large_rotation)));
+  const auto joint_findings = [](const std::string &large_rotation) {
+    return without_rates(
+      findings_of(shaken_stars("2000", blow, large_rotation)));
   };
-  const auto found = of_joint("off"), expected = of_joint("on");
+  const auto found = joint_findings("off"), expected = joint_findings("on");
   ASSERT_EQ(found.size(), 1u);
   ASSERT_EQ(expected.size(), 1u);
   EXPECT_NEAR(percentages(found)[0],

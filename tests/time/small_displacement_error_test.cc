@@ -200,12 +200,12 @@ TEST(SmallDisplacementEstimate, SeesRigidPartsAndConnectors)
              false)
       .estimate;
   };
-  const SmallDisplacementError of_lever  = with_spring("0.2"),
-                               of_spring = with_spring("0.05");
-  EXPECT_NEAR(of_lever.rotation, 0.05, 1e-12);
-  EXPECT_EQ(of_lever.location, "rigid part 0");
-  EXPECT_NEAR(of_spring.rotation, 0.1, 1e-12);
-  EXPECT_EQ(of_spring.location, "connector spring of joint 1");
+  const SmallDisplacementError lever_error  = with_spring("0.2"),
+                               spring_error = with_spring("0.05");
+  EXPECT_NEAR(lever_error.rotation, 0.05, 1e-12);
+  EXPECT_EQ(lever_error.location, "rigid part 0");
+  EXPECT_NEAR(spring_error.rotation, 0.1, 1e-12);
+  EXPECT_EQ(spring_error.location, "connector spring of joint 1");
 }
 TEST(SmallDisplacementWatch, TellsDisplacementsThatAreNotSmall)
 {

@@ -68,22 +68,22 @@ namespace auxfem
      * derivatives. A free unknown without mass is treated as at the start.
      * Returns the state just before.
      */
-    State renew(State &state, double event, double dt);
+    State update_after_jump(State &state, double event, double dt);
 
     /**
-     * Impulses of supports (N s, N m s) in the last start() or renew(), in
-     * their rows; nullptr if nothing was struck.
+     * Impulses of supports (N s, N m s) in the last start() or
+     * update_after_jump(), in their rows; nullptr if nothing was struck.
      */
     const Vector *impulses() const
     {
-      return impulses_of_supports.empty() ? nullptr : &impulses_of_supports;
+      return support_impulses.empty() ? nullptr : &support_impulses;
     }
 
   private:
     /** M at evaluation.to; false if it is singular. */
     bool prepare_mass(const Evaluation &evaluation);
     /** M + dt / 2 C + dt^2 / 4 K, factorized. */
-    void prepare_stand_in(const Evaluation &evaluation, double dt);
+    void prepare_substitute_mass(const Evaluation &evaluation, double dt);
     /** Largest |dg/dt| (m/s) over all ranks; the rates themselves into @p rates. */
     double find_rates(const State &state, std::vector<double> &rates) const;
     void   refuse_strain(const State &state, double rate) const;
@@ -91,14 +91,14 @@ namespace auxfem
      * Velocities of instant.to after the impulses of constraints, and of
      * supports whose velocity is not that of instant.from.
      */
-    void strike(const Evaluation &instant, double dt);
+    void apply_impulses(const Evaluation &instant, double dt);
     /** Those that change velocities by `increment` and its multipliers. */
     void find_impulses(const Evaluation &instant, double dt);
     void find_accelerations(const Evaluation &evaluation);
     /** Takes the accelerations of unknowns without mass, if known, away. */
-    void leave_to_equilibrium(State &state) const;
+    void clear_massless_accelerations(State &state) const;
     /** Makes `increment` zero for prescribed unknowns. */
-    void hold_prescribed();
+    void zero_prescribed_rows();
     /** Solves for `increment`; throws ComputationError if that fails. */
     void solve();
     void refuse_empty_rows();
@@ -108,14 +108,14 @@ namespace auxfem
     /** 1 for owned rows of the matrix that are zero, else 0. */
     std::vector<double> empty_rows();
     /** Whether one of the flags is 1, over all ranks. */
-    bool is_anywhere(const std::vector<double> &flags) const;
+    bool is_set_on_any_rank(const std::vector<double> &flags) const;
 
     TangentSolver      &solver;
     const LatticeModel &model;
     EvaluationResults   results;
     Vector              increment;
     /** Empty if nothing was struck. */
-    Vector impulses_of_supports;
+    Vector support_impulses;
     /** How the matrix that stands for M is solved with. */
     enum class Method
     {

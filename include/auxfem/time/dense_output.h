@@ -57,7 +57,7 @@ namespace auxfem
 
     /** The start of a step, evaluated at its own rates, not by the step that
      * led there: so a resumed run has the same forces. */
-    Solution at_own_rates(const Solution &start, TangentSolver &solver) const;
+    Solution evaluate_start(const Solution &start, TangentSolver &solver) const;
     Rates    rates(const Solution &end, std::optional<TimeLimit> event) const;
     /** Whether forces at the motion of @p between, within the step, balance. */
     bool is_equilibrium(const Solution &from,

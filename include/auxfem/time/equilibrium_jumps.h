@@ -23,9 +23,9 @@ namespace auxfem
     /** A step of the scene begins, which no attempt has been made at. */
     void begin_step()
     {
-      largest_attempt.reset();
-      last_attempt.reset();
-      beyond.reset();
+      largest_rejected.reset();
+      last_rejected.reset();
+      rejected_end.reset();
       allows_jumps = false;
     }
 
@@ -54,9 +54,9 @@ namespace auxfem
      * Whether @p step ends where a rejected one has jumped to; if so,
      * @p increment leads there from step.to.
      */
-    bool guess(const Evaluation    &step,
-               const NodeRotations &rotations,
-               Vector              &increment) const;
+    bool extrapolate(const Evaluation    &step,
+                     const NodeRotations &rotations,
+                     Vector              &increment) const;
 
     /** Whether the step last judged jumps. */
     bool is_jump() const
@@ -83,13 +83,13 @@ namespace auxfem
     };
 
     /** Length of a rejected step (s) and its largest translation (m). */
-    struct Motion
+    struct RejectedMotion
     {
       double dt, size;
     };
 
     /** A rejected step. */
-    struct Attempt
+    struct RejectedStep
     {
       double time;      ///< at its start (s)
       double predicted; ///< largest translation (m)
@@ -97,10 +97,10 @@ namespace auxfem
 
     const LatticeModel &model;
     /** The attempt at this step with the largest motion. */
-    std::optional<Motion>  largest_attempt;
-    std::optional<Attempt> last_attempt;
+    std::optional<RejectedMotion> largest_rejected;
+    std::optional<RejectedStep>   last_rejected;
     /** End of the last step that was rejected for a jump. */
-    std::optional<State> beyond;
+    std::optional<State> rejected_end;
     bool                 allows_jumps = false;
     std::optional<Jump>  candidate, first;
     unsigned long        n_jumps = 0;

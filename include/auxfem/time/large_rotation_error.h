@@ -77,9 +77,9 @@ namespace auxfem
     std::optional<Vector> linear_answer(const TimeLimit &time,
                                         TangentSolver   &solver) const;
     /** Newton's method; returns whether it converges.
-     * @param by_rest with the stiffness at rest, which @p solver has */
+     * @param uses_rest_stiffness with the stiffness at rest, which @p solver has */
     bool find_error(const Vector  &motion,
-                    bool           by_rest,
+                    bool           uses_rest_stiffness,
                     TangentSolver &solver,
                     Vector        &error) const;
     /** The exact state after @p motion and @p error. */

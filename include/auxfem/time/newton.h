@@ -67,9 +67,9 @@ namespace auxfem
                           Vector           &increment) = 0;
 
     /** Takes back the @p part of what complete() has changed last, with
-     * @p way_back in place of the increment. */
+     * @p reversed_increment in place of the increment. */
     virtual void undo_increment(const Evaluation &evaluation,
-                                const Vector     &way_back,
+                                const Vector     &reversed_increment,
                                 double            part) = 0;
   };
 
@@ -118,8 +118,8 @@ namespace auxfem
 
     /** The solver has factorized the tangent of @p evaluation with @p factors.
      */
-    void take_factorization(const Evaluation     &evaluation,
-                            const TangentFactors &factors);
+    void adopt_factorization(const Evaluation     &evaluation,
+                             const TangentFactors &factors);
 
     /**
      * Factorizes the tangent of @p evaluation, of a step that has not moved yet,
@@ -132,7 +132,7 @@ namespace auxfem
     /** Forgets the factorization (the state jumped). */
     void drop_factorization()
     {
-      kept.reset();
+      stored.reset();
     }
 
     /**
@@ -159,7 +159,7 @@ namespace auxfem
 
   private:
     /** What a kept factorization belongs to. */
-    struct Kept
+    struct StoredFactorization
     {
       Evaluation::Kind kind;
       double           dt;
@@ -200,11 +200,11 @@ namespace auxfem
      * @p before (N); if none of some attempts is, it has its length again. Returns
      * the size of the residual (N).
      */
-    double shorten(const ImplicitScheme &scheme,
-                   const Evaluation     &evaluation,
-                   EvaluationResults    &results,
-                   AddedEquation        *added,
-                   double                before);
+    double backtrack(const ImplicitScheme &scheme,
+                     const Evaluation     &evaluation,
+                     EvaluationResults    &results,
+                     AddedEquation        *added,
+                     double                before);
     /** Takes back the @p part of the last increment; returns the size of the
      * residual (N). */
     double undo_increment(const ImplicitScheme &scheme,
@@ -227,10 +227,10 @@ namespace auxfem
     Vector              increment;
     /** The last one that line search may shorten, rotations in space as spins.
      */
-    Vector              way;
-    Vector              first_increment;
-    std::optional<Kept> kept;
-    Exactness           exactness = Exactness::exact;
+    Vector                             last_increment;
+    Vector                             first_increment;
+    std::optional<StoredFactorization> stored;
+    Exactness                          exactness = Exactness::exact;
     /** Whether the last attempt did, so that the next one takes more care. */
     bool has_failed = false;
     /** Whether forces of contact may begin in the step. */

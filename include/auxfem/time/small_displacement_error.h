@@ -128,9 +128,9 @@ namespace auxfem
     /** The largest of both ends of an element (rad). */
     double node_rotation(const Chord &chord, const Vector &displacement) const;
     /** Work of axial forces over the energy of bending, in all struts. */
-    double      of_all_struts(double       work_of_mine,
-                              double       axial_energy_of_mine,
-                              const State &state) const;
+    double      overall_second_order(double       own_work,
+                                     double       own_axial_energy,
+                                     const State &state) const;
     std::string location_of(const Worst &worst) const;
 
     const Scene              &scene;

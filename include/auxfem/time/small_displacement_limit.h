@@ -54,7 +54,7 @@ namespace auxfem
     const Equations *exact_equations();
 
     /** Effort of the checks since the last call. */
-    Work take_effort();
+    Work collect_effort();
 
   private:
     /** The same structure with large rotations. */

@@ -49,7 +49,7 @@ namespace auxfem
     void accept();
 
     /** What follows is not predicted by what has been. */
-    void forget()
+    void reset_prediction()
     {
       before.clear();
     }
@@ -73,7 +73,7 @@ namespace auxfem
     };
 
     void find_slopes(const Evaluation &stage);
-    void kinetic_energy_defect();
+    void find_kinetic_energy_defect();
     void set_base(const Evaluation &step);
     void guess_acceleration();
 

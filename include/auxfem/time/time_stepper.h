@@ -65,7 +65,7 @@ namespace auxfem
      * solver() has factorized the stiffness at rest, from which start() or the
      * first step of the scene takes its first tangent.
      */
-    void begin_with_factorization(const State &rest);
+    void adopt_rest_factorization(const State &rest);
 
     /** Estimated error of all steps so far, relative, where steps follow it. */
     std::optional<double> estimated_error() const
@@ -76,12 +76,12 @@ namespace auxfem
     /** Those that look at its steps. */
     Watches &watches()
     {
-      return watches_of_scene;
+      return scene_watches;
     }
 
     const Watches &watches() const
     {
-      return watches_of_scene;
+      return scene_watches;
     }
 
     /** Ends the run where @p limit, which must outlive it, throws. */
@@ -107,30 +107,29 @@ namespace auxfem
      * the state. Returns whether the next step follows a jump of them.
      */
     bool
-    pass_events(Solution &solution, StepReport &report, Recorder &recorder);
+    handle_events(Solution &solution, StepReport &report, Recorder &recorder);
     /**
      * Without inertia: a part of a step in which springs answer loads that have
      * jumped, dashpots do not.
      */
-    void take_sudden_loads(Solution   &solution,
-                           StepReport &report,
-                           Recorder   &recorder);
+    void
+    apply_load_jump(Solution &solution, StepReport &report, Recorder &recorder);
     /** With inertia: rates just after the @p jump. */
-    void renew_rates(Solution &solution, StepEnd::Jump jump);
+    void restart_rates(Solution &solution, StepEnd::Jump jump);
     /**
      * Results and energies of an instant at which rates have been found; where
      * supports have struck, with the work of their impulses.
      * @param before the state just before
      */
-    void account_for_rates(Solution              &solution,
-                           const State           &before,
-                           const ConsistentRates *rates,
-                           double                 event);
+    void update_results(Solution              &solution,
+                        const State           &before,
+                        const ConsistentRates *rates,
+                        double                 event);
     /** One accepted step, to @p target (s) at the latest. */
-    void take_step(Solution   &solution,
-                   double      target,
-                   StepReport &report,
-                   Recorder   &recorder);
+    void advance_substep(Solution   &solution,
+                         double      target,
+                         StepReport &report,
+                         Recorder   &recorder);
     bool try_step(Solution          &solution,
                   const PlannedStep &planned,
                   StepReport        &report,
@@ -151,13 +150,13 @@ namespace auxfem
     /** Error of @p step over the one that is allowed. */
     double relative_error(const Evaluation &step);
     /** What is asked of the equations at the end of a step of length @p dt (s). */
-    Evaluation evaluation_of(const State &from, double dt);
+    Evaluation make_evaluation(const State &from, double dt);
     void       predict(const ImplicitScheme &rule, const Evaluation &step);
     /** Rates of rigid parts put right, in a step that is solved. */
     void              restore_rates(const Evaluation &step);
     bool              creates_energy(const Evaluation &step) const;
     bool              reject(const std::string &reason);
-    [[noreturn]] void give_up(const State &state, double dt) const;
+    [[noreturn]] void throw_step_failure(const State &state, double dt) const;
 
     /** With the mass matrix. */
     struct RateSolver
@@ -199,7 +198,7 @@ namespace auxfem
     /** Only where the length of steps follows their error. */
     std::optional<StepError> error;
     const StepEnds           ends;
-    Watches                  watches_of_scene;
+    Watches                  scene_watches;
     /** One of the watches; only of nonlinear equilibria. */
     EquilibriumJumps       *jumps = nullptr;
     SmallDisplacementLimit *limit = nullptr;

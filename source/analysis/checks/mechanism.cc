@@ -70,10 +70,10 @@ namespace auxfem
             return {};
           const double motion =
             pattern.unknowns().is_rotation[rows[i]] ? rotation : translation;
-          const double of_row = values[n * i + i] * motion * motion;
-          most += of_row;
+          const double row_energy = values[n * i + i] * motion * motion;
+          most += row_energy;
           part.stiffness =
-            std::max(part.stiffness, of_row / (translation * translation));
+            std::max(part.stiffness, row_energy / (translation * translation));
           for (unsigned int j = 0; j < n; ++j)
             if (rows[j] >= 0)
               energy += mode[rows[i]] * values[n * i + j] * mode[rows[j]];

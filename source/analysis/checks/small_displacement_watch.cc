@@ -212,7 +212,7 @@ namespace auxfem
       {
         const std::optional<SecondOrderChange> change =
           second_order.at(state, estimate.forces_by_turning(state));
-        work.add_effort(second_order.take_effort());
+        work.add_effort(second_order.collect_effort());
         if (!change)
           return;
         error.second_order = std::min(error.second_order, change->relative);

@@ -45,10 +45,10 @@ namespace auxfem
       std::optional<NegativeModes> negative_modes(const Evaluation &evaluation,
                                                   const TangentFactors &factors)
       {
-        const std::string of_run = work.linear_solver;
+        const std::string chosen_solver = work.linear_solver;
         solver->assemble(evaluation, results, factors);
         const bool is_done = solver->factorize();
-        work.linear_solver = of_run;
+        work.linear_solver = chosen_solver;
         return is_done ? solver->new_negative_modes() : std::nullopt;
       }
 
@@ -56,7 +56,7 @@ namespace auxfem
       NegativeModes negative_modes_by_determinant()
       {
         const std::optional<int> sign = ModeSpace(*solver).determinant_sign();
-        return {sign && *sign < 0 ? 1ul : 0ul, /*is_least=*/true};
+        return {sign && *sign < 0 ? 1ul : 0ul, /*is_lower_bound=*/true};
       }
 
       /** Joint and component that move most in the softest mode of the tangent
@@ -72,15 +72,15 @@ namespace auxfem
         };
         for (unsigned int i = 0; i < weight.size(); ++i)
           weight[i] = is_translation(i) ? 1. : 0.;
-        constexpr unsigned int n_iterations = 4;
-        const std::string      of_run       = work.linear_solver;
+        constexpr unsigned int n_iterations  = 4;
+        const std::string      chosen_solver = work.linear_solver;
         solver->assemble(evaluation, results, factors);
         const auto growth  = inverse_iteration(*solver,
                                               weight,
                                               is_translation,
                                               n_iterations,
                                               mode);
-        work.linear_solver = of_run;
+        work.linear_solver = chosen_solver;
         if (!growth)
           return "";
         for (double &entry : mode)
@@ -154,7 +154,7 @@ namespace auxfem
         , first(run.plan, run.statistics)
         , most(run.statistics.number("stability: most negative modes"))
         , last(run.statistics.number("stability: last negative modes"))
-        , is_least(run.statistics.number("stability: there may be more"))
+        , is_lower_bound(run.statistics.number("stability: there may be more"))
       {}
 
       void forget_steps() override
@@ -176,9 +176,9 @@ namespace auxfem
                 const EvaluationResults & /*results*/,
                 TangentSolver & /*newtons*/) override
       {
-        last     = now.n;
-        most     = std::max(most, last);
-        is_least = is_least != 0 || now.is_least;
+        last           = now.n;
+        most           = std::max(most, last);
+        is_lower_bound = is_lower_bound != 0 || now.is_lower_bound;
         if (last > 0 && !first)
           note_loss(step);
       }
@@ -189,8 +189,8 @@ namespace auxfem
           return {};
         std::ostringstream text;
         first.write(text);
-        text << "from there on " << (is_least != 0 ? "at least " : "up to ")
-             << most
+        text << "from there on "
+             << (is_lower_bound != 0 ? "at least " : "up to ") << most
              << (most == 1 ? " mode of the stiffness is negative"
                            : " modes of the stiffness are negative")
              << (last == 0 ? ", though not in the end" : "")
@@ -236,7 +236,7 @@ namespace auxfem
       FirstLoss      first;
       NegativeModes  now; ///< of the step last solved
       double        &most, &last;
-      double        &is_least; ///< 0 or 1, as NegativeModes
+      double        &is_lower_bound; ///< 0 or 1, as NegativeModes
     };
 
     /**

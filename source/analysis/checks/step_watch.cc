@@ -141,13 +141,13 @@ namespace auxfem
 
       Finding error_finding(const double relative) const
       {
-        const bool         is_ruinous = !(relative <= unusable_error);
+        const bool         is_unusable = !(relative <= unusable_error);
         std::ostringstream text;
         text.precision(2);
         text << "The steps are long for the motion: each misses about "
              << percentage_text(relative) << " of the way of the joints"
              << shorter_step_text(scene_step, scheme, relative);
-        return {is_ruinous ? Verdict::not_to_be_used : Verdict::doubtful,
+        return {is_unusable ? Verdict::not_to_be_used : Verdict::doubtful,
                 text.str(),
                 time,
                 ""};

@@ -103,10 +103,10 @@ namespace auxfem
     archive.values("mesh error: energies of error and motion", error, energy);
   }
 
-  std::vector<double> errors_of_division(const LatticeModel              &model,
-                                         const MeshError                 &seen,
-                                         const std::vector<unsigned int> &which,
-                                         const StrutDivision division)
+  std::vector<double> division_errors(const LatticeModel              &model,
+                                      const MeshError                 &seen,
+                                      const std::vector<unsigned int> &which,
+                                      const StrutDivision              division)
   {
     if (which.empty())
       return {};
@@ -115,7 +115,7 @@ namespace auxfem
     for (const unsigned int i : which)
       {
         struts.push_back(seen.struts()[i]);
-        motions.push_back(seen.most_demanding()[i]);
+        motions.push_back(seen.critical_motions()[i]);
       }
     const std::vector<StrutDivision> divisions(model.lattice.struts.size(),
                                                division);
@@ -185,7 +185,7 @@ namespace auxfem
 
   MeshErrorObserver::MeshErrorObserver(const LatticeModel &model,
                                        const OrderReport  &report)
-    : distance(model.plan.time.end_time / n_instants_of_mesh_error)
+    : distance(model.plan.time.end_time / n_mesh_error_samples)
     , parts_of_step(n_stages(model.plan.time))
     , report(report)
     , estimate(model)
@@ -285,8 +285,7 @@ namespace auxfem
       else
         time.step =
           std::min(longer_steps * time.step,
-                   std::max(time.step,
-                            time.end_time / n_instants_of_mesh_error));
+                   std::max(time.step, time.end_time / n_mesh_error_samples));
       return search;
     }
 
@@ -296,7 +295,7 @@ namespace auxfem
       {1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64};
 
     /** Numbers of elements that may gain nothing, one after the other. */
-    constexpr unsigned int most_in_vain = 2;
+    constexpr unsigned int max_failed = 2;
 
     /** Elements of a strut: the fewest nodes with which its error is allowed,
      * else the smallest error. */
@@ -305,7 +304,7 @@ namespace auxfem
       StrutDivision division{lowest_chosen_order, 1};
       double        error = std::numeric_limits<double>::infinity(); ///< J
       bool          is_good_enough = false;
-      unsigned int  n_in_vain      = 0;
+      unsigned int  n_failed       = 0;
     };
 
     /** Tries elements for struts in the motion in which each needs them most.
@@ -334,8 +333,8 @@ namespace auxfem
                  ++order)
               try_division({order, multiple * model.plan.division.n_elements});
             for (std::size_t i = 0; i < best.size(); ++i)
-              best[i].n_in_vain =
-                best[i].error < before[i].error ? 0 : best[i].n_in_vain + 1;
+              best[i].n_failed =
+                best[i].error < before[i].error ? 0 : best[i].n_failed + 1;
           }
         return best;
       }
@@ -347,20 +346,20 @@ namespace auxfem
         for (unsigned int i = 0; i < best.size(); ++i)
           if (best[i].is_good_enough
                 ? division.n_inner_nodes() < best[i].division.n_inner_nodes()
-                : best[i].n_in_vain < most_in_vain)
+                : best[i].n_failed < max_failed)
             tried.push_back(i);
         const std::vector<double> errors =
-          errors_of_division(model, seen, tried, division);
+          division_errors(model, seen, tried, division);
         for (std::size_t k = 0; k < tried.size(); ++k)
           {
-            BestElements &best_of_strut = best[tried[k]];
+            BestElements &best_elements = best[tried[k]];
             const bool    is_good       = errors[k] <= allowed;
             // Half the error is no gain: it may be of round-off.
-            if (is_good || errors[k] <= best_of_strut.error / 4)
-              best_of_strut = {division,
+            if (is_good || errors[k] <= best_elements.error / 4)
+              best_elements = {division,
                                errors[k],
                                is_good,
-                               best_of_strut.n_in_vain};
+                               best_elements.n_failed};
           }
       }
 

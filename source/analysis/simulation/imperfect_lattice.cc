@@ -200,11 +200,11 @@ namespace auxfem
           const DofNumbering::Element &element = numbering.elements()[e];
           if (!element.is_owned || element.interval.begin != 0)
             continue;
-          const StrutMotion of_strut =
+          const StrutMotion strut_motion =
             interpolated(motion_of_strut(numbering, moved, e), {2, 1});
           for (unsigned int c = 0; c < dimension; ++c)
             values[dimension * (n_joints + element.interval.strut) + c] =
-              of_strut.displacement[numbering.n_components() + c];
+              strut_motion.displacement[numbering.n_components() + c];
         }
       values = layout.sum(values);
       GeometryOffsets offsets(run.lattice);
@@ -250,9 +250,10 @@ namespace auxfem
               definition.path + "/Mode = " + std::to_string(definition.mode) +
               ": the lattice has only " + std::to_string(found.modes.size()) +
               " buckling modes with this mesh and these loads");
-          const GeometryOffsets of_mode =
+          const GeometryOffsets mode_offsets =
             offsets_of(found.modes[definition.mode - 1].shape, run);
-          offsets.add(definition.amplitude / of_mode.largest(), of_mode);
+          offsets.add(definition.amplitude / mode_offsets.largest(),
+                      mode_offsets);
         }
     }
     /** What decides which unknowns there are. */

@@ -80,9 +80,9 @@ namespace auxfem
                                                         Recorder   &recorder)
     {
       SmallRun             small(exact);
-      const auto          &of_former_run = exact.model.plan.kinematics;
+      const auto          &former_choice = exact.model.plan.kinematics;
       const EffectDecision decision =
-        of_former_run ? *of_former_run : small.decide();
+        former_choice ? *former_choice : small.decide();
       if (decision.on)
         {
           exact.model.explain(decision);

@@ -101,7 +101,7 @@ namespace auxfem
                          ? std::nullopt
                          : std::optional<double>(model.plan.time.step));
     if (is_tangent)
-      stepper.begin_with_factorization(solution.state);
+      stepper.adopt_rest_factorization(solution.state);
   }
 
   void LatticeRun::prepare()
@@ -274,8 +274,8 @@ namespace auxfem
 
   RunResult LatticeRun::run(Recorder &recorder)
   {
-    return run(recorder, [this](Recorder &of_run) {
-      advance_to_end(of_run);
+    return run(recorder, [this](Recorder &chosen_solver) {
+      advance_to_end(chosen_solver);
       return std::vector<Finding>();
     });
   }
@@ -283,7 +283,7 @@ namespace auxfem
   RunResult LatticeRun::run(Recorder &recorder, const Advance &advance)
   {
     bool                 has_begun = false;
-    std::vector<Finding> of_way;
+    std::vector<Finding> run_findings;
     const auto           finish = [&](const std::string &exit_state) {
       if (!has_begun)
         recorder.begin(equations);
@@ -294,11 +294,11 @@ namespace auxfem
       recorder.finish(solution, failed);
     };
     // Else ranks may know nothing of an exception of another, and would wait.
-    const bool is_alone = model.numbering.layout().n_ranks() == 1;
+    const bool is_serial = model.numbering.layout().n_ranks() == 1;
     try
       {
         begin(recorder, has_begun);
-        of_way = advance(recorder);
+        run_findings = advance(recorder);
       }
     catch (const InputError &)
       {
@@ -315,20 +315,20 @@ namespace auxfem
       }
     catch (const std::bad_alloc &)
       {
-        if (has_begun && is_alone)
+        if (has_begun && is_serial)
           finish(out_of_memory_text());
         throw;
       }
     catch (const std::exception &failure)
       {
-        if (is_alone)
+        if (is_serial)
           finish(failure.what());
         throw;
       }
     RunResult completed = result("completed");
     completed.findings.insert(completed.findings.end(),
-                              of_way.begin(),
-                              of_way.end());
+                              run_findings.begin(),
+                              run_findings.end());
     recorder.finish(solution, completed);
     return completed;
   }

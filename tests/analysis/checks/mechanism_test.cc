@@ -17,11 +17,11 @@ namespace
   {
     std::vector<std::string> all = overrides;
     all.push_back("Solver/Type=" + solver_type);
-    EquationsOnRanks of_scene(text, all, MPI_COMM_SELF);
+    EquationsOnRanks setup(text, all, MPI_COMM_SELF);
     Work             work;
-    TangentSolver    solver(of_scene.equations, of_scene.scene.solver, work);
+    TangentSolver    solver(setup.equations, setup.scene.solver, work);
     return input_error_of([&] {
-      refuse_mechanism(solver, of_scene.equations.initial_state(), first_step);
+      refuse_mechanism(solver, setup.equations.initial_state(), first_step);
     });
   }
 

@@ -15,12 +15,11 @@ namespace
                                 const std::vector<std::string> &overrides = {},
                                 const MPI_Comm communicator = MPI_COMM_WORLD)
   {
-    EquationsOnRanks of_scene(text, overrides, communicator);
+    EquationsOnRanks setup(text, overrides, communicator);
     Work             work;
-    TangentSolver    solver(of_scene.equations, of_scene.scene.solver, work);
-    return input_error_of([&] {
-      refuse_overconstrained(solver, of_scene.equations.initial_state());
-    });
+    TangentSolver    solver(setup.equations, setup.scene.solver, work);
+    return input_error_of(
+      [&] { refuse_overconstrained(solver, setup.equations.initial_state()); });
   }
 
   SceneText rigid(const std::string &struts)

@@ -34,9 +34,9 @@ namespace
   template <typename RecorderType>
   struct Recorded
   {
-    Recorded(const Scene &scene, std::unique_ptr<RecorderType> of_run)
+    Recorded(const Scene &scene, std::unique_ptr<RecorderType> chosen_solver)
       : run(scene, MPI_COMM_WORLD)
-      , owned(std::move(of_run))
+      , owned(std::move(chosen_solver))
       , recorder(*owned)
     {
       recorder.begin(run.equations);

@@ -108,13 +108,12 @@ namespace
   };
 
   /** Every question that there is to effects, at one evaluation. */
-  Answer ask_all(EquationsOnRanks &of_scene, const Evaluation &evaluation)
+  Answer ask_all(EquationsOnRanks &setup, const Evaluation &evaluation)
   {
-    const Equations         &equations = of_scene.equations;
+    const Equations         &equations = setup.equations;
     const UnknownLayout     &layout    = equations.unknowns().layout;
-    const EvaluationResults &results   = of_scene.residual(evaluation);
-    const auto               matrix    = of_scene.make_tangent(),
-               other                   = of_scene.make_tangent();
+    const EvaluationResults &results   = setup.residual(evaluation);
+    const auto matrix = setup.make_tangent(), other = setup.make_tangent();
     equations.tangent(evaluation, results, {1., 2., 3.}, *matrix);
     const Vector ones(evaluation.to.displacement.size(), 1.);
     Vector       image(layout.n_owned());
@@ -217,19 +216,19 @@ namespace
                    const Kind                      kind,
                    const MPI_Comm                  communicator)
   {
-    EquationsOnRanks    of_scene(text, overrides, communicator);
-    const NodeRotations rotations(of_scene.dofs());
-    State               from = of_scene.equations.initial_state();
-    of_scene.equations.update_couplings(from);
-    of_scene.results = of_scene.equations.make_results();
-    State to         = from;
-    to.time          = kind == Kind::consistent_rates ? 0. : 0.1;
-    fill_by_position(of_scene.model, 0.02, to.displacement);
+    EquationsOnRanks    setup(text, overrides, communicator);
+    const NodeRotations rotations(setup.dofs());
+    State               from = setup.equations.initial_state();
+    setup.equations.update_couplings(from);
+    setup.results = setup.equations.make_results();
+    State to      = from;
+    to.time       = kind == Kind::consistent_rates ? 0. : 0.1;
+    fill_by_position(setup.model, 0.02, to.displacement);
     rotations.follow(evaluation_of(kind, from, to));
     for (std::optional<Vector> *rates : {&to.velocity, &to.acceleration})
       if (*rates)
-        fill_by_position(of_scene.model, 0.1, **rates);
-    return ask_all(of_scene, evaluation_of(kind, from, to));
+        fill_by_position(setup.model, 0.1, **rates);
+    return ask_all(setup, evaluation_of(kind, from, to));
   }
 
   /** The kinds that a scheme brings about. */

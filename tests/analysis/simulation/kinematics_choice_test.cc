@@ -67,16 +67,16 @@ namespace
     double largest = 0, distance = 0;
     for (std::size_t i = 0; i < exact.history.rows().size(); ++i)
       {
-        double square = 0, of_distance = 0;
+        double square = 0, distance_square = 0;
         for (std::size_t c = 0; c < exact.history.columns().size(); ++c)
           if (exact.history.columns()[c].name.find("tip.u") == 0)
             {
               const double now = exact.history.rows()[i][c];
               square += now * now;
-              of_distance += std::pow(one.history.rows()[i][c] - now, 2);
+              distance_square += std::pow(one.history.rows()[i][c] - now, 2);
             }
         largest  = std::max(largest, square);
-        distance = std::max(distance, of_distance);
+        distance = std::max(distance, distance_square);
       }
     return std::sqrt(distance / largest);
   }

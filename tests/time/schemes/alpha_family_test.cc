@@ -26,15 +26,15 @@ namespace
   struct BareStates
   {
     BareStates()
-      : of_scene(frame_scene("0 0; 1 0", "0 1"), {}, MPI_COMM_SELF)
-      , from(of_scene.dofs().layout().n_local(), layout())
+      : setup(frame_scene("0 0; 1 0", "0 1"), {}, MPI_COMM_SELF)
+      , from(setup.dofs().layout().n_local(), layout())
       , to(from)
     {
-      fill_by_position(of_scene.model, 0.3, from.displacement);
-      fill_by_position(of_scene.model, 1.7, *from.velocity);
-      fill_by_position(of_scene.model, 2.3, *from.acceleration);
-      fill_by_position(of_scene.model, -1.1, *from.algorithmic_acceleration);
-      fill_by_position(of_scene.model, 0.9, to.residual);
+      fill_by_position(setup.model, 0.3, from.displacement);
+      fill_by_position(setup.model, 1.7, *from.velocity);
+      fill_by_position(setup.model, 2.3, *from.acceleration);
+      fill_by_position(setup.model, -1.1, *from.algorithmic_acceleration);
+      fill_by_position(setup.model, 0.9, to.residual);
     }
 
     static StateLayout layout()
@@ -45,7 +45,7 @@ namespace
       return layout;
     }
 
-    EquationsOnRanks of_scene;
+    EquationsOnRanks setup;
     State            from, to;
   };
 

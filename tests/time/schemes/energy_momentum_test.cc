@@ -17,16 +17,16 @@ namespace
   struct TwoStates
   {
     TwoStates()
-      : of_scene(frame_scene("0 0; 1 0", "0 1"),
-                 {"Time/Scheme=energy-momentum"},
-                 MPI_COMM_SELF)
-      , scheme(of_scene.scene.time.implicit_scheme())
-      , from(of_scene.equations.initial_state())
+      : setup(frame_scene("0 0; 1 0", "0 1"),
+              {"Time/Scheme=energy-momentum"},
+              MPI_COMM_SELF)
+      , scheme(setup.scene.time.implicit_scheme())
+      , from(setup.equations.initial_state())
       , to(from)
     {
-      fill_by_position(of_scene.model, 0.3, from.displacement);
-      fill_by_position(of_scene.model, 1.7, *from.velocity);
-      fill_by_position(of_scene.model, 2.3, *from.acceleration);
+      fill_by_position(setup.model, 0.3, from.displacement);
+      fill_by_position(setup.model, 1.7, *from.velocity);
+      fill_by_position(setup.model, 2.3, *from.acceleration);
     }
 
     bool is_plane_rotation(const int i) const
@@ -52,7 +52,7 @@ namespace
         }
     }
 
-    EquationsOnRanks      of_scene;
+    EquationsOnRanks      setup;
     const ImplicitScheme &scheme;
     State                 from, to;
   };
@@ -63,11 +63,11 @@ TEST(EnergyMomentum, MeanVelocityIsTheTravelOverTheStep)
   TwoStates states;
   // Rotations of all nodes.
   EXPECT_EQ(states.to.plane_rotations->size(),
-            states.of_scene.dofs().layout().n_local() / 3);
+            states.setup.dofs().layout().n_local() / 3);
   states.scheme.predict(states.from, dt, states.to);
   states.expect_mean_rates();
   Vector increment(states.from.displacement);
-  fill_by_position(states.of_scene.model, -0.4, increment);
+  fill_by_position(states.setup.model, -0.4, increment);
   for (unsigned int i = 0; i < 3; ++i)
     states.scheme.correct(states.from, increment, dt, states.to);
   states.expect_mean_rates();
@@ -83,12 +83,12 @@ TEST(EnergyMomentum, AStepIsSoughtFromThePlacesAtItsStart)
 
 TEST(EnergyMomentum, SmallRotationsAreNotTurns)
 {
-  const EquationsOnRanks of_scene(frame_scene("0 0; 1 0", "0 1"),
-                                  {"Time/Scheme=energy-momentum",
-                                   "Effects/Large rotation=off"},
-                                  MPI_COMM_SELF);
-  EXPECT_TRUE(of_scene.equations.initial_state().plane_rotations->empty());
-  EXPECT_TRUE(of_scene.equations.is_linear());
+  const EquationsOnRanks setup(frame_scene("0 0; 1 0", "0 1"),
+                               {"Time/Scheme=energy-momentum",
+                                "Effects/Large rotation=off"},
+                               MPI_COMM_SELF);
+  EXPECT_TRUE(setup.equations.initial_state().plane_rotations->empty());
+  EXPECT_TRUE(setup.equations.is_linear());
 }
 
 TEST(EnergyMomentum, BalancesMeansAndNeedsNoRatesRestored)
@@ -96,5 +96,5 @@ TEST(EnergyMomentum, BalancesMeansAndNeedsNoRatesRestored)
   const TwoStates states;
   EXPECT_TRUE(states.scheme.balances_means());
   EXPECT_TRUE(states.scheme.is_dynamic());
-  EXPECT_FALSE(states.scheme.carries_on_alternating_errors());
+  EXPECT_FALSE(states.scheme.propagates_alternating_errors());
 }

@@ -11,14 +11,14 @@ namespace
   struct ViscousStates
   {
     ViscousStates()
-      : of_scene(frame_scene("0 0; 1 0", "0 1"), {}, MPI_COMM_SELF)
-      , from(of_scene.dofs().layout().n_local(), layout())
+      : setup(frame_scene("0 0; 1 0", "0 1"), {}, MPI_COMM_SELF)
+      , from(setup.dofs().layout().n_local(), layout())
       , to(from)
-      , increment(of_scene.dofs().layout().n_local())
+      , increment(setup.dofs().layout().n_local())
     {
-      fill_by_position(of_scene.model, 0.3, from.displacement);
-      fill_by_position(of_scene.model, 1.7, *from.velocity);
-      fill_by_position(of_scene.model, 0.2, increment);
+      fill_by_position(setup.model, 0.3, from.displacement);
+      fill_by_position(setup.model, 1.7, *from.velocity);
+      fill_by_position(setup.model, 0.2, increment);
     }
 
     static StateLayout layout()
@@ -28,7 +28,7 @@ namespace
       return layout;
     }
 
-    EquationsOnRanks of_scene;
+    EquationsOnRanks setup;
     State            from, to;
     Vector           increment;
   };

@@ -51,7 +51,7 @@ namespace auxfem
     }
 
     /** Of each of struts(), the motion in which its error was largest. */
-    const std::vector<StrutMotion> &most_demanding() const
+    const std::vector<StrutMotion> &critical_motions() const
     {
       return motions;
     }
@@ -76,10 +76,10 @@ namespace auxfem
    *   they are not
    * @param which struts, by their numbers in MeshError::struts()
    */
-  std::vector<double> errors_of_division(const LatticeModel              &model,
-                                         const MeshError                 &seen,
-                                         const std::vector<unsigned int> &which,
-                                         StrutDivision division);
+  std::vector<double> division_errors(const LatticeModel              &model,
+                                      const MeshError                 &seen,
+                                      const std::vector<unsigned int> &which,
+                                      StrutDivision division);
 
   /**
    * Part of the tolerance that chosen elements aim at: their error is known
@@ -91,7 +91,7 @@ namespace auxfem
   /**
    * Instants of a run at which the error of its elements is estimated.
    */
-  inline constexpr unsigned int n_instants_of_mesh_error = 64;
+  inline constexpr unsigned int n_mesh_error_samples = 64;
 
   /** Wave number times length of the first bending mode between clamped ends.
    */

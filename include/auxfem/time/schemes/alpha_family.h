@@ -60,7 +60,7 @@ namespace auxfem
                            double        dt,
                            State        &trial) const override;
 
-    bool carries_on_alternating_errors() const override
+    bool propagates_alternating_errors() const override
     {
       return c.gamma == 0.5 && !uses_algorithmic_acceleration();
     }

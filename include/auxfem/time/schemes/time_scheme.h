@@ -122,7 +122,7 @@ namespace auxfem
      * step are neither damped nor fed back by an algorithmic acceleration, so
      * that restoring consistent rates after a step removes them.
      */
-    virtual bool carries_on_alternating_errors() const
+    virtual bool propagates_alternating_errors() const
     {
       return false;
     }
