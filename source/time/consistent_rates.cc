@@ -24,7 +24,7 @@ namespace auxfem
     state.acceleration->assign(state.acceleration->size(), 0.);
     State      before  = state;
     Evaluation instant = Evaluation::consistent_rates(before, state);
-    // A load that is switched on at t = 0 acts from there on.
+    // A load that is switched on at t = 0 acts from t = 0 on.
     instant.event_at_to = {0., TimeSide::after};
     prescribe_motion(model, instant);
     hold_still(model, state, before);
@@ -219,8 +219,9 @@ namespace auxfem
   void ConsistentRates::find_impulses(const Evaluation &instant,
                                       const double      dt)
   {
-    // What the same change in a step of this length would ask of the supports;
-    // residuals are linear in accelerations and multipliers.
+    // Impulses follow from the support forces of the same velocity change over
+    // a step of this length, as residuals are linear in accelerations and
+    // multipliers.
     State  struck = instant.to;
     Vector change = increment;
     NodeRotations(model.numbering).make_material(struck, change);
@@ -310,8 +311,8 @@ namespace auxfem
   namespace
   {
     /**
-     * Change of velocities in a short step, over themselves, up to which the
-     * next motion is extrapolated.
+     * Relative change of velocities in a step up to which the predictor is
+     * extrapolated.
      * @tuned measured: with three times as much, steps of a collapse fail
      */
     constexpr double small_change = 0.1;
@@ -322,7 +323,7 @@ namespace auxfem
       const std::vector<bool> &is_rotation =
         model.numbering.unknowns().is_rotation;
       const Vector &v = *step.from.velocity, &a = *step.from.acceleration;
-      // Of translations, of rotations.
+      // Of translations and of rotations.
       std::vector<double> velocities(2, 0.), changes(2, 0.);
       for (unsigned int i = 0; i < layout.n_owned(); ++i)
         {

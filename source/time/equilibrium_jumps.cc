@@ -12,37 +12,40 @@ namespace auxfem
   {
     /**
      * Distance of an equilibrium from the tangent's prediction, over the
-     * prediction or the last step, from which on it may be a jump.
-     * @tuned judgement: the last long steps to a limit point reach it and
-     * are halved
+     * prediction or the last step, above which it may be a jump.
+     * @tuned judgement: the last long steps before a limit point reach it and
+     *   are halved
      */
     constexpr double largest_deviation = 2;
 
-    /** The same for the first step, which has no step before it to compare
-     * with. A path of constant curvature through the tangent reaches it where
-     * its direction has turned by about a radian. */
+    /**
+     * The same for the first step, which has no previous one. A path of
+     * constant curvature reaches it after turning by about one radian.
+     */
     constexpr double largest_first_deviation = 0.5;
 
-    /** Part of all motion so far below which a deviation is no jump. */
+    /** Part of the total motion below which a deviation is no jump. */
     constexpr double negligible_motion = 1e-3;
 
     /**
      * Part of the scene's step at which a motion that has not shrunk is a
      * jump.
      * @tuned judgement: a connected motion has shrunk to a quarter or less
-     * there
+     *   there
      */
     constexpr double shortest_part = 1. / 64;
 
-    /** Part of the motion of a longer step that a jump keeps at least in one
-     * shorter by @p ratio; a connected path keeps no more than the root of it,
-     * as at a limit point. */
+    /**
+     * Smallest ratio of motions that indicates a jump, for steps whose lengths
+     * have this @p ratio. On a connected path motions shrink at least with its
+     * square root, as at a limit point.
+     */
     double unshrunk_motion(const double ratio)
     {
       return std::cbrt(ratio);
     }
 
-    /** Part of the prediction kept in half a step that shows loads to jump. */
+    /** Part of the prediction in half a step above which the loads jump. */
     constexpr double unshrunk_prediction = 0.75;
   } // namespace
 
@@ -82,7 +85,7 @@ namespace auxfem
     const bool follows_load_jump = last_rejected &&
       last_rejected->time == from.time &&
       predicted_size > unshrunk_prediction * last_rejected->predicted;
-    // Without a longer step to compare with nothing is known.
+    // A jump can only be judged against a longer step.
     const bool is_shortest = largest_rejected &&
       step.dt <= (1 + 1e-9) * shortest_part * model.plan.time.step;
     if (!allows_jumps && !is_shortest && !follows_load_jump)

@@ -14,8 +14,10 @@ namespace auxfem
   namespace
   {
     /**
-     * Residual of a single row over the tolerance of the norm of all rows.
-     * @tuned observed: rows of sound scenes hardly ever ask for an iteration
+     * Residual allowed in a single row over the tolerance of the norm of all
+     * rows.
+     * @tuned observed: rows of sound scenes hardly ever need an extra
+     *   iteration
      */
     constexpr double row_tolerance_factor = 300;
   } // namespace
@@ -49,56 +51,55 @@ namespace auxfem
                                       const double *round_off) const
   {
     const LatticeModel &model = equations.model();
-    double              worst = 1;
+    double              excess = 1;
     for (const std::vector<int> *rows :
          {&model.rows.free_translations, &model.rows.free_rotations})
       for (const int row : *rows)
         {
-          const double size    = std::abs(state.residual[row]);
+          const double norm    = std::abs(state.residual[row]);
           const double allowed = tolerance * state.largest_forces[row] +
             (round_off ? round_off[row] : 0.) + least_of_full_precision;
-          if (!(size <= worst * allowed))
-            worst = size / allowed;
+          if (!(norm <= excess * allowed))
+            excess = norm / allowed;
         }
-    return model.numbering.layout().largest(worst);
+    return model.numbering.layout().largest(excess);
   }
 
   namespace
   {
     /**
-     * An increment that turns a section further has left the neighbourhood of
-     * the state it started from: the solution it leads to would be another one.
+     * Larger rotation increments have left the neighbourhood of the state at
+     * the start and would lead to another solution.
      */
     constexpr double half_revolution = dealii::numbers::PI;
 
     /**
-     * Largest turn of a section in an iteration (rad) from an unstressed
-     * lattice that resists the loads by tension only: the tangent of a straight
-     * cable predicts far more. From larger motions than that of the equilibrium
-     * Newton's method converges.
+     * Largest rotation of a section in one iteration (rad) from an unstressed
+     * lattice that resists by tension only; the tangent of a straight cable
+     * predicts far larger motions.
      */
     constexpr double largest_slack_rotation = small_rotation;
 
     /**
-     * Mean forces have a singularity where a step turns a section by half a
-     * turn (rad); long before that they mean nothing.
+     * Largest rotation increment of a step (rad) with a discrete gradient,
+     * whose mean forces are singular at half a revolution.
      */
     constexpr double largest_rotation_increment = 1;
 
     /**
-     * Of the force scale: below, a residual that does not get smaller may have
-     * come to its round-off.
+     * Part of the force scale below which a stagnating residual may be
+     * round-off.
      */
     constexpr double stagnation_threshold = 1e-6;
 
     /**
-     * Safety factor on a residual that is predicted by the last reduction
-     * and not computed.
+     * Safety factor on a residual that is predicted by the last reduction and
+     * not computed.
      * @tuned judgement
      */
     constexpr double residual_safety_factor = 10;
 
-    /** How often an increment is halved. */
+    /** Largest number of halvings in a line search. */
     constexpr unsigned int max_halvings = 5;
 
     /** Largest rotation increment of the step (rad) over all ranks. */
@@ -140,18 +141,18 @@ namespace auxfem
       ? Exactness::exact
       : Exactness::approximate;
     is_slack  = allows_slack && evaluation.from.largest_force == 0;
-    // Unless it gets to the end.
+    // Stays set unless the iteration converges.
     has_failed             = true;
     has_contact_candidates = solver.equations().has_contact_candidates();
     solver.residual(evaluation, results);
-    double size      = in_force_units(results);
+    double norm      = in_force_units(results);
     double reduction = std::numeric_limits<double>::infinity();
-    // Prescribed unknowns may still have to move to their place.
+    // Prescribed unknowns may not have reached their positions yet.
     bool supports_in_place = supports_rest ||
       (scheme.is_dynamic() && prescribes_all(solver.model(), evaluation));
-    // Where the residual has grown in the iteration before, too.
+    // Whether the residual norm grew in the iteration before.
     bool has_grown = false;
-    // Of the last iterate; large if its norm was not small.
+    // Excess of the last iterate; infinite if its norm was not small.
     double excess_before = std::numeric_limits<double>::infinity();
 
     const auto solved = [&](const double force) {
@@ -162,10 +163,10 @@ namespace auxfem
     };
     while (true)
       {
-        // A wild iterate must not set the scale for what follows.
+        // A diverged iterate must not set the force scale of later ones.
         const double force =
           std::max(evaluation.from.largest_force, results.force_scale);
-        if (!std::isfinite(size) || !std::isfinite(results.force_scale))
+        if (!std::isfinite(norm) || !std::isfinite(results.force_scale))
           {
             result.relative_residual = std::numeric_limits<double>::quiet_NaN();
             result.reason =
@@ -174,21 +175,21 @@ namespace auxfem
               result.reason = "the residual is not finite";
             return result;
           }
-        result.relative_residual = force > 0 ? size / force : 0.;
+        result.relative_residual = force > 0 ? norm / force : 0.;
         const auto stagnates     = [&] {
-          return result.iterations == 0 ? size <= stagnation_threshold * force
+          return result.iterations == 0 ? norm <= stagnation_threshold * force
                                             : reduction < parameters.kept_reduction;
         };
         if (supports_in_place && meets_constraints(results, evaluation.to) &&
-            is_small(evaluation, results, size, force, stagnates()))
+            is_small(evaluation, results, norm, force, stagnates()))
           {
             const double excess = rows.excess(evaluation, results);
-            // The strong parts, in which the norm lies, may have come to their
-            // round-off: from here on the weak ones count.
+            // The strong rows that dominate the norm may have reached
+            // round-off; from here on the weak rows measure the reduction.
             reduction     = excess_before / excess;
             excess_before = excess;
-            // Equilibria are refined once at least: what steps guess ahead may
-            // stand far from them in soft directions.
+            // An equilibrium needs at least one iteration: the predictor may
+            // be far off in soft directions.
             if ((scheme.is_dynamic() || result.iterations > 0) &&
                 (excess <= 1 ||
                  (stagnates() &&
@@ -217,22 +218,22 @@ namespace auxfem
           first_increment = last_increment;
         ++result.iterations;
         if (added == nullptr && result.iterations == 1 &&
-            can_skip_residual(evaluation, size, force))
+            can_skip_residual(evaluation, norm, force))
           {
             solver.find_stage_results(evaluation, results);
             return solved(force);
           }
 
-        const double before = size;
+        const double before = norm;
         solver.residual(evaluation, results);
-        size                = in_force_units(results);
-        const bool is_worse = !(size < before);
+        norm                = in_force_units(results);
+        const bool is_worse = !(norm < before);
         if (is_worse &&
             (has_contact_candidates || (has_grown && !scheme.is_dynamic())) &&
             before > stagnation_threshold * force)
-          size = backtrack(scheme, evaluation, results, added, before);
+          norm = backtrack(scheme, evaluation, results, added, before);
         has_grown = is_worse;
-        reduction = before / size;
+        reduction = before / norm;
         stored->reduction.reset();
         if (result.iterations == 1 && (is_linear || !stored->is_fresh))
           stored->reduction = reduction;
@@ -284,8 +285,8 @@ namespace auxfem
         stored->is_fresh = false;
         return true;
       }
-    // A symmetric part that does not even serve where it was made is not near
-    // enough to the tangent.
+    // The symmetric part is too far from the tangent if it does not even serve
+    // at its own state.
     if (stored && stored->is_fresh && !stored->is_exact &&
         reduction < parameters.kept_reduction)
       exactness = Exactness::exact;
@@ -299,7 +300,7 @@ namespace auxfem
 
   bool Newton::allow_slack(const State &start)
   {
-    // Supports on their way would not come to their place.
+    // Moving supports would not reach their positions with limited increments.
     if (allows_slack || is_linear || !supports_rest || start.largest_force > 0)
       return false;
     allows_slack = true;
@@ -316,7 +317,7 @@ namespace auxfem
                                  solver.linear_solver().is_exact(),
                                  /*is_fresh=*/true};
 #ifndef DEBUG // where solutions are checked by it
-    // Its factorization will serve for long.
+    // Linear equations keep the factorization for the whole run.
     if (is_linear)
       solver.matrix().release();
 #endif
@@ -361,10 +362,10 @@ namespace auxfem
     for (unsigned int i = 0; i < max_halvings; ++i)
       {
         part /= 2;
-        const double size =
+        const double norm =
           undo_increment(scheme, evaluation, results, added, part);
-        if (size < before)
-          return size;
+        if (norm < before)
+          return norm;
       }
     return undo_increment(scheme, evaluation, results, added, part - 1);
   }
@@ -388,26 +389,26 @@ namespace auxfem
 
   bool Newton::is_small(const Evaluation        &evaluation,
                         const EvaluationResults &results,
-                        const double             size,
+                        const double             norm,
                         const double             scale,
                         const bool               stagnates) const
   {
     const double allowed = parameters.tolerance * scale;
-    // The floor is that of the iterate: a static step from rest begins without
-    // motion, hence without round-off.
-    return size <= allowed ||
+    // The round-off floor must be that of the iterate: a static step starts
+    // without motion, hence without round-off.
+    return norm <= allowed ||
       (stagnates &&
-       size <=
+       norm <=
          allowed + solver.equations().round_off_floor(evaluation, results));
   }
 
   bool Newton::can_skip_residual(const Evaluation &evaluation,
-                                 const double      size,
+                                 const double      norm,
                                  const double      scale) const
   {
     return estimates_stages && !has_contact_candidates && stored->reduction &&
       evaluation.kind == Evaluation::Kind::stage && !evaluation.ends_step &&
-      residual_safety_factor * size <=
+      residual_safety_factor * norm <=
       *stored->reduction * parameters.tolerance * scale;
   }
 
@@ -421,7 +422,7 @@ namespace auxfem
   double Newton::in_force_units(const EvaluationResults &results) const
   {
     const double moment = results.moment / solver.model().mean_strut_length;
-    // std::max would drop a NaN in its second place.
+    // std::max would drop a NaN in its second argument.
     return std::isfinite(moment) ? std::max(results.force, moment) : moment;
   }
 } // namespace auxfem

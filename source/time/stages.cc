@@ -7,7 +7,7 @@ namespace auxfem
 {
   namespace
   {
-    /** Large rotations in space that no support moves or holds as a whole. */
+    /** Large rotations in space that no support prescribes as a whole. */
     std::vector<unsigned int> free_large_rotations(const LatticeModel &model)
     {
       std::set<unsigned int> known;
@@ -23,7 +23,7 @@ namespace auxfem
     }
   } // namespace
 
-  /** The scheme's own rule, of rotations in space for their vectors. */
+  /** The scheme's own rule, applied to the vectors of rotations in space. */
   class Stages::Rule : public ImplicitScheme
   {
   public:
@@ -78,7 +78,7 @@ namespace auxfem
     }
 
   private:
-    /** Those of rotation @p i, from its vector. */
+    /** Rates of rotation @p i from its vector. */
     void find_rates(const Evaluation &stage, const unsigned int i) const
     {
       const SpaceVector vector = rotations.values(vectors, i);
@@ -97,9 +97,11 @@ namespace auxfem
     const NodeRotations             rotations;
     const std::vector<unsigned int> free_rotations;
     const ImplicitScheme           &scheme;
-    /** Rotation vectors since the start of the step: at the base and now. What
-     * is added to the latter counts divided by dt^2, so it must not be lost in
-     * the sum of all steps that State::displacement is. */
+    /**
+     * Rotation vectors since the start of the step, at the base and now. Their
+     * increments are divided by dt^2, so they must not be lost in the sum over
+     * all steps, State::displacement.
+     */
     const Vector &base;
     Vector       &vectors;
   };
@@ -192,7 +194,7 @@ namespace auxfem
           for (std::size_t i = first; i < last; ++i)
             base.history[i] += factor * slopes[j].internal[i];
       }
-    // Multipliers have no rates; the last are the best guess.
+    // Multipliers have no rates; their last values are the best predictor.
     for (const int i : multipliers)
       base_displacement[i] = step.to.displacement[i];
     base.displacement = base_displacement;
@@ -212,7 +214,7 @@ namespace auxfem
         times.push_back(tableau.times[j] * dt);
         values.push_back(&slopes[j].velocity);
       }
-    // The last stage before is the start of this step.
+    // The last stage of the previous step is the start of this one.
     for (unsigned int j = 0; j + 1 < before.size(); ++j)
       {
         times.push_back((tableau.times[j] - 1) * dt_before);

@@ -15,7 +15,7 @@ namespace auxfem
 {
   namespace
   {
-    /** Of @p now, which follows on @p before or is the same. */
+    /** Updates the largest energy of @p now, which follows @p before. */
     void update_largest_energy(const State &before, State &now)
     {
       now.largest_energy = std::max({before.largest_energy,
@@ -49,40 +49,6 @@ namespace auxfem
         std::make_unique<EquilibriumJumps>(equations.model()));
   }
 
-  std::vector<Finding> TimeStepper::findings() const
-  {
-    std::vector<Finding> all = scene_watches.findings();
-    if (error)
-      for (const Finding &finding : error->findings())
-        all.push_back(finding);
-    return all;
-  }
-
-  void TimeStepper::update_results(Solution              &solution,
-                                   const State           &before,
-                                   const ConsistentRates *rates,
-                                   const double           event)
-  {
-    State     &state    = solution.state;
-    Evaluation instant  = Evaluation::consistent_rates(before, state);
-    instant.event_at_to = {event, TimeSide::after};
-    instant.impulses    = rates ? rates->impulses() : nullptr;
-    solvers->tangent.residual(instant, solution.results);
-    equations.accept(instant, solution.results);
-    if (const std::string what = nonfinite_quantity(equations.model(), state);
-        !what.empty())
-      {
-        const std::string why =
-          equations.nonfinite_reason(instant, solution.results);
-        std::ostringstream message;
-        message << "At t = " << state.time
-                << " s the state is not finite: " << (why.empty() ? what : why)
-                << '.';
-        throw ComputationError(message.str());
-      }
-    update_largest_energy(state, state);
-  }
-
   StepReport TimeStepper::advance(Solution &solution, Recorder &recorder)
   {
     State     &state = solution.state;
@@ -114,12 +80,6 @@ namespace auxfem
     take_ghosts(are_more_ghosts);
   }
 
-  std::string TimeStepper::rejection_reason(const Evaluation &step)
-  {
-    const Stopwatch watch(work.wall.contact);
-    return equations.rejection_reason(step);
-  }
-
   void TimeStepper::take_ghosts(const bool are_more)
   {
     if (!are_more)
@@ -127,6 +87,83 @@ namespace auxfem
     trial.state.take_ghosts(equations.unknowns().layout);
     if (stages)
       stages->reset_prediction();
+  }
+
+  bool TimeStepper::handle_events(Solution   &solution,
+                                  StepReport &report,
+                                  Recorder   &recorder)
+  {
+    const std::optional<StepEnd::Jump> jump = ends.jump_at(solution.state.time);
+    if (!jump)
+      return false;
+    if (scheme.is_dynamic())
+      {
+        if (stages)
+          stages->reset_prediction();
+        restart_rates(solution, *jump);
+        return false;
+      }
+    solution.state.before.reset();
+    if (*jump != StepEnd::Jump::accelerations || !solution.state.velocity)
+      return *jump != StepEnd::Jump::none;
+    apply_load_jump(solution, report, recorder);
+    return false;
+  }
+
+  void TimeStepper::restart_rates(Solution &solution, const StepEnd::Jump jump)
+  {
+    using Jump   = StepEnd::Jump;
+    State &state = solution.state;
+    // The discrete gradient does not use accelerations at the start of a step.
+    if (jump == Jump::none ||
+        (scheme.balances_means() && jump != Jump::velocities))
+      return;
+    ConsistentRates rates(solvers->tangent);
+    const double    event = *ends.event_at_begin(state.time);
+    const State before = rates.update_after_jump(state, event, parameters.step);
+    update_results(solution, before, &rates, event);
+    solvers->newton.drop_factorization();
+  }
+
+  void TimeStepper::update_results(Solution              &solution,
+                                   const State           &before,
+                                   const ConsistentRates *rates,
+                                   const double           event)
+  {
+    State     &state    = solution.state;
+    Evaluation instant  = Evaluation::consistent_rates(before, state);
+    instant.event_at_to = {event, TimeSide::after};
+    instant.impulses    = rates ? rates->impulses() : nullptr;
+    solvers->tangent.residual(instant, solution.results);
+    equations.accept(instant, solution.results);
+    if (const std::string quantity =
+          nonfinite_quantity(equations.model(), state);
+        !quantity.empty())
+      {
+        const std::string reason =
+          equations.nonfinite_reason(instant, solution.results);
+        std::ostringstream message;
+        message << "At t = " << state.time << " s the state is not finite: "
+                << (reason.empty() ? quantity : reason) << '.';
+        throw ComputationError(message.str());
+      }
+    update_largest_energy(state, state);
+  }
+
+  void TimeStepper::apply_load_jump(Solution   &solution,
+                                    StepReport &report,
+                                    Recorder   &recorder)
+  {
+    constexpr double step_fraction = 1e-5;
+    State           &state         = solution.state;
+    StepReport       jump_report;
+    advance_substep(solution,
+                    state.time + step_fraction * parameters.step,
+                    jump_report,
+                    recorder);
+    report.iterations += jump_report.iterations;
+    report.retries += jump_report.retries;
+    state.before.reset();
   }
 
   void TimeStepper::advance_substep(Solution    &solution,
@@ -156,58 +193,6 @@ namespace auxfem
       }
   }
 
-  bool TimeStepper::handle_events(Solution   &solution,
-                                  StepReport &report,
-                                  Recorder   &recorder)
-  {
-    const std::optional<StepEnd::Jump> jump = ends.jump_at(solution.state.time);
-    if (!jump)
-      return false;
-    if (scheme.is_dynamic())
-      {
-        if (stages)
-          stages->reset_prediction();
-        restart_rates(solution, *jump);
-        return false;
-      }
-    solution.state.before.reset();
-    if (*jump != StepEnd::Jump::accelerations || !solution.state.velocity)
-      return *jump != StepEnd::Jump::none;
-    apply_load_jump(solution, report, recorder);
-    return false;
-  }
-
-  void TimeStepper::apply_load_jump(Solution   &solution,
-                                    StepReport &report,
-                                    Recorder   &recorder)
-  {
-    constexpr double step_fraction = 1e-5;
-    State           &state         = solution.state;
-    StepReport       jump_report;
-    advance_substep(solution,
-                    state.time + step_fraction * parameters.step,
-                    jump_report,
-                    recorder);
-    report.iterations += jump_report.iterations;
-    report.retries += jump_report.retries;
-    state.before.reset();
-  }
-
-  void TimeStepper::restart_rates(Solution &solution, const StepEnd::Jump jump)
-  {
-    using Jump   = StepEnd::Jump;
-    State &state = solution.state;
-    // Accelerations at the start of a step do not matter if means are balanced.
-    if (jump == Jump::none ||
-        (scheme.balances_means() && jump != Jump::velocities))
-      return;
-    ConsistentRates rates(solvers->tangent);
-    const double    event = *ends.event_at_begin(state.time);
-    const State before = rates.update_after_jump(state, event, parameters.step);
-    update_results(solution, before, &rates, event);
-    solvers->newton.drop_factorization();
-  }
-
   bool TimeStepper::try_step(Solution          &solution,
                              const PlannedStep &planned,
                              StepReport        &report,
@@ -228,30 +213,13 @@ namespace auxfem
     return true;
   }
 
-  void TimeStepper::accept(Solution         &solution,
-                           const Evaluation &step,
-                           Recorder         &recorder)
+  Evaluation TimeStepper::make_evaluation(const State &from, const double dt)
   {
-    last_dt = step.dt;
-    control->accepted(error ? error->accept(step) : 0);
-    if (stages)
-      stages->accept();
-    update_largest_energy(solution.state, trial.state);
-    if (jumps && jumps->is_jump())
-      scene_watches.expect_jump();
-    if (limit != nullptr)
-      limit->check(step);
-    scene_watches.step(step, trial.results, solvers->tangent);
-    trial.state.step = solution.state.step;
-    std::swap(solution, trial);
-    dense_output.record(trial,
-                        solution,
-                        step.event_at_from,
-                        step.event_at_to,
-                        nearness_of_step_ends(parameters),
-                        solvers->tangent,
-                        recorder);
-    trial.state = solution.state;
+    if (!scheme.is_dynamic())
+      return Evaluation::static_step(from, trial.state, dt);
+    return scheme.balances_means()
+      ? Evaluation::discrete_gradient(from, trial.state, dt)
+      : Evaluation::step(from, trial.state, dt);
   }
 
   bool TimeStepper::solve_step(const Evaluation &step, StepReport &report)
@@ -283,6 +251,21 @@ namespace auxfem
     return true;
   }
 
+  void TimeStepper::predict(const ImplicitScheme &rule, const Evaluation &step)
+  {
+    rule.predict(step.from, step.dt, step.to);
+    if (scheme.balances_means())
+      extrapolate_predictor(rule, step, equations.model());
+    if (equations.is_linear())
+      repeat_last_increment(rule, step);
+    Vector increment;
+    if (jumps && jumps->extrapolate(step, rotations, increment))
+      rule.correct(step.from, increment, step.dt, step.to);
+    rotations.follow(step);
+    if (scheme.is_dynamic())
+      prescribe_motion(equations.model(), step);
+  }
+
   bool TimeStepper::solve(const ImplicitScheme &rule,
                           const Evaluation     &step,
                           StepReport           &report)
@@ -301,23 +284,30 @@ namespace auxfem
     return reject(reason.str());
   }
 
+  void TimeStepper::restore_rates(const Evaluation &step)
+  {
+    solvers->rates->rates.restore(step);
+    solvers->tangent.residual(step, trial.results);
+  }
+
   bool TimeStepper::is_acceptable(const Evaluation &step)
   {
-    if (const std::string what = nonfinite_quantity(equations.model(), step.to);
-        !what.empty())
-      return reject(what + " is not a finite number");
-    if (const std::string why = rejection_reason(step); !why.empty())
-      return reject(why);
+    if (const std::string quantity =
+          nonfinite_quantity(equations.model(), step.to);
+        !quantity.empty())
+      return reject(quantity + " is not a finite number");
+    if (const std::string reason = rejection_reason(step); !reason.empty())
+      return reject(reason);
     if (creates_energy(step))
       return reject(
         "the step would create energy (more than Time/Largest energy error)");
     if (jumps)
-      if (const std::string why = jumps->rejection_reason(
+      if (const std::string reason = jumps->rejection_reason(
             step,
             solvers->newton.predicted_increment(),
             scene_watches.changes_stability(step, solvers->tangent));
-          !why.empty())
-        return reject(why);
+          !reason.empty())
+        return reject(reason);
     const double error_of_step = error ? relative_error(step) : 0;
     if (control->may_be_accepted(error_of_step))
       return true;
@@ -325,53 +315,21 @@ namespace auxfem
     return reject("the error is larger than Time/Relative tolerance allows");
   }
 
-  double TimeStepper::relative_error(const Evaluation &step)
+  std::string TimeStepper::rejection_reason(const Evaluation &step)
   {
-    return stages ? error->relative(step, stages->embedded_difference())
-                  : error->relative(step);
-  }
-
-  Evaluation TimeStepper::make_evaluation(const State &from, const double dt)
-  {
-    if (!scheme.is_dynamic())
-      return Evaluation::static_step(from, trial.state, dt);
-    return scheme.balances_means()
-      ? Evaluation::discrete_gradient(from, trial.state, dt)
-      : Evaluation::step(from, trial.state, dt);
-  }
-
-  void TimeStepper::predict(const ImplicitScheme &rule, const Evaluation &step)
-  {
-    rule.predict(step.from, step.dt, step.to);
-    if (scheme.balances_means())
-      extrapolate_predictor(rule, step, equations.model());
-    if (equations.is_linear())
-      repeat_last_increment(rule, step);
-    Vector increment;
-    if (jumps && jumps->extrapolate(step, rotations, increment))
-      rule.correct(step.from, increment, step.dt, step.to);
-    rotations.follow(step);
-    if (scheme.is_dynamic())
-      prescribe_motion(equations.model(), step);
-  }
-
-  void TimeStepper::restore_rates(const Evaluation &step)
-  {
-    solvers->rates->rates.restore(step);
-    solvers->tangent.residual(step, trial.results);
+    const Stopwatch watch(work.wall.contact);
+    return equations.rejection_reason(step);
   }
 
   bool TimeStepper::creates_energy(const Evaluation &step) const
   {
-    // Implicit schemes can converge to states that have nothing to do with the
-    // motion when a step is too long for it; these show by energy from nowhere.
-    // Where means are balanced there is none; where a motion begins smoothly,
-    // the work of its support looks as if there were.
+    // In too long a step an implicit scheme can converge to an unrelated state,
+    // which shows as created energy. The discrete gradient creates none.
     if (scheme.balances_means())
       return false;
     const Energies &before = step.from.energies, &after = step.to.energies;
-    // That a scheme with inertia accounts for what it gives is no excuse.
-    // Without, it is what the rates at the end of the step leave open.
+    // Numerical energy gain with inertia counts as created. In statics it only
+    // stems from the rates at the end of the step.
     const double created = after.balance(before.balance(0.)) -
       (scheme.is_dynamic() ? after.numerical() - before.numerical() : 0.);
     const double turnover =
@@ -380,15 +338,46 @@ namespace auxfem
                 after.dissipated() - before.dissipated()});
     if (created <= parameters.energy_error * turnover)
       return false;
-    // A lattice at rest in another position than at first has the round-off of
-    // its positions; where a motion begins smoothly, all energy is the work of
-    // supports.
+    // Displaced positions have round-off. Where a motion begins smoothly, all
+    // energy is support work, and its integration error looks created.
     const LatticeModel &model = equations.model();
     double              error = equations.round_off_floor(step, trial.results) *
       largest_motion(model, step.to.displacement).first;
     if (scheme.is_dynamic())
       error += support_work_error(model, step);
     return !(created <= parameters.energy_error * turnover + error);
+  }
+
+  double TimeStepper::relative_error(const Evaluation &step)
+  {
+    return stages ? error->relative(step, stages->embedded_difference())
+                  : error->relative(step);
+  }
+
+  void TimeStepper::accept(Solution         &solution,
+                           const Evaluation &step,
+                           Recorder         &recorder)
+  {
+    last_dt = step.dt;
+    control->accepted(error ? error->accept(step) : 0);
+    if (stages)
+      stages->accept();
+    update_largest_energy(solution.state, trial.state);
+    if (jumps && jumps->is_jump())
+      scene_watches.expect_jump();
+    if (limit != nullptr)
+      limit->check(step);
+    scene_watches.step(step, trial.results, solvers->tangent);
+    trial.state.step = solution.state.step;
+    std::swap(solution, trial);
+    dense_output.record(trial,
+                        solution,
+                        step.event_at_from,
+                        step.event_at_to,
+                        nearness_of_step_ends(parameters),
+                        solvers->tangent,
+                        recorder);
+    trial.state = solution.state;
   }
 
   bool TimeStepper::reject(const std::string &reason)
@@ -413,11 +402,19 @@ namespace auxfem
                                    : "half of it would be less than")
       << " Time/Smallest time step = " << control->shortest()
       << " s): " << last_failure
-      << ".\nAll steps until then are in the output folder. A smaller smallest "
-         "step, numerical damping (Scheme = generalized-alpha), where things "
-         "hit each other Scheme = energy-momentum, or, in statics, prescribed "
-         "motion in place of a force may carry it further; an unstable "
-         "structure will not be carried by any.";
+      << ".\nAll steps until then are in the output folder. Try a smaller smallest "
+         "step or numerical damping (Scheme = generalized-alpha); with contact, "
+         "Scheme = energy-momentum; in statics, prescribed motion in place of a "
+         "force. If the structure is unstable, none of these helps.";
     throw ComputationError(message.str());
+  }
+
+  std::vector<Finding> TimeStepper::findings() const
+  {
+    std::vector<Finding> all = scene_watches.findings();
+    if (error)
+      for (const Finding &finding : error->findings())
+        all.push_back(finding);
+    return all;
   }
 } // namespace auxfem

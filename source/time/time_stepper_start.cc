@@ -52,14 +52,15 @@ namespace auxfem
       result = solve();
     solvers->newton.drop_factorization();
     work.iterations += result.iterations;
-    if (const std::string why =
+    if (const std::string reason =
           result.converged ? rejection_reason(evaluation) : result.reason;
-        !why.empty())
+        !reason.empty())
       throw ComputationError(
-        "No static equilibrium was found under the loads of t = 0 in one go: " +
-        why +
-        ". Start from rest, or raise the load in steps with "
-        "`Scheme = static` to see where it is lost.");
+        "No static equilibrium was found in one step under the loads of "
+        "t = 0: " +
+        reason +
+        ". Start from rest, or increase the load in steps with "
+        "`Scheme = static` to see where equilibrium is lost.");
     if (state.velocity)
       {
         *trial.state.velocity = *state.velocity;

@@ -11,7 +11,7 @@ namespace auxfem
   {
     constexpr unsigned int n_values = 5;
 
-    /** Whether there is one, then what it is. */
+    /** Flag of presence, followed by the members. */
     std::vector<double> values_of(const std::optional<Occurrence> &occurrence)
     {
       if (!occurrence)
@@ -33,7 +33,7 @@ namespace auxfem
                         static_cast<unsigned int>(values[4])};
     }
 
-    /** The one of all ranks that comes before each other. */
+    /** Of all ranks, the event that precedes all others in this order. */
     template <class ComesBefore>
     std::optional<Occurrence> of_all(const std::optional<Occurrence> &mine,
                                      const MPI_Comm     communicator,
@@ -160,7 +160,7 @@ namespace auxfem
                has_struts               = !reporting.struts.empty(),
                has_contact              = reporting.plates != nullptr ||
       reporting.strut_contact != nullptr;
-    // Loads only order the steps of elastic statics.
+    // In elastic statics time only orders the loads.
     const bool time_has_meaning = simulated.connector_viscosity ||
       simulated.strut_damping || has_friction(plan);
     const bool       is_limited = simulated.small_displacements_are_limited;
@@ -171,7 +171,7 @@ namespace auxfem
     };
     add_if(true, make_energy_watch);
     // Linear scenes are as stable as at the start, where mechanisms are
-    // refused. A path counts unstable modes itself.
+    // refused. Static paths count unstable modes themselves.
     add_if(!is_linear && plan.analysis != Analysis::static_path,
            make_stability_watch);
     add_if(!simulated.large_rotation && !is_limited,
@@ -190,10 +190,10 @@ namespace auxfem
     add_if(simulated.shear_flexibility, make_bending_watch);
     add_if(has_struts && has_inertia, make_wave_watch);
     add_if(has_struts && has_yield_strain(scene), make_yield_watch);
-    // Answers in proportion to the loads do not show by their size.
+    // Linear responses are judged relative to the loads, not by their size.
     add_if(has_struts && (!is_linear || is_limited), make_strain_watch);
     add_if(has_struts && !is_linear, make_local_buckling_watch);
-    // Small displacements that are limited end where struts touch.
+    // A limited run by small displacements already ends at contact.
     add_if(has_struts && !scene.lattice.struts_may_cross &&
              reporting.strut_contact == nullptr &&
              (!is_limited || plan.effects.contact == Switch::off),

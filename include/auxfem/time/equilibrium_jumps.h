@@ -7,11 +7,11 @@
 namespace auxfem
 {
   /**
-   * Static steps that lead to another equilibrium than the one connected with
-   * their start: its motion differs by far from the first increment of Newton's
-   * method, which follows the tangent, and from the step before. TimeStepper
-   * repeats such steps in halves. On a connected path the motion shrinks with
-   * the step; if it does not, the path has a limit point, and the jump is
+   * Detects static steps that jump to an equilibrium not connected with their
+   * start. The motion then differs strongly from the first Newton increment,
+   * which follows the tangent, and from the previous step. TimeStepper repeats
+   * such steps in halves: on a connected path the motion shrinks with the
+   * step. If it does not, the path has a limit point, and the jump is
    * reported.
    */
   class EquilibriumJumps : public Watch
@@ -20,7 +20,7 @@ namespace auxfem
     /** @p model must outlive the object. */
     explicit EquilibriumJumps(const LatticeModel &model);
 
-    /** A step of the scene begins, which no attempt has been made at. */
+    /** Begins a step of the scene, before any attempt at it. */
     void begin_step()
     {
       largest_rejected.reset();
@@ -41,30 +41,29 @@ namespace auxfem
                                  bool              changes_stability);
 
     /**
-     * Shorter steps have failed. Returns whether longer ones were rejected for
-     * their jump alone; from now on these are accepted.
+     * Called when shorter steps have failed. Returns whether longer ones were
+     * rejected for their jump alone; from now on these are accepted.
      */
     bool allow_jumps();
 
-    /** When the next step has to end on the way to @p time: at the end of the
-     * rejected one (s). */
+    /** End of the next step (s), at most @p time: that of the rejected one. */
     double target(double time) const;
 
     /**
-     * Whether @p step ends where a rejected one has jumped to; if so,
-     * @p increment leads there from step.to.
+     * Whether @p step ends at the time of a rejected jump; then @p increment
+     * leads there from step.to.
      */
     bool extrapolate(const Evaluation    &step,
                      const NodeRotations &rotations,
                      Vector              &increment) const;
 
-    /** Whether the step last judged jumps. */
+    /** Whether the last checked step jumps. */
     bool is_jump() const
     {
       return candidate.has_value();
     }
 
-    /** The step last judged is accepted. */
+    /** Accepts the last checked step. */
     void step(const Evaluation        &step,
               const EvaluationResults &results,
               TangentSolver           &solver) override;
@@ -74,7 +73,7 @@ namespace auxfem
     void serialize(CheckpointArchive &archive) override;
 
   private:
-    /** A jump that is to be reported once its step is accepted. */
+    /** A jump, reported once its step is accepted. */
     struct Jump
     {
       double      time = 0, end = 0; ///< of its step (s)
@@ -96,10 +95,10 @@ namespace auxfem
     };
 
     const LatticeModel &model;
-    /** The attempt at this step with the largest motion. */
+    /** The rejected attempt at this step with the largest motion. */
     std::optional<RejectedMotion> largest_rejected;
     std::optional<RejectedStep>   last_rejected;
-    /** End of the last step that was rejected for a jump. */
+    /** End state of the last step that was rejected for a jump. */
     std::optional<State> rejected_end;
     bool                 allows_jumps = false;
     std::optional<Jump>  candidate, first;

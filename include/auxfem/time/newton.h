@@ -9,33 +9,35 @@
 namespace auxfem
 {
   /**
-   * Measures every free row of the residual by the forces that act in that row
-   * alone, so that a weak part is solved as well as a strong one beside it.
+   * Row-wise convergence criterion of Newton: relates the residual of each
+   * free row to the forces in that row, so that weak parts converge like
+   * strong ones.
    *
-   * The forces of a row are those of the struts, connectors, springs and
-   * multipliers that end there, and the loads, the largest of this iterate and
-   * of all accepted steps. Inertia is what balances these.
+   * The forces of a row are loads and those of struts, connectors, springs and
+   * multipliers; the largest of this iterate and of all accepted steps count.
+   * Inertia is not among them: it balances these forces.
    */
   class RowCriterion
   {
   public:
     /**
      * @param equations must outlive the object.
-     * @param tolerance of the norm of all rows; a row of its own is granted
-     *   some hundred times as much.
+     * @param tolerance of the norm of all rows; a single row may have a few
+     *   hundred times as much.
      */
     RowCriterion(const Equations &equations, double tolerance);
 
     /**
-     * Largest residual at evaluation.to as a multiple of what is allowed in its
-     * row; 1 if all rows are allowed. Sets State::largest_forces of
-     * evaluation.to. Collective.
+     * Largest residual at evaluation.to over the allowed one of its row, at
+     * least 1. Sets State::largest_forces of evaluation.to. Collective.
      * @param results of the residual in the same evaluation
      */
     double excess(const Evaluation        &evaluation,
                   const EvaluationResults &results) const;
 
-    /** The same after excess(), the round-off of each row allowed as well. */
+    /**
+     * The same after excess(), with the round-off of each row allowed as well.
+     */
     double excess_beyond_round_off(const Evaluation        &evaluation,
                                    const EvaluationResults &results) const;
 
@@ -48,8 +50,8 @@ namespace auxfem
   };
 
   /**
-   * An unknown and an equation beside those of the lattice, solved together
-   * with them.
+   * An equation with one unknown of its own, solved together with the lattice;
+   * path following uses one for the load factor.
    */
   class AddedEquation
   {
@@ -57,37 +59,36 @@ namespace auxfem
     virtual ~AddedEquation() = default;
 
     /**
-     * Completes @p increment, which solves the equations of the lattice at
-     * evaluation.to with the unknown as it is, such that the added equation
-     * holds too, and changes the unknown in evaluation.to. Returns false if
-     * @p solver, which has the tangent factorized, fails. Collective.
+     * Completes @p increment, which solves the lattice equations for a fixed
+     * added unknown, so that the added equation holds too. Updates that
+     * unknown in evaluation.to. Returns false if @p solver, whose tangent is
+     * factorized, fails. Collective.
      */
     virtual bool complete(TangentSolver    &solver,
                           const Evaluation &evaluation,
                           Vector           &increment) = 0;
 
-    /** Takes back the @p part of what complete() has changed last, with
-     * @p reversed_increment in place of the increment. */
+    /**
+     * Undoes the @p part of the last complete(); @p reversed_increment stands
+     * for the increment.
+     */
     virtual void undo_increment(const Evaluation &evaluation,
                                 const Vector     &reversed_increment,
                                 double            part) = 0;
   };
 
   /**
-   * Newton's method for one step, with the factorization kept as long as it
-   * serves.
+   * Newton's method for one step, with Jacobian reuse.
    *
-   * A step is solved when the free force rows are below tolerance * F + floor
-   * and the moment rows below (tolerance * F + floor) * l: F the largest
-   * internal force of this iterate and of all accepted steps, l the mean strut
-   * length, floor the round-off of the residual itself, below which no
-   * iteration can go. And every row must be solved by the measure of the forces
-   * that act in it (RowCriterion). The constraints of rigid parts must hold to
-   * their own round-off.
+   * A step is solved when three conditions hold. Free force rows are below
+   * tolerance * F + floor, moment rows below (tolerance * F + floor) * l.
+   * Every row meets RowCriterion. Constraints hold to their own round-off. F
+   * (N) is the largest internal force of this iterate and of all accepted
+   * steps, l (m) the mean strut length, floor (N) the round-off of the
+   * residual.
    *
-   * If NewtonParameters::estimates_stages, the residual at a stage within a
-   * step is not computed where a single iteration is known to be enough by the
-   * evaluation before.
+   * With NewtonParameters::estimates_stages, a stage whose convergence is
+   * predicted after one iteration needs no further residual.
    */
   class Newton
   {
@@ -95,70 +96,75 @@ namespace auxfem
     /** @param solver must outlive the object. */
     Newton(TangentSolver &solver, const NewtonParameters &parameters);
 
-    /** What came of an attempt. */
+    /** Outcome of solve(). */
     struct Result
     {
       bool         converged  = false;
       unsigned int iterations = 0;
-      /** In units of the force scale. */
+      /** Residual norm over the force scale. */
       double relative_residual = 0;
-      /** Why it did not converge. */
+      /** Why Newton's method did not converge; empty if it did. */
       std::string reason;
     };
 
     /**
-     * Solves evaluation.to, which the scheme has predicted; of a solved one
-     * State::largest_force and State::largest_forces too.
-     * @param added solved as well if it is not nullptr
+     * Solves for evaluation.to, which the scheme has predicted. On convergence
+     * also sets its State::largest_force and State::largest_forces.
+     * @param added solved as well unless it is nullptr
      */
     Result solve(const ImplicitScheme &scheme,
                  const Evaluation     &evaluation,
                  EvaluationResults    &results,
                  AddedEquation        *added = nullptr);
 
-    /** The solver has factorized the tangent of @p evaluation with @p factors.
+    /**
+     * Reuses the tangent of @p evaluation with @p factors, which the solver
+     * has factorized.
      */
     void adopt_factorization(const Evaluation     &evaluation,
                              const TangentFactors &factors);
 
     /**
-     * Factorizes the tangent of @p evaluation, of a step that has not moved yet,
-     * if following steps use it: that at a predicted state may serve none.
+     * Factorizes the tangent at the start of a step, before prediction, if
+     * later steps can reuse it. The tangent of a predicted state may suit no
+     * other step.
      */
     void factorize_ahead(const ImplicitScheme &scheme,
                          const Evaluation     &evaluation,
                          EvaluationResults    &results);
 
-    /** Forgets the factorization (the state jumped). */
+    /** Drops the factorization, for instance after the state jumped. */
     void drop_factorization()
     {
       stored.reset();
     }
 
     /**
-     * No static step from @p start has a solution. If it is without forces,
-     * increments from there are shortened to small turns from now on: a
-     * straight cable resists by tension only, and its tangent predicts any
-     * motion. Returns whether another attempt is worth while.
+     * Called when no static step from @p start has a solution. From an
+     * unstressed state, later increments are limited to small rotations: a
+     * straight cable resists by tension only, and its tangent predicts
+     * arbitrary motions. Returns whether another attempt is worthwhile.
      */
     bool allow_slack(const State &start);
 
-    /** First increment of the last static step, along the tangent at its start
-     * (m, rad). */
+    /**
+     * First Newton increment of the last static step, along the tangent at its
+     * start (m, rad).
+     */
     const Vector &predicted_increment() const
     {
       return first_increment;
     }
 
     /**
-     * Forgets what earlier steps have left, so that the steps from here on
-     * depend on the state alone. Linear equations keep their factorization:
-     * another one of theirs would be equal to the last digit.
+     * Resets everything remembered of earlier steps, so that later steps
+     * depend on the state alone. Linear equations keep their factorization, as
+     * another one would have equal digits.
      */
     void restart();
 
   private:
-    /** What a kept factorization belongs to. */
+    /** A stored factorization and the step that it belongs to. */
     struct StoredFactorization
     {
       Evaluation::Kind kind;
@@ -166,53 +172,65 @@ namespace auxfem
       TangentFactors   factors;
       unsigned long    pattern_version;
       bool             is_exact;
-      /** Whether no iteration has used it yet but the last. */
+      /** Whether only the last iteration has used it. */
       bool is_fresh;
-      /** Factor by which an iteration with it has reduced the residual of the
-       * last evaluation, if that needed no other; none: it needed more, or is
-       * the one whose tangent this is. */
+      /**
+       * Residual reduction by one iteration, if the last evaluation needed
+       * only one. Empty if it needed more or made this tangent.
+       */
       std::optional<double> reduction = {};
     };
 
-    /** Factorizes unless the kept factorization serves; false if singular. */
+    /**
+     * Factorizes unless the stored factorization can be reused; false if
+     * singular.
+     */
     bool prepare(const ImplicitScheme    &scheme,
                  const Evaluation        &evaluation,
                  const EvaluationResults &results,
                  double                   reduction);
-    /** Whether the residual is small beside the largest force @p scale (N). */
+    /**
+     * Whether the residual norm @p norm (N) is small against the largest force
+     * @p scale (N).
+     */
     bool is_small(const Evaluation        &evaluation,
                   const EvaluationResults &results,
-                  double                   size,
+                  double                   norm,
                   double                   scale,
                   bool                     stagnates) const;
-    /** Whether the residual, of @p size (N) before the first iteration, is small
-     * enough after it as those of evaluations before were, and nothing else
-     * needs it. */
+    /**
+     * Whether one iteration is predicted to suffice, so that no residual is
+     * needed. The prediction scales @p norm (N), the residual before it, with
+     * the last reduction.
+     */
     bool   can_skip_residual(const Evaluation &evaluation,
-                             double            size,
+                             double            norm,
                              double            scale) const;
     bool   meets_constraints(const EvaluationResults &results,
                              const State             &state) const;
     double in_force_units(const EvaluationResults &results) const;
     /**
-     * Line search: shortens the last increment until the residual is smaller
-     * than
-     * @p before (N); if none of some attempts is, it has its length again. Returns
-     * the size of the residual (N).
+     * Line search: halves the last increment until the residual norm is below
+     * @p before (N), or restores its full length. Returns the residual norm
+     * (N).
      */
     double backtrack(const ImplicitScheme &scheme,
                      const Evaluation     &evaluation,
                      EvaluationResults    &results,
                      AddedEquation        *added,
                      double                before);
-    /** Takes back the @p part of the last increment; returns the size of the
-     * residual (N). */
+    /**
+     * Undoes the @p part of the last increment; returns the residual norm (N).
+     */
     double undo_increment(const ImplicitScheme &scheme,
                           const Evaluation     &evaluation,
                           EvaluationResults    &results,
                           AddedEquation        *added,
                           double                part);
-    /** Solves for the increment and applies it; empty, or why it failed. */
+    /**
+     * Solves for the increment and applies it. Returns why it failed, or
+     * nothing.
+     */
     std::string iterate(const ImplicitScheme &scheme,
                         const Evaluation     &evaluation,
                         AddedEquation        *added);
@@ -221,21 +239,25 @@ namespace auxfem
     const NewtonParameters parameters;
     const RowCriterion     rows;
     const bool             is_linear, supports_rest;
-    /** Whether residuals of stages can be estimated. */
+    /** Whether residuals of stages can be predicted. */
     const bool          estimates_stages;
     const NodeRotations rotations;
     Vector              increment;
-    /** The last one that line search may shorten, rotations in space as spins.
-     */
+    /** The last increment, for line search; rotations in space are spins. */
     Vector                             last_increment;
     Vector                             first_increment;
     std::optional<StoredFactorization> stored;
     Exactness                          exactness = Exactness::exact;
-    /** Whether the last attempt did, so that the next one takes more care. */
+    /**
+     * Whether the last attempt failed; the next one then uses exact tangents.
+     */
     bool has_failed = false;
-    /** Whether forces of contact may begin in the step. */
+    /** Whether contact may begin in the step. */
     bool has_contact_candidates = false;
-    /** Whether increments are shortened, and whether they are in this step. */
+    /**
+     * Whether rotations of increments are limited, in general and in this
+     * step.
+     */
     bool allows_slack = false, is_slack = false;
   };
 } // namespace auxfem

@@ -10,13 +10,13 @@
 namespace auxfem
 {
   /**
-   * The stages of steps by a Runge-Kutta scheme, one after the other: base and
-   * first guess of each, and what their slopes say of the step. Internal
-   * variables of connectors are integrated by the same scheme.
+   * The stages of a step by a Runge-Kutta scheme: base and predictor of each
+   * stage, and the slopes that give the step. TimeStepper solves the stages.
+   * Internal variables of connectors are integrated by the same scheme.
    *
-   * Of large rotations in space it is the rotation vector Theta since the start
-   * of the step that is integrated, Theta' = T(Theta)^-1 W with the material
-   * angular velocity W: so the scheme keeps its order on the rotation group (H.
+   * Large rotations in space are integrated as rotation vectors Theta since
+   * the start of the step, Theta' = T(Theta)^-1 W with the material angular
+   * velocity W. So the scheme keeps its order on the rotation group (H.
    * Munthe-Kaas, Appl. Numer. Math. 29 (1999) 115-127).
    */
   class Stages
@@ -26,35 +26,42 @@ namespace auxfem
     Stages(const Equations &equations, const ImplicitScheme &scheme);
     ~Stages();
 
-    /** Of a step; number 0 is its start. */
+    /** Number of stages of a step; stage 0 is its start. */
     unsigned int n() const;
 
-    /** What ties the motion at a stage to its base. */
+    /** The scheme that relates the motion at a stage to its base. */
     const ImplicitScheme &rule() const;
 
     /**
-     * Begins @p step, with step.to as at its start.
-     * @param at_start of the state step.from
+     * Begins @p step and sets step.to to its start.
+     * @param at_start results of the state step.from
      */
     void begin(const Evaluation &step, const EvaluationResults &at_start);
 
-    /** What is asked of the equations at the next stage of @p step; takes
-     * step.to to its time. */
+    /**
+     * Evaluation of the next stage of @p step; advances step.to to its time.
+     */
     Evaluation next(const Evaluation &step);
 
-    /** Takes up the @p stage asked for last; @p results are its solution's. */
+    /**
+     * Stores the slopes of @p stage, the one of the last next().
+     * @param results of its solution
+     */
     void solved(const Evaluation &stage, const EvaluationResults &results);
 
-    /** The step becomes the solution: the next is predicted by it. */
+    /** Accepts the step as the solution; its slopes predict the next one. */
     void accept();
 
-    /** What follows is not predicted by what has been. */
+    /** Discards the slopes that predict the next step. */
     void reset_prediction()
     {
       before.clear();
     }
 
-    /** By how much the step differs from that of the embedded scheme. */
+    /**
+     * Difference between the step and that of the embedded scheme (m, m/s,
+     * rad).
+     */
     struct Difference
     {
       Vector displacement, velocity;
@@ -83,19 +90,22 @@ namespace auxfem
     const std::vector<int> &multipliers;
 
     State base;
-    /** Displacements at the base, of rotations in space since the start. */
+    /**
+     * Displacements at the base; rotations in space since the start of the
+     * step.
+     */
     Vector base_displacement;
-    /** Only of rotations in space: where they are since the start. */
+    /** Rotations in space since the start of the step. */
     Vector                rotation_vectors;
     std::unique_ptr<Rule> stage_rule;
 
     double              dt = 0, end = 0; ///< of the step (s)
-    unsigned int        stage = 0;       ///< asked for last
+    unsigned int        stage = 0;       ///< ///< of the last next()
     std::vector<Slopes> slopes;
     /** See Evaluation. */
     std::vector<Evaluation::Pair> taken_from_kinetic;
 
-    /** Accelerations at the stages of the step before; empty: there is none. */
+    /** Accelerations at the stages of the previous step; empty without one. */
     std::vector<Vector> before;
     double              dt_before = 0; ///< s
   };

@@ -17,63 +17,65 @@ namespace auxfem
   class SmallDisplacementLimit;
 
   /**
-   * Takes the lattice through time. A step that does not converge is undone and
-   * repeated as the step control says; an unconverged trial never becomes the
-   * solution. All functions but solver() are collective.
+   * Advances the lattice by steps of the scene; LatticeRun owns it. A scene
+   * step consists of substeps, each predicted, solved by Newton's method,
+   * judged, and accepted or repeated as StepControl decides. A rejected trial
+   * never becomes the solution. All functions but solver() are collective.
    */
   class TimeStepper
   {
   public:
     /**
-     * @param equations, work must outlive the object. @p work takes up
-     *   all that is done.
+     * @param equations, work must outlive the object. @p work counts the effort
+     *   of all steps.
      */
     TimeStepper(Equations &equations, Work &work);
 
     /**
-     * Brings Equations::initial_solution() into order: prescribed motion,
-     * static equilibrium if the scene starts from it, accelerations in
-     * equilibrium, energies.
-     * Throws ComputationError if there is no equilibrium to be found.
+     * Completes Equations::initial_solution(): prescribed motion, static
+     * equilibrium if the scene starts from it, consistent accelerations,
+     * energies. Throws ComputationError if no equilibrium is found.
      */
     void start(Solution &solution);
 
     /**
-     * Advances @p solution by one step of the scene. @p recorder is told of what
-     * it asks for within the step. Throws ComputationError if even the smallest
-     * step does not converge; @p solution is then the last accepted one.
+     * Advances @p solution by one step of the scene and passes to @p recorder
+     * the solutions that it requests within the step. Throws ComputationError
+     * if even the smallest step does not converge; @p solution is then the last
+     * accepted one.
      */
     StepReport advance(Solution &solution, Recorder &recorder);
 
-    /** Saves or restores what the stepper remembers beside the state. */
+    /** Saves or restores the stepper's own data beside the state. */
     void serialize(CheckpointArchive &archive);
 
     /**
-     * Begins anew at @p solution, an accepted one: what follows depends on its
-     * state and on what serialize() restores alone. So a run that is resumed
-     * there has equal digits. Finds the results of the state.
+     * Restarts from the accepted @p solution, so that later steps depend only
+     * on its state and on the data of serialize(). A resumed run then has equal
+     * digits. Evaluates the results of the state.
      */
     void restart(Solution &solution);
 
-    /** For what has to be solved before the start. */
+    /** Solver for systems that are solved before start(). */
     TangentSolver &solver()
     {
       return solvers->tangent;
     }
 
     /**
-     * solver() has factorized the stiffness at rest, from which start() or the
-     * first step of the scene takes its first tangent.
+     * Reuses the stiffness at rest, which solver() has factorized, as the first
+     * tangent of start() or of the first step.
      */
     void adopt_rest_factorization(const State &rest);
 
-    /** Estimated error of all steps so far, relative, where steps follow it. */
+    /** Estimated relative error of all steps so far; empty without step-size
+     * control. */
     std::optional<double> estimated_error() const
     {
       return error ? std::optional<double>(error->total()) : std::nullopt;
     }
 
-    /** Those that look at its steps. */
+    /** Watches that check the accepted steps. */
     Watches &watches()
     {
       return scene_watches;
@@ -90,42 +92,42 @@ namespace auxfem
       limit = &new_limit;
     }
 
-    /** What the watches have found so far. */
+    /** Findings of the watches and of the step error so far. */
     std::vector<Finding> findings() const;
 
   private:
     void find_static_equilibrium(State &state);
-    /** Finds what comes near something in an accepted state. */
+
+    /** @name One step of the scene, in the order of its execution. */
+    ///@{
+    /** Detects contact candidates in an accepted state. */
     void update_couplings(State &state);
-    /** Why a solved step must be repeated in shorter ones; empty: it need not.
-     */
-    std::string rejection_reason(const Evaluation &step);
-    /** Whatever keeps states or results makes room if ghosts @p are_more. */
+    /** Enlarges states and results if ghosts @p are_more. */
     void take_ghosts(bool are_more);
     /**
-     * What follows from loads, or motions of supports, that are not smooth at
-     * the state. Returns whether the next step follows a jump of them.
+     * Handles a kink or jump of loads or support motions at the state. Returns
+     * whether the next step begins with a jump.
      */
     bool
     handle_events(Solution &solution, StepReport &report, Recorder &recorder);
-    /**
-     * Without inertia: a part of a step in which springs answer loads that have
-     * jumped, dashpots do not.
-     */
-    void
-    apply_load_jump(Solution &solution, StepReport &report, Recorder &recorder);
-    /** With inertia: rates just after the @p jump. */
+    /** With inertia: finds rates just after the @p jump. */
     void restart_rates(Solution &solution, StepEnd::Jump jump);
     /**
-     * Results and energies of an instant at which rates have been found; where
-     * supports have struck, with the work of their impulses.
+     * Evaluates results and energies after new rates, with the work of support
+     * impulses.
      * @param before the state just before
      */
     void update_results(Solution              &solution,
                         const State           &before,
                         const ConsistentRates *rates,
                         double                 event);
-    /** One accepted step, to @p target (s) at the latest. */
+    /**
+     * Without inertia: applies jumped loads in a very short step, to which
+     * springs respond but dashpots do not.
+     */
+    void
+    apply_load_jump(Solution &solution, StepReport &report, Recorder &recorder);
+    /** Advances by one accepted step, to @p target (s) at the latest. */
     void advance_substep(Solution   &solution,
                          double      target,
                          StepReport &report,
@@ -134,31 +136,35 @@ namespace auxfem
                   const PlannedStep &planned,
                   StepReport        &report,
                   Recorder          &recorder);
-    /** The trial of @p step becomes the solution. */
-    void accept(Solution &solution, const Evaluation &step, Recorder &recorder);
+    /** Evaluation at the end of a step of length @p dt (s). */
+    Evaluation make_evaluation(const State &from, double dt);
+    /** Solves a step of a scheme without stages. */
     bool solve_step(const Evaluation &step, StepReport &report);
-    /** By stages, of which the last remains in the trial. */
+    /** Solves all stages; the last one remains in the trial. */
     bool solve_stages(const Solution   &solution,
                       const Evaluation &step,
                       StepReport       &report);
-    /** One implicit step or stage; returns whether it is solved. */
+    void predict(const ImplicitScheme &rule, const Evaluation &step);
+    /** Solves one implicit step or stage by Newton's method. */
     bool solve(const ImplicitScheme &rule,
                const Evaluation     &step,
                StepReport           &report);
-    /** Whether what is solved may become the solution. */
+    /** Restores consistent rates of rigid parts in a solved step. */
+    void restore_rates(const Evaluation &step);
+    /** Whether the solved trial may become the solution. */
     bool is_acceptable(const Evaluation &step);
-    /** Error of @p step over the one that is allowed. */
+    /** Why contact demands a shorter step; empty: it does not. */
+    std::string rejection_reason(const Evaluation &step);
+    bool        creates_energy(const Evaluation &step) const;
+    /** Estimated error of @p step over the allowed one. */
     double relative_error(const Evaluation &step);
-    /** What is asked of the equations at the end of a step of length @p dt (s). */
-    Evaluation make_evaluation(const State &from, double dt);
-    void       predict(const ImplicitScheme &rule, const Evaluation &step);
-    /** Rates of rigid parts put right, in a step that is solved. */
-    void              restore_rates(const Evaluation &step);
-    bool              creates_energy(const Evaluation &step) const;
-    bool              reject(const std::string &reason);
+    /** Makes the trial of @p step the solution. */
+    void accept(Solution &solution, const Evaluation &step, Recorder &recorder);
+    bool reject(const std::string &reason);
     [[noreturn]] void throw_step_failure(const State &state, double dt) const;
+    ///@}
 
-    /** With the mass matrix. */
+    /** Solver and rates with the mass matrix. */
     struct RateSolver
     {
       RateSolver(const Equations &equations, Work &work)
@@ -170,7 +176,7 @@ namespace auxfem
       ConsistentRates rates;
     };
 
-    /** All that keeps factorizations. */
+    /** All objects that store factorizations. */
     struct Solvers
     {
       Solvers(const Equations &equations, Work &work)
@@ -180,7 +186,7 @@ namespace auxfem
 
       TangentSolver tangent;
       Newton        newton;
-      /** Only where rates are restored after each step. */
+      /** Present if rates are restored after each step. */
       std::unique_ptr<RateSolver> rates;
     };
 
@@ -192,20 +198,20 @@ namespace auxfem
     const NodeRotations            rotations;
     const std::unique_ptr<Solvers> solvers;
     std::unique_ptr<StepControl>   control;
-    /** Only of a scheme that has some. */
+    /** Present for schemes with stages. */
     std::optional<Stages> stages;
     const DenseOutput     dense_output;
-    /** Only where the length of steps follows their error. */
+    /** Present with step-size control. */
     std::optional<StepError> error;
     const StepEnds           ends;
     Watches                  scene_watches;
-    /** One of the watches; only of nonlinear equilibria. */
+    /** One of the watches; only in nonlinear statics. */
     EquilibriumJumps       *jumps = nullptr;
     SmallDisplacementLimit *limit = nullptr;
     std::string             last_failure;
     double                  last_dt = 0; ///< of the last accepted step (s)
-    /** Of the last step, over the one that is allowed; 0: it failed for another
-     * reason, or did not. */
+    /** Error of the last trial over the allowed one; 0 unless it was rejected
+     * for its error. */
     double rejected_error = 0;
   };
 } // namespace auxfem

@@ -15,17 +15,20 @@
 
 namespace auxfem
 {
-  /** Something that happens to a part of a structure. */
+  /** An event at a part of the structure, as found by a watch. */
   struct Occurrence
   {
-    double       size;      ///< how far it goes
-    double       time;      ///< s
-    unsigned int number;    ///< of the strut or joint
-    unsigned int group = 0; ///< of the connector, or what else it is with
+    double       size;   ///< ///< severity, in the watch's unit
+    double       time;   ///< s
+    unsigned int number; ///< ///< of the strut or joint
+    unsigned int group =
+      0; ///< ///< of the connector, or of the other part involved
   };
 
-  /** What happens during a run, each rank seeing its own parts: the first and
-   * the largest are kept. */
+  /**
+   * First and largest event of a kind during a run; each rank adds those of
+   * its own parts.
+   */
   class Occurrences
   {
   public:
@@ -33,16 +36,16 @@ namespace auxfem
       : communicator(communicator)
     {}
 
-    /** In the order of time. */
+    /** Events must be added in the order of time. */
     void add(const Occurrence &occurrence);
 
-    /** The largest of this rank. */
+    /** Largest event of this rank. */
     const std::optional<Occurrence> &largest_here() const
     {
       return largest_one;
     }
 
-    /** @name Of all ranks, the same on each; collective. */
+    /** @name Of all ranks, equal on each; collective. */
     ///@{
     std::optional<Occurrence> first() const;
     std::optional<Occurrence> largest() const;
@@ -57,9 +60,9 @@ namespace auxfem
   };
 
   /**
-   * What the watches of a run have found so far: all that they keep in a
-   * checkpoint. Each watch has references to entries of its own, which begin
-   * with its name. All but occurrences are the same on all ranks.
+   * Everything that watches store in a checkpoint. Each watch refers to
+   * entries whose names begin with its own. All but events are equal on all
+   * ranks.
    */
   class RunStatistics
   {
@@ -71,7 +74,7 @@ namespace auxfem
     RunStatistics(const RunStatistics &)            = delete;
     RunStatistics &operator=(const RunStatistics &) = delete;
 
-    /** @name The entry of this name, which is made when first asked for. */
+    /** @name Entry of this name, created on first access. */
     ///@{
     double &number(const std::string &name, const double initial = 0)
     {
@@ -111,32 +114,38 @@ namespace auxfem
     std::map<std::string, std::string>         texts;
   };
 
-  /** Which steps a watch checks. Without inertia each of them checks all. */
+  /** Steps that a watch checks. Without inertia every step is checked. */
   enum class SamplingRate
   {
     every_step,
-    /** Some in a row, now and then, in linear scenes, whose steps cost little
-     * more than a check of every unknown. */
+    /**
+     * Several consecutive steps at intervals, in linear scenes, where a check
+     * costs about as much as a step; every step in nonlinear ones.
+     */
     bursts,
-    /** The first of each burst, in nonlinear scenes too: for checks that cost
-     * as much as an evaluation. */
+    /**
+     * The first step of each burst, also in nonlinear scenes; for checks that
+     * cost an evaluation.
+     */
     single_steps
   };
 
-  /** The steps that are sampled: a function of their number alone, so that runs
-   * that are resumed sample the same ones. The last steps always are. */
+  /**
+   * Decides which steps are sampled. The choice depends only on the step
+   * number, so resumed runs sample the same steps. The last steps always are.
+   */
   class SamplingSchedule
   {
   public:
     /**
-     * Steps from one sample to the next, at most.
+     * Largest sampling interval.
      * @tuned [steps] measured: samples cost a few per cent of linear steps; a
-     * prime number lets no vibration hide between samples
+     *   prime number lets no vibration hide between samples
      */
     static constexpr unsigned long longest_period = 13;
 
     /**
-     * Smallest number of samples in a run that has more steps.
+     * Smallest number of samples in a run with more steps.
      * @tuned judgement
      */
     static constexpr unsigned long least_number = 20;
@@ -160,7 +169,7 @@ namespace auxfem
     }
 
   private:
-    /** Steps that a third difference takes. */
+    /** Consecutive steps needed for a third difference. */
     static constexpr unsigned long burst = 3;
 
     const bool          has_inertia, is_linear;
@@ -168,8 +177,8 @@ namespace auxfem
   };
 
   /**
-   * Checks accepted steps of a run, and judges the run at the end. What a watch
-   * has found so far is kept in RunStatistics. All functions are collective.
+   * Checks accepted steps of a run and judges the run at the end. Results so
+   * far are stored in RunStatistics. All functions are collective.
    */
   class Watch
   {
@@ -180,29 +189,31 @@ namespace auxfem
 
     virtual ~Watch() = default;
 
-    /** The state at t = 0, in order. */
+    /** Called with the consistent state at t = 0. */
     virtual void start(const State & /*state*/)
     {}
 
     /**
-     * A step of those that `rate` asks for, or a part of one, is solved and
-     * accepted; step.to has its energies.
-     * @param results of its end
-     * @param solver of Newton's method, with the factorization it keeps
+     * Called after a sampled step, or a part of one, is accepted; step.to has
+     * its energies.
+     * @param results at its end
+     * @param solver Newton's, with its current factorization
      */
     virtual void step(const Evaluation        &step,
                       const EvaluationResults &results,
                       TangentSolver           &solver) = 0;
 
-    /** The next step does not follow on the last one that was checked: what is
-     * remembered of steps means nothing any more. */
+    /**
+     * Drops data of earlier steps: the next step does not follow the last one
+     * checked.
+     */
     virtual void forget_steps()
     {}
 
     /**
-     * Whether the ends of a static step, solved but not yet accepted, have
-     * different numbers of negative modes.
-     * @param solver as step()
+     * Whether the number of negative modes changes within a static step that
+     * is solved but not yet accepted.
+     * @param solver as in step()
      */
     virtual bool changes_stability(const Evaluation & /*step*/,
                                    TangentSolver & /*solver*/)
@@ -210,22 +221,26 @@ namespace auxfem
       return false;
     }
 
-    /** The next step leads to another equilibrium than the connected one, which
-     * is known: the energy that is set free is no error. */
+    /**
+     * Announces a reported jump to another equilibrium; the energy released in
+     * the next step is no error.
+     */
     virtual void expect_jump()
     {}
 
-    /** What it makes of the run so far; the same on all ranks. */
+    /** Findings about the run so far, equal on all ranks. */
     virtual std::vector<Finding> findings() const = 0;
 
-    /** Largest depth of struts in plates or other struts so far, over their
-     * thickness; none if the watch does not check that. */
+    /**
+     * Largest penetration of struts into plates or other struts so far, over
+     * their thickness; empty if the watch does not check it.
+     */
     virtual std::optional<double> largest_penetration() const
     {
       return std::nullopt;
     }
 
-    /** What is not in RunStatistics. */
+    /** Saves or restores data beyond RunStatistics. */
     virtual void serialize(CheckpointArchive & /*archive*/)
     {}
 
@@ -233,26 +248,29 @@ namespace auxfem
   };
 
   /**
-   * ` (Time/Time step = ... s). A step of ... s would miss 1 %.`: the end of
-   * what a watch says of steps that miss too much.
-   * @param scene_step that of the scene (s)
-   * @param missed part that its steps miss
+   * End of a finding about too long steps: ` (Time/Time step = ... s). A step
+   * of ... s would miss 1 %.`
+   * @param scene_step step of the scene (s)
+   * @param missed relative error of its steps
    */
   std::string shorter_step_text(double                scene_step,
                                 const ImplicitScheme &scheme,
                                 double                missed);
 
-  /** All watches that the scene gives cause for, one per file, with the
-   * schedule by which they check steps. */
+  /**
+   * All watches that the scene needs, with their sampling schedule.
+   * TimeStepper passes accepted steps to them.
+   */
   class Watches
   {
   public:
-    /** @param equations, work must outlive the object; @p work takes up
-     * what they do. */
+    /**
+     * @param equations, work must outlive the object; @p work counts the
+     *   effort of the watches.
+     */
     Watches(const Equations &equations, Work &work);
 
-    /** One more, which checks what the others do not; returns it. Before
-     * start(). */
+    /** Adds a watch before start() and returns it. */
     template <class Added>
     Added *add(std::unique_ptr<Added> watch)
     {
@@ -263,29 +281,31 @@ namespace auxfem
 
     void start(const State &state);
 
-    /** An accepted step: tells the watches that sample it. */
+    /** Passes an accepted step to the watches that sample it. */
     void step(const Evaluation        &step,
               const EvaluationResults &results,
               TangentSolver           &solver);
 
-    /** At a checkpoint: drops what is remembered of steps before it, so that a
-     * run that is resumed there finds the same. */
+    /**
+     * At a checkpoint: drops data of earlier steps, so that a resumed run has
+     * the same findings.
+     */
     void forget_steps();
 
-    /** Whether one says so. */
+    /** Whether any watch reports a change of stability. */
     bool changes_stability(const Evaluation &step, TangentSolver &solver);
 
-    /** Says so to all. */
+    /** Announces a jump to all watches. */
     void expect_jump()
     {
       for (const auto &watch : watches)
         watch->expect_jump();
     }
 
-    /** Of all, the worst first. */
+    /** Findings of all watches, worst first. */
     std::vector<Finding> findings() const;
 
-    /** Of the one that checks that. */
+    /** As Watch::largest_penetration(). */
     std::optional<double> largest_penetration() const;
 
     void serialize(CheckpointArchive &archive);
@@ -294,64 +314,67 @@ namespace auxfem
     const SamplingSchedule              schedule;
     RunStatistics                       statistics;
     std::vector<std::unique_ptr<Watch>> watches;
-    /** Whether the step before was in a burst, and is remembered. */
+    /** Whether the previous step was in a burst, so that its data are known. */
     bool follows_burst = false;
   };
 
-  /** What watches of a run refer to; all must outlive them. */
+  /** Objects that watches refer to; all must outlive them. */
   struct WatchedRun
   {
     const RunPlan   &plan;
     const Equations &equations;
     RunStatistics   &statistics;
-    Work            &work; ///< takes up what watches do
+    Work            &work; ///< ///< counts the effort of watches
   };
 
   using MakeWatch = std::unique_ptr<Watch>(const WatchedRun &);
 
-  /** @name The watches; watch.cc says which scenes have which. */
+  /** @name The watches; watch.cc decides which scenes have which. */
   ///@{
-  /** Energy that is not accounted for, or that a scheme with inertia gives or
-   * takes. */
+  /**
+   * Energy errors: an open balance, or gain and loss by a scheme with inertia.
+   */
   MakeWatch make_energy_watch;
-  /** Steps that are too long for the motion. With inertia. */
+  /** Steps too long for the motion. With inertia. */
   MakeWatch make_step_watch;
   /** Loads that change within steps. With inertia. */
   MakeWatch make_load_step_watch;
-  /** Strains for which no linear law stands; the scene has elastic struts. */
+  /** Strains beyond the linear law; with elastic struts. */
   MakeWatch make_strain_watch;
-  /** Strains beyond those at which sections yield; a section has one. */
+  /** Strains beyond yield; if a section has a yield strain. */
   MakeWatch make_yield_watch;
-  /** Struts that buckle between their joints, which their elements do not
-   * show; the scene has elastic struts. */
-  MakeWatch make_local_buckling_watch;
-  /** Bending that elements of order 1 miss; none without such elements. The
-   * scene simulates shear flexibility, without which they bend as they should.
+  /**
+   * Struts that buckle between joints, which their elements cannot represent;
+   * with elastic struts.
    */
+  MakeWatch make_local_buckling_watch;
+  /** Bending that elements of order 1 miss. With shear flexibility. */
   MakeWatch make_bending_watch;
-  /** Bending waves shorter than elements resolve; the scene has elastic struts,
-   * and inertia. */
+  /**
+   * Bending waves shorter than elements resolve; with elastic struts and
+   * inertia.
+   */
   MakeWatch make_wave_watch;
-  /** Connectors that are shortened to nothing; the scene has some. */
+  /** Connectors compressed to zero length; with connectors. */
   MakeWatch make_connector_watch;
-  /** Struts that go deep into plates or struts; the scene has contact. */
+  /** Penetration of struts into plates or struts; with contact. */
   MakeWatch make_contact_watch;
-  /** Impacts that steps do not resolve. With inertia; the scene has contact. */
+  /** Impacts that steps do not resolve; with inertia and contact. */
   MakeWatch make_impact_watch;
-  /** Loads that are too fast to leave inertia out, where time has a meaning. */
+  /** Loads too fast for neglected inertia, where time has a meaning. */
   MakeWatch make_load_speed_watch;
-  /** Struts that touch or pass through each other; the scene has elastic
-   * struts. */
+  /** Struts that touch or pass through each other; with elastic struts. */
   MakeWatch make_crossing_watch;
-  /** Struts that go through plates where contact is left out; the scene has
-   * plates. */
+  /** Struts that pass through plates without contact; with plates. */
   MakeWatch make_plate_crossing_watch;
   /** Displacements too large for the small-displacement form. */
   MakeWatch make_small_displacement_watch;
-  /** Free lattices in space whose spin makes errors grow beyond the tolerance
-   * that the steps follow. Without rigid parts. */
+  /**
+   * Free lattices in space whose unstable spin amplifies errors beyond the
+   * tolerance of the step-size control. Without rigid parts.
+   */
   MakeWatch make_spin_watch;
-  /** Equilibria and motions that a disturbance would leave. */
+  /** Unstable equilibria and motions. */
   MakeWatch make_stability_watch;
   ///@}
 } // namespace auxfem
