@@ -12,14 +12,14 @@ namespace auxfem
 {
   namespace
   {
-    /** Of a record of the run as a whole. */
+    /** The item of records of the whole run. */
     const std::vector<unsigned int> the_run = {0};
 
-    [[noreturn]] void refuse(const std::string &what)
+    [[noreturn]] void throw_missing_record(const std::string &record)
     {
-      throw InputError("What the run is to go on from has no " + what +
-                       ": it was left by another scene or another version of "
-                       "auxfem. Go on with those, or start from t = 0.");
+      throw InputError("The checkpoint has no " + record +
+                       ": it was written by another scene or another version "
+                       "of auxfem. Resume with those, or start from t = 0.");
     }
   } // namespace
 
@@ -61,11 +61,11 @@ namespace auxfem
   {
     const auto record = std::find_if(records.begin(),
                                      records.end(),
-                                     [&](const CheckpointRecord &kept) {
-                                       return kept.name == name;
+                                     [&](const CheckpointRecord &record) {
+                                       return record.name == name;
                                      });
     if (record == records.end())
-      refuse('"' + name + '"');
+      throw_missing_record('"' + name + '"');
     return *record;
   }
 
@@ -95,8 +95,8 @@ namespace auxfem
   {
     return std::any_of(records.begin(),
                        records.end(),
-                       [&](const CheckpointRecord &kept) {
-                         return kept.name == name;
+                       [&](const CheckpointRecord &record) {
+                         return record.name == name;
                        });
   }
 
@@ -107,8 +107,8 @@ namespace auxfem
   {
     const CheckpointRecord &record = find(name);
     if (record.values_per_item != values_per_item)
-      refuse('"' + name + "\" with " + std::to_string(values_per_item) +
-             " values each");
+      throw_missing_record('"' + name + "\" with " +
+                           std::to_string(values_per_item) + " values each");
     std::map<unsigned int, std::size_t> positions;
     for (std::size_t i = 0; i < record.items.size(); ++i)
       positions[record.items[i]] = i * values_per_item;
@@ -118,7 +118,8 @@ namespace auxfem
       {
         const auto position = positions.find(item);
         if (position == positions.end())
-          refuse('"' + name + "\" of item " + std::to_string(item));
+          throw_missing_record('"' + name + "\" of item " +
+                               std::to_string(item));
         const auto begin = record.values.begin() + position->second;
         result.insert(result.end(), begin, begin + values_per_item);
       }
@@ -147,7 +148,7 @@ namespace auxfem
   void CheckpointArchive::list(const std::string   &name,
                                std::vector<double> &values)
   {
-    // A record has one value at least: the length comes first.
+    // A record needs at least one value, so the length comes first.
     if (is_saving())
       {
         std::vector<double> with_length = {double(values.size())};

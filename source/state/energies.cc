@@ -46,9 +46,7 @@ namespace auxfem
 
   EnergyEntry contact_energy_entry()
   {
-    return {EnergyKind::stored,
-            "contact",
-            "energy of the faces of struts that are pressed on something"};
+    return {EnergyKind::stored, "contact", "elastic energy of contact"};
   }
 
   EnergyEntry friction_energy_entry()
@@ -62,8 +60,8 @@ namespace auxfem
   {
     return {EnergyKind::numerical,
             "numerical",
-            "energy taken by the time integration since the start, which the "
-            "structure would not lose; below zero it was given"};
+            "energy removed by the time integration since the start, beyond "
+            "physical losses; negative: added"};
   }
 
   Energies::Energies() : entries(std::make_shared<const EnergyLedger>())

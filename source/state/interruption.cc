@@ -7,13 +7,13 @@ namespace auxfem
 {
   namespace
   {
-    /** The first one noted; 0: none. */
-    volatile std::sig_atomic_t noted = 0;
+    /** The first deferred signal; 0: none. */
+    volatile std::sig_atomic_t deferred_signal = 0;
 
-    void note(const int signal)
+    void defer_signal(const int signal)
     {
-      if (noted == 0)
-        noted = signal;
+      if (deferred_signal == 0)
+        deferred_signal = signal;
     }
   } // namespace
 
@@ -25,10 +25,11 @@ namespace auxfem
 
   SignalsWaitForStep::SignalsWaitForStep()
   {
-    noted                   = 0;
+    deferred_signal         = 0;
     struct sigaction action = {};
-    action.sa_handler       = note;
-    // The second one finds the default action; calls of libraries go on.
+    action.sa_handler       = defer_signal;
+    // A second signal meets the default action; interrupted system calls
+    // restart.
     action.sa_flags = SA_RESETHAND | SA_RESTART;
     sigemptyset(&action.sa_mask);
     for (unsigned int i = 0; i < signals.size(); ++i)
@@ -47,7 +48,7 @@ namespace auxfem
 
   int noted_signal(const MPI_Comm communicator)
   {
-    int signal = noted;
+    int signal = deferred_signal;
     MPI_Allreduce(MPI_IN_PLACE, &signal, 1, MPI_INT, MPI_MAX, communicator);
     return signal;
   }

@@ -9,26 +9,28 @@ namespace auxfem
 {
   namespace
   {
-    /** A value with two derivatives by time. */
+    /** A value with its first two derivatives by time. */
     template <class Value>
     struct Motion
     {
       Value value, first, second;
     };
 
-    /** Hermite's polynomials of a step, at one time in it. */
+    /** Hermite polynomials of a step, at one time in it. */
     class QuinticHermite
     {
     public:
-      /** @param dt length of the step (s)
-       * @param part of it that has gone by */
+      /**
+       * @param dt length of the step (s)
+       * @param part elapsed part of it
+       */
       QuinticHermite(const double dt, const double part) : dt(dt)
       {
         for (unsigned int i = 0; i < weights.size(); ++i)
           weights[i] = at(coefficients[i], part);
       }
 
-      /** From 0 with the rates of @p start to all of @p end. */
+      /** From 0 with the rates of @p start to the values of @p end. */
       template <class Value>
       Motion<Value> operator()(const Motion<Value> &start,
                                const Motion<Value> &end) const
@@ -47,7 +49,7 @@ namespace auxfem
       }
 
     private:
-      /** From the constant on. */
+      /** Coefficients in ascending order. */
       using Polynomial = std::array<double, 6>;
 
       static Motion<double> at(const Polynomial &polynomial, const double s)
@@ -71,7 +73,7 @@ namespace auxfem
       std::array<Motion<double>, 5> weights;
     };
 
-    /** What a step begins with where functions of time jump. */
+    /** The start of a step where functions of time jump. */
     std::optional<TimeLimit> after(const std::optional<double> event)
     {
       if (!event)
@@ -100,7 +102,9 @@ namespace auxfem
         to[i] = chord(one[i], other[i], part);
     }
 
-    /** Hermite's cubic polynomials through @p one and @p other, @p dt (s) apart. */
+    /**
+     * Cubic Hermite polynomials through @p one and @p other, @p dt (s) apart.
+     */
     void cubics(const std::vector<double> &one,
                 const std::vector<double> &one_rate,
                 const std::vector<double> &other,
@@ -145,11 +149,11 @@ namespace auxfem
         Evaluation way =
           Evaluation::step(from.state, between.state, *next - begin);
         way.event_at_from = event_at_from;
-        move(way, to.state);
-        integrate(from.state,
-                  to.state,
-                  end_rates ? &*end_rates : nullptr,
-                  between.state);
+        interpolate_motion(way, to.state);
+        interpolate_integrals(from.state,
+                              to.state,
+                              end_rates ? &*end_rates : nullptr,
+                              between.state);
         const State      before = between.state;
         const Evaluation instant =
           Evaluation::consistent_rates(before, between.state);
@@ -222,7 +226,8 @@ namespace auxfem
     between.forces_within = {&from, &to, part};
   }
 
-  void DenseOutput::move(const Evaluation &between, const State &end) const
+  void DenseOutput::interpolate_motion(const Evaluation &between,
+                                       const State      &end) const
   {
     const State &start = between.from;
     State       &now   = between.to;
@@ -250,11 +255,12 @@ namespace auxfem
     for (const int i : equations.model().numbering.constraints().multipliers())
       now.displacement[i] =
         chord(start.displacement[i], end.displacement[i], part);
-    rotate(between, end);
+    interpolate_rotations(between, end);
     prescribe_motion(equations.model(), between);
   }
 
-  void DenseOutput::rotate(const Evaluation &between, const State &end) const
+  void DenseOutput::interpolate_rotations(const Evaluation &between,
+                                          const State      &end) const
   {
     const State         &start = between.from;
     const double         part  = part_of(between, end);
@@ -288,10 +294,10 @@ namespace auxfem
     rotations.follow(between);
   }
 
-  void DenseOutput::integrate(const State    &from,
-                              const State    &to,
-                              const EndRates *rates,
-                              State          &between) const
+  void DenseOutput::interpolate_integrals(const State    &from,
+                                          const State    &to,
+                                          const EndRates *rates,
+                                          State          &between) const
   {
     const double dt   = to.time - from.time,
                  part = (between.time - from.time) / dt;

@@ -170,7 +170,7 @@ namespace auxfem
     const std::string loads = load_values_text(model.plan, first->time);
     text << "The equilibrium jumps between t = " << first->time << " s and "
          << first->end << " s" << (loads.empty() ? "" : " (" + loads + ")")
-         << " by " << first->size << " m, most at the " << first->location;
+         << " by " << first->size << " m, largest at the " << first->location;
     if (n_jumps > 1)
       text << ", and " << n_jumps - 1 << " more times later";
     text

@@ -19,21 +19,25 @@ namespace auxfem
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
 
-    /** Whether no error need be looked for after such a @p rotation (rad),
-     * whose sine and cosine differ from the angle and from one. */
+    /**
+     * Whether a @p rotation (rad) alone exceeds the allowed error, by the
+     * difference of its sine and cosine from angle and one.
+     */
     bool is_large(const double rotation, const double allowed)
     {
       /**
-       * Rotation from which on the error of small displacements is too
-       * large to be computed.
+       * Rotation above which the error of small displacements is too large to
+       * be computed.
        * @tuned [rad] theory: the cosine then differs from one by 1.1 %
        */
       constexpr double small_angle = 0.15;
       return !(rotation < small_angle && rotation * rotation / 2 <= allowed);
     }
 
-    /** Newton's method: the error is wanted to a tenth of itself, or to a
-     * hundredth of what is allowed. */
+    /**
+     * Newton's method determines the error to a tenth of itself, or to a
+     * hundredth of the allowed one.
+     */
     constexpr unsigned int most_iterations = 8;
     constexpr double       accuracy = 0.1, accuracy_of_tolerance = 0.01;
 
@@ -46,7 +50,7 @@ namespace auxfem
       return rest;
     }
 
-    /** Times at which loads are looked at. */
+    /** Times at which loads are sampled. */
     std::vector<TimeLimit> times_of_loads(const RunPlan &plan)
     {
       constexpr unsigned int n_times = 4, n_events = 8;
@@ -61,8 +65,9 @@ namespace auxfem
       return times;
     }
 
-    /** Largest translation of joints of all ranks (m). */
-    double largest_of_joints(const LatticeModel &model, const Vector &motion)
+    /** Largest translation of joints over all ranks (m). */
+    double largest_joint_translation(const LatticeModel &model,
+                                     const Vector       &motion)
     {
       const DofNumbering &numbering = model.numbering;
       double              mine      = 0;
@@ -74,18 +79,21 @@ namespace auxfem
       return numbering.layout().largest(mine);
     }
 
-    /** Of @p error over @p motion, see LargeRotationError::translation. */
+    /**
+     * Translation of @p error over @p motion, see
+     * LargeRotationError::translation.
+     */
     double relative_translation(const LatticeModel &model,
                                 const Vector       &error,
                                 const Vector       &motion)
     {
-      // Of the largest translation of all nodes.
-      constexpr double least_of_joints = 0.1;
-      const double     of_joints       = largest_of_joints(model, motion),
-                   of_all              = largest_motion(model, motion).first;
-      return of_joints >= least_of_joints * of_all
-        ? largest_of_joints(model, error) / of_joints
-        : largest_motion(model, error).first / of_all;
+      // Part of the largest translation of all nodes.
+      constexpr double smallest_joint_fraction = 0.1;
+      const double joint_translation = largest_joint_translation(model, motion),
+                   node_translation  = largest_motion(model, motion).first;
+      return joint_translation >= smallest_joint_fraction * node_translation
+        ? largest_joint_translation(model, error) / joint_translation
+        : largest_motion(model, error).first / node_translation;
     }
 
     std::string location_of(const LatticeModel &model, const Vector &error)
@@ -157,7 +165,7 @@ namespace auxfem
       }
     catch (const ComputationError &)
       {
-        // A load that is no number at t = 0: the run will tell.
+        // A load is not finite at t = 0; the run itself reports it.
         return false;
       }
   }
@@ -180,7 +188,7 @@ namespace auxfem
       }
     catch (const ComputationError &)
       {
-        // A load that is no number: the run will tell when it gets there.
+        // A load is not finite; the run itself reports it when it gets there.
         return {};
       }
     return solver.solve(motion) ? std::optional<Vector>(motion) : std::nullopt;
@@ -253,16 +261,16 @@ namespace auxfem
             !solver.solve(change))
           return false;
         add_multiple(1., change, error);
-        const double size_of_change = size(change);
-        if (size_of_change <=
+        const double change_size = size(change);
+        if (change_size <=
             std::max(accuracy * size(error),
                      accuracy_of_tolerance * allowed * size(motion)))
           return true;
-        is_reducing = plan.newton.kept_reduction * size_of_change <=
+        is_reducing = plan.newton.kept_reduction * change_size <=
           (uses_rest_stiffness ? before_last : last);
         if (uses_rest_stiffness && !is_reducing)
           return false;
-        before_last = std::exchange(last, size_of_change);
+        before_last = std::exchange(last, change_size);
       }
     return false;
   }
@@ -285,22 +293,22 @@ namespace auxfem
   LargeRotationError LargeRotationErrorEstimator::at(const Vector &motion)
   {
     const LatticeModel &model = exact.model();
-    LargeRotationError  found;
-    found.rotation = largest_motion(model, motion).second;
-    found.relative = found.translation = infinity;
-    if (is_large(found.rotation, allowed))
-      return found;
+    LargeRotationError  result;
+    result.rotation = largest_motion(model, motion).second;
+    result.relative = result.translation = infinity;
+    if (is_large(result.rotation, allowed))
+      return result;
     TangentSolver solver(exact, plan.solver, work);
     Vector        error(motion.size(), 0.);
     if (!factorize_at_rest(solver) ||
         !(find_error(motion, /*uses_rest_stiffness=*/true, solver, error) ||
           find_error(motion, /*uses_rest_stiffness=*/false, solver, error)))
-      return found;
-    found.relative    = size(error) / size(motion);
-    found.translation = relative_translation(model, error, motion);
-    found.location    = location_of(model, error);
-    if (found.relative <= allowed)
-      found.is_unstable = !is_positive(exact_state(motion, error), solver);
-    return found;
+      return result;
+    result.relative    = size(error) / size(motion);
+    result.translation = relative_translation(model, error, motion);
+    result.location    = location_of(model, error);
+    if (result.relative <= allowed)
+      result.is_unstable = !is_positive(exact_state(motion, error), solver);
+    return result;
   }
 } // namespace auxfem

@@ -50,7 +50,7 @@ namespace auxfem
   double RowCriterion::largest_excess(const State  &state,
                                       const double *round_off) const
   {
-    const LatticeModel &model = equations.model();
+    const LatticeModel &model  = equations.model();
     double              excess = 1;
     for (const std::vector<int> *rows :
          {&model.rows.free_translations, &model.rows.free_rotations})

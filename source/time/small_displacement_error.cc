@@ -8,7 +8,7 @@
 
 namespace auxfem
 {
-  struct SmallDisplacementEstimate::Worst
+  struct SmallDisplacementEstimate::LargestError
   {
     enum class Kind
     {
@@ -18,7 +18,7 @@ namespace auxfem
       connector
     };
 
-    /** Errors as SmallDisplacementError has them, without words. */
+    /** Errors of SmallDisplacementError without the location's text. */
     struct Errors
     {
       double rotation = 0, second_order = 0, strain = 0;
@@ -29,40 +29,43 @@ namespace auxfem
       }
     };
 
-    /** Those of a part by itself. */
+    /** Adds the errors of a single part. */
     void add(const Errors      &candidate,
-             const Kind         constraints,
-             const unsigned int with_number,
-             const unsigned int in_group = 0)
+             const Kind         new_kind,
+             const unsigned int new_number,
+             const unsigned int new_group = 0)
     {
       if (candidate.total() <= error.total())
         return;
       error  = candidate;
-      kind   = constraints;
-      number = with_number;
-      group  = in_group;
+      kind   = new_kind;
+      number = new_number;
+      group  = new_group;
     }
 
-    /** Takes over that of the first rank with the largest error. Collective. */
-    void take_worst_of_all_ranks(const UnknownLayout &layout)
+    /**
+     * Takes the errors of the first rank with the largest total. Collective.
+     */
+    void reduce_over_ranks(const UnknownLayout &layout)
     {
-      const double mine    = error.total();
-      const double n_ranks = layout.n_ranks(), largest = layout.largest(mine),
-                   teller = n_ranks -
-        layout.largest(mine == largest ? n_ranks - layout.rank() : 0.);
-      std::vector<double> told(6, 0.);
-      if (layout.rank() == teller)
-        told = {error.rotation,
-                error.second_order,
-                error.strain,
-                double(kind),
-                double(number),
-                double(group)};
-      told   = layout.sum(told);
-      error  = {told[0], told[1], told[2]};
-      kind   = static_cast<Kind>(std::lround(told[3]));
-      number = std::lround(told[4]);
-      group  = std::lround(told[5]);
+      const double mine          = error.total();
+      const double n_ranks       = layout.n_ranks(),
+                   largest_total = layout.largest(mine),
+                   source_rank   = n_ranks -
+        layout.largest(mine == largest_total ? n_ranks - layout.rank() : 0.);
+      std::vector<double> values(6, 0.);
+      if (layout.rank() == source_rank)
+        values = {error.rotation,
+                  error.second_order,
+                  error.strain,
+                  double(kind),
+                  double(number),
+                  double(group)};
+      values = layout.sum(values);
+      error  = {values[0], values[1], values[2]};
+      kind   = static_cast<Kind>(std::lround(values[3]));
+      number = std::lround(values[4]);
+      group  = std::lround(values[5]);
     }
 
     Errors       error;
@@ -136,7 +139,7 @@ namespace auxfem
                      ? section.bending_stiffness_3()
                      : std::min(section.bending_stiffness_2(),
                      section.bending_stiffness_3());
-        // By small displacements its mean axial strain is that of its chord.
+        // In small displacements its mean axial strain is that of its chord.
         const bool is_chord =
           strut.sagitta == 0 && !model.plan.simulated.large_rotation;
         using dealii::numbers::PI;
@@ -221,7 +224,7 @@ namespace auxfem
       std::vector<double>{own_work, own_axial_energy});
     const double elastic = state.energies.strain() + state.energies.stored(),
                  bending = elastic - sums[1];
-    // What is left of more than ten digits is round-off.
+    // Smaller errors are round-off.
     constexpr double negligible = 1e-10;
     return bending > negligible * elastic ? std::abs(sums[0]) / (2 * bending)
                                           : 0.;
@@ -255,7 +258,7 @@ namespace auxfem
   SmallDisplacementError SmallDisplacementEstimate::at(const State &state) const
   {
     const Vector       &displacement = state.displacement;
-    Worst               worst;
+    LargestError        largest;
     double              work = 0, axial_energy = 0;
     std::vector<double> compressions(counted.size(), 0.);
     for (const Chord &chord : chords)
@@ -269,49 +272,51 @@ namespace auxfem
           force * force * chord.line.length / (2 * chord.axial_stiffness);
         compressions[chord.index] =
           std::max(compressions[chord.index], -force / chord.buckling_force);
-        worst.add({std::max(rotation, node_rotation(chord, displacement)),
-                   // Below that it depends on what bends.
-                   -force > chord.buckling_force ? -force / chord.buckling_force
-                                                 : 0.,
-                   std::abs(force) / chord.axial_stiffness},
-                  Worst::Kind::strut,
-                  chord.strut);
+        largest.add({std::max(rotation, node_rotation(chord, displacement)),
+                     // Below the Euler load the effect depends on bending.
+                     -force > chord.buckling_force
+                       ? -force / chord.buckling_force
+                       : 0.,
+                     std::abs(force) / chord.axial_stiffness},
+                    LargestError::Kind::strut,
+                    chord.strut);
       }
     for (const Connector &connector : connectors)
-      worst.add({connector.line.motion(displacement).rotation, 0, 0},
-                Worst::Kind::connector,
-                connector.joint,
-                connector.group);
+      largest.add({connector.line.motion(displacement).rotation, 0, 0},
+                  LargestError::Kind::connector,
+                  connector.joint,
+                  connector.group);
     if (const auto *parts = equations.reporting().rigid_parts)
       for (unsigned int i = 0; i < parts->n_reported(); ++i)
-        worst.add({parts->rotation(i, state).norm(), 0, 0},
-                  Worst::Kind::rigid_part,
-                  parts->part(i));
-    worst.take_worst_of_all_ranks(equations.unknowns().layout);
+        largest.add({parts->rotation(i, state).norm(), 0, 0},
+                    LargestError::Kind::rigid_part,
+                    parts->part(i));
+    largest.reduce_over_ranks(equations.unknowns().layout);
     const double largest = compressions.empty()
       ? 0.
       : *std::max_element(compressions.begin(), compressions.end());
-    return {worst.error.rotation,
-            std::max(worst.error.second_order,
+    return {largest.error.rotation,
+            std::max(largest.error.second_order,
                      overall_second_order(work, axial_energy, state)),
-            worst.error.strain,
-            location_of(worst),
+            largest.error.strain,
+            location_of(largest),
             equations.unknowns().layout.largest(largest),
             std::move(compressions)};
   }
 
-  std::string SmallDisplacementEstimate::location_of(const Worst &worst) const
+  std::string
+  SmallDisplacementEstimate::location_of(const LargestError &largest) const
   {
-    switch (worst.kind)
+    switch (largest.kind)
       {
-        case Worst::Kind::strut:
-          return "strut " + std::to_string(worst.number);
-        case Worst::Kind::rigid_part:
-          return "rigid part " + std::to_string(worst.number);
-        case Worst::Kind::connector:
-          return "connector " + scene.connectors[worst.group].name +
-            " of joint " + std::to_string(worst.number);
-        case Worst::Kind::none:
+        case LargestError::Kind::strut:
+          return "strut " + std::to_string(largest.number);
+        case LargestError::Kind::rigid_part:
+          return "rigid part " + std::to_string(largest.number);
+        case LargestError::Kind::connector:
+          return "connector " + scene.connectors[largest.group].name +
+            " of joint " + std::to_string(largest.number);
+        case LargestError::Kind::none:
           break;
       }
     return "";

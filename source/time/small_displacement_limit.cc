@@ -31,11 +31,14 @@ namespace auxfem
       , solver(equations, model.plan.solver, work)
     {}
 
-    /** K + K_g under the forces of @p motion; false if it has no factors. */
+    /**
+     * Factorizes K + K_g under the forces of @p motion; false if it is
+     * singular.
+     */
     bool factorize_under(const Vector &motion)
     {
       State rest = state_at_rest();
-      // Constraints add what is linear in their forces.
+      // Constraints add terms linear in their forces.
       for (const int i : model.numbering.constraints().multipliers())
         rest.displacement[i] = motion[i];
       const EvaluationResults at_rest     = assemble(rest);
@@ -47,17 +50,22 @@ namespace auxfem
           const double part   = finite_difference_step / size;
           State        before = displaced(rest, model.numbering, motion, -part),
                 after         = displaced(rest, model.numbering, motion, part);
-          const EvaluationResults at_before = results_at(before),
-                                  at_after  = results_at(after);
-          equations.add_geometric_tangent(
-            {rest, before, after, at_rest, at_before, at_after, 1 / (2 * part)},
-            solver.matrix());
+          const EvaluationResults results_before = results_at(before),
+                                  at_after       = results_at(after);
+          equations.add_geometric_tangent({rest,
+                                           before,
+                                           after,
+                                           at_rest,
+                                           results_before,
+                                           at_after,
+                                           1 / (2 * part)},
+                                          solver.matrix());
         }
-      // The symmetric part has an inertia; the rest are moments that balance.
+      // Only the symmetric part has an inertia; the rest are balanced moments.
       return solver.factorize(Exactness::approximate);
     }
 
-    /** K; false if it has no factors. */
+    /** Factorizes K; false if it is singular. */
     bool factorize_at_rest()
     {
       State rest = state_at_rest();
@@ -79,7 +87,7 @@ namespace auxfem
       return rest;
     }
 
-    /** The stiffness without that by forces. */
+    /** Assembles the stiffness without that of forces. */
     EvaluationResults assemble(State &rest)
     {
       EvaluationResults results = results_at(rest);
@@ -118,7 +126,7 @@ namespace auxfem
       }
     catch (const std::runtime_error &)
       {
-        // Supports that large rotations do not allow.
+        // Large rotations do not allow some supports.
         is_impossible = true;
         return nullptr;
       }
@@ -141,7 +149,7 @@ namespace auxfem
       }
     catch (const std::runtime_error &)
       {
-        // Loads that are no number at rest.
+        // Loads are not finite at rest.
         is_impossible = true;
         return {};
       }
@@ -178,33 +186,37 @@ namespace auxfem
 
   namespace
   {
-    /** Compression (SmallDisplacementError) of all struts by which nothing
-     * buckles: that of a thousand struts in a row. */
-    constexpr double no_compression = 1e-6;
+    /**
+     * Compression (SmallDisplacementError) of all struts below which nothing
+     * buckles, as for a thousand struts in a row.
+     */
+    constexpr double negligible_compression = 1e-6;
 
     /**
-     * Multiple of a motion outside the envelope that is computed first.
+     * Factor by which a motion outside the envelope is first enlarged.
      * @tuned judgement
      */
-    constexpr double far_ahead = 4;
+    constexpr double first_enlargement = 4;
 
-    /** Motions inside the envelope that are computed in a run. */
+    /** Number of motions inside the envelope that a run checks. */
     constexpr double n_regular_checks = 4;
 
     /**
-     * Known error of a motion inside the envelope, over the allowed one, up
-     * to which it is not computed.
+     * Known error inside the envelope, over the allowed one, below which no
+     * new check is needed.
      * @tuned judgement: a motion of another shape may have a larger error
      */
-    constexpr double little_error = 0.3;
+    constexpr double small_error_fraction = 0.3;
 
-    /** Multiples of the static answer that the decision is made for: in
-     * dynamics the overshoot of a sudden load, in statics room for round-off.
+    /**
+     * Multiples of the static response that the decision is based on: in
+     * dynamics the overshoot of a sudden load, in statics a margin for
+     * round-off.
      */
     constexpr double dynamic_factor = 2, static_factor = 1.01;
 
-    /** A vibration goes four amplitudes while it turns by 2 pi. */
-    constexpr double radians_of_way = dealii::numbers::PI / 2;
+    /** The path of a vibration is four amplitudes in a phase of 2 pi. */
+    constexpr double phase_per_path_length = dealii::numbers::PI / 2;
   } // namespace
 
   SmallDisplacementLimit::SmallDisplacementLimit(const Equations &small,
@@ -228,19 +240,19 @@ namespace auxfem
     const double factor = has_inertia ? dynamic_factor : static_factor;
     Vector       motion = answer->displacement;
     scale(factor, motion);
-    const LargeRotationError found = estimator.at(motion);
-    const double             size  = estimator.size(answer->displacement);
-    if (found.reason(plan.effects.tolerance).empty())
+    const LargeRotationError estimated = estimator.at(motion);
+    const double             size      = estimator.size(answer->displacement);
+    if (estimated.reason(plan.effects.tolerance).empty())
       extend(factor,
              size,
              estimate.at(*answer),
-             found.relative * factor * size);
-    return found;
+             estimated.relative * factor * size);
+    return estimated;
   }
 
-  bool
-  SmallDisplacementLimit::is_inside(const double                  size,
-                                    const SmallDisplacementError &motion) const
+  bool SmallDisplacementLimit::envelope_contains(
+    const double                  size,
+    const SmallDisplacementError &motion) const
   {
     if (!(size <= envelope.size && motion.total() <= envelope.total &&
           motion.compression <= envelope.compression))
@@ -259,7 +271,7 @@ namespace auxfem
   {
     envelope = {factor * size,
                 factor * motion.total(),
-                factor * std::max(motion.compression, no_compression),
+                factor * std::max(motion.compression, negligible_compression),
                 motion.compressions,
                 error};
     for (double &compression : envelope.compressions)
@@ -269,50 +281,53 @@ namespace auxfem
   void SmallDisplacementLimit::check(const Evaluation &step)
   {
     const State &state = step.to;
-    std::string  why;
+    std::string  reason_text;
     if (const auto struts =
           detector ? detector->find(step.from, state) : std::nullopt)
-      why = "struts " + std::to_string((*struts)[0]) + " and " +
+      reason_text = "struts " + std::to_string((*struts)[0]) + " and " +
         std::to_string((*struts)[1]) + " touch";
     else if (++n_steps >= SamplingSchedule::longest_period || !has_inertia ||
              state.time >= plan.time.end_time)
       {
-        n_steps = 0;
-        why     = reason(state);
+        n_steps     = 0;
+        reason_text = reason(state);
       }
-    if (why.empty())
+    if (reason_text.empty())
       return;
     std::ostringstream text;
-    text << why << " (t = " << state.time << " s)";
+    text << reason_text << " (t = " << state.time << " s)";
     throw BeyondSmallDisplacements(text.str());
   }
 
   std::string SmallDisplacementLimit::reason(const State &state)
   {
     if (has_inertia)
-      way += (state.time - sampled) * estimator.size(*state.velocity);
-    sampled                             = state.time;
+      path_length +=
+        (state.time - sampled_time) * estimator.size(*state.velocity);
+    sampled_time                        = state.time;
     const double size                   = estimator.size(state.displacement);
     largest_size                        = std::max(largest_size, size);
     const SmallDisplacementError motion = estimate.at(state);
     const double                 known =
       size > 0 ? envelope.error * std::pow(size / envelope.size, 2) : 0.;
-    std::string why;
-    if (!is_inside(size, motion))
+    std::string reason_text;
+    if (!envelope_contains(size, motion))
       {
-        why = compute(far_ahead, state, size, motion);
-        if (!why.empty())
-          why = compute(growth_between_checks, state, size, motion);
+        reason_text = compute(first_enlargement, state, size, motion);
+        if (!reason_text.empty())
+          reason_text = compute(growth_between_checks, state, size, motion);
       }
-    else if (state.time - computed < plan.time.end_time / n_regular_checks ||
-             known <= little_error * plan.effects.tolerance * largest_size)
+    else if (state.time - last_error_time <
+               plan.time.end_time / n_regular_checks ||
+             known <=
+               small_error_fraction * plan.effects.tolerance * largest_size)
       largest_error = std::max(largest_error, known);
     else
-      why = compute(growth_between_checks, state, size, motion);
-    if (why.empty() && error() > plan.effects.tolerance)
-      why = small_displacement_error_text(error()) +
+      reason_text = compute(growth_between_checks, state, size, motion);
+    if (reason_text.empty() && error() > plan.effects.tolerance)
+      reason_text = small_displacement_error_text(error()) +
         ", as vibrations get out of phase";
-    return why;
+    return reason_text;
   }
 
   std::string
@@ -323,16 +338,16 @@ namespace auxfem
   {
     Vector multiple = state.displacement;
     scale(factor, multiple);
-    LargeRotationError found = estimator.at(multiple);
-    found.relative *= size / largest_size;
-    std::string why = found.reason(plan.effects.tolerance);
-    if (!why.empty())
-      return why;
-    computed = state.time;
+    LargeRotationError estimated = estimator.at(multiple);
+    estimated.relative *= size / largest_size;
+    std::string reason_text = estimated.reason(plan.effects.tolerance);
+    if (!reason_text.empty())
+      return reason_text;
+    last_error_time = state.time;
     largest_error =
-      std::max(largest_error, found.relative * largest_size / factor);
-    if (factor * size >= envelope.size || !is_inside(size, motion))
-      extend(factor, size, motion, found.relative * factor * largest_size);
+      std::max(largest_error, estimated.relative * largest_size / factor);
+    if (factor * size >= envelope.size || !envelope_contains(size, motion))
+      extend(factor, size, motion, estimated.relative * factor * largest_size);
     return "";
   }
 
@@ -340,8 +355,9 @@ namespace auxfem
   {
     if (largest_size == 0)
       return 0;
-    const double turns = std::max(0., way / largest_size - 1) * radians_of_way;
-    return (1 + turns / 2) * largest_error / largest_size;
+    const double phase =
+      std::max(0., path_length / largest_size - 1) * phase_per_path_length;
+    return (1 + phase / 2) * largest_error / largest_size;
   }
 
   void SmallDisplacementLimit::serialize(CheckpointArchive &archive)
@@ -349,9 +365,9 @@ namespace auxfem
     archive.values("limit of small displacements",
                    largest_error,
                    largest_size,
-                   way,
-                   sampled,
-                   computed,
+                   path_length,
+                   sampled_time,
+                   last_error_time,
                    n_steps,
                    envelope.size,
                    envelope.total,

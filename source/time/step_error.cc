@@ -31,7 +31,7 @@ namespace auxfem
       }
     times.push_back(time);
     values.push_back(&now);
-    // Later values may have further ghosts.
+    // Later values may have more ghosts.
     Vector result(values.front()->size(), 0.);
     for (unsigned int i = 0; i <= order; ++i)
       {
@@ -107,20 +107,22 @@ namespace auxfem
   namespace
   {
     /**
-     * Default absolute tolerance over the relative one and the mean length
-     * of struts.
+     * Default absolute tolerance over the relative one and the mean strut
+     * length.
      */
     constexpr double part_of_strut = 0.02;
 
-    /** Ratio of an oscillation's error to the estimate, which takes only the
-     * displacement and not the velocity into account. */
+    /**
+     * Ratio of an oscillation's error to the estimate, which considers only
+     * the displacement and not the velocity.
+     */
     constexpr double oscillation_factor = dealii::numbers::PI / 2;
 
     /**
      * Smallest part of a uniform share of the tolerance that a step may use.
-     * @tuned judgement: errors that were made cannot be undone
+     * @tuned judgement: past errors cannot be undone
      */
-    constexpr double least_share = 0.1;
+    constexpr double smallest_share = 0.1;
 
     double absolute_tolerance_of(const LatticeModel &model)
     {
@@ -178,19 +180,20 @@ namespace auxfem
     latest.error = motions.error;
     latest.error.add(local);
     const Motions &translations = all.front();
-    const double   wanted       = safety_of_steps *
+    const double   target       = safety_of_steps *
       allowed(motions, latest.largest, translations.latest.largest),
-                 wanted_before = safety_of_steps *
+                 previous_target = safety_of_steps *
       allowed(motions, motions.largest, translations.largest);
     const double used = local.amplification * motions.error.total(),
-                 rate = std::max((wanted - used) / (end_time - step.from.time),
-                                 least_share * wanted / end_time);
-    // The tolerance that a step may use: its share of the remaining time, what
-    // the motion adds, or what the scheme damps of earlier errors.
-    const double usable = std::max({rate * step.dt,
-                                    safety_of_steps * (wanted - wanted_before),
-                                    (1 - local.amplification) * wanted});
-    latest.relative     = std::max(0., latest.error.total() - used) / usable;
+                 rate = std::max((target - used) / (end_time - step.from.time),
+                                 smallest_share * target / end_time);
+    // A step may use its share of the remaining time, the tolerance that the
+    // motion adds, or earlier errors that the scheme damps.
+    const double usable =
+      std::max({rate * step.dt,
+                safety_of_steps * (target - previous_target),
+                (1 - local.amplification) * target});
+    latest.relative = std::max(0., latest.error.total() - used) / usable;
   }
 
   std::optional<LocalError::Oscillation>
@@ -209,8 +212,8 @@ namespace auxfem
     const double second = size(2), fourth = size(4);
     if (!(fourth > 0 && second > 0))
       return {};
-    // The second and fourth derivatives are in phase, the third is a quarter of
-    // a period apart. No oscillation in steps has a ratio above 4.
+    // Second and fourth derivative are in phase, the third lags a quarter
+    // period. No oscillation sampled in steps has a ratio above 4.
     const double ratio = std::min(4., fourth / second),
                  angle = std::sqrt(ratio);
     return LocalError::Oscillation{angle / step.dt,
@@ -254,7 +257,7 @@ namespace auxfem
       }
     for (Motions &motions : all)
       estimate(motions, step, local_error(motions, step));
-    return worst();
+    return largest_relative();
   }
 
   double StepError::relative(const Evaluation         &step,
@@ -271,10 +274,10 @@ namespace auxfem
                  step,
                  {error, error, {}, std::min(1., scheme.amplification(angle))});
       }
-    return worst();
+    return largest_relative();
   }
 
-  double StepError::worst() const
+  double StepError::largest_relative() const
   {
     return std::max(all[0].latest.relative, all[1].latest.relative);
   }
@@ -291,7 +294,7 @@ namespace auxfem
         displacements.add(step.to.time, step.to.displacement);
         sample(step.to);
       }
-    return worst();
+    return largest_relative();
   }
 
   void StepError::sample(const State &state)

@@ -23,7 +23,7 @@ namespace auxfem
               double(occurrence->group)};
     }
 
-    std::optional<Occurrence> occurrence_of(const std::vector<double> &values)
+    std::optional<Occurrence> event_from(const std::vector<double> &values)
     {
       if (values[0] == 0)
         return std::nullopt;
@@ -35,15 +35,16 @@ namespace auxfem
 
     /** Of all ranks, the event that precedes all others in this order. */
     template <class ComesBefore>
-    std::optional<Occurrence> of_all(const std::optional<Occurrence> &mine,
-                                     const MPI_Comm     communicator,
-                                     const ComesBefore &comes_before)
+    std::optional<Occurrence>
+    extreme_over_ranks(const std::optional<Occurrence> &mine,
+                       const MPI_Comm                   communicator,
+                       const ComesBefore               &comes_before)
     {
       std::optional<Occurrence> best;
       const std::vector<double> all =
         over_all_ranks(values_of(mine), communicator);
       for (auto values = all.begin(); values < all.end(); values += n_values)
-        if (const auto other = occurrence_of({values, values + n_values});
+        if (const auto other = event_from({values, values + n_values});
             other && (!best || comes_before(*other, *best)))
           best = other;
       return best;
@@ -57,43 +58,46 @@ namespace auxfem
 
   void Occurrences::add(const Occurrence &occurrence)
   {
-    if (!first_one)
-      first_one = occurrence;
-    if (!largest_one || occurrence.size > largest_one->size)
-      largest_one = occurrence;
+    if (!first_event)
+      first_event = occurrence;
+    if (!largest_event || occurrence.size > largest_event->size)
+      largest_event = occurrence;
   }
 
   std::optional<Occurrence> Occurrences::first() const
   {
-    return of_all(first_one,
-                  communicator,
-                  [](const Occurrence &one, const Occurrence &other) {
-                    return one.time < other.time ||
-                      (one.time == other.time && one.size > other.size);
-                  });
+    return extreme_over_ranks(first_event,
+                              communicator,
+                              [](const Occurrence &one,
+                                 const Occurrence &other) {
+                                return one.time < other.time ||
+                                  (one.time == other.time &&
+                                   one.size > other.size);
+                              });
   }
 
   std::optional<Occurrence> Occurrences::largest() const
   {
-    return of_all(largest_one,
-                  communicator,
-                  [](const Occurrence &one, const Occurrence &other) {
-                    return one.size > other.size;
-                  });
+    return extreme_over_ranks(largest_event,
+                              communicator,
+                              [](const Occurrence &one,
+                                 const Occurrence &other) {
+                                return one.size > other.size;
+                              });
   }
 
   void Occurrences::serialize(const std::string &name,
                               CheckpointArchive &archive)
   {
-    for (const auto &[which, of_all] :
-         {std::pair(&first_one, &Occurrences::first),
-          {&largest_one, &Occurrences::largest}})
+    for (const auto &[event, over_ranks] :
+         {std::pair(&first_event, &Occurrences::first),
+          {&largest_event, &Occurrences::largest}})
       {
         std::vector<double> values =
-          values_of(archive.is_saving() ? (this->*of_all)() : std::nullopt);
-        archive.list(name + (which == &first_one ? ": first" : ": largest"),
+          values_of(archive.is_saving() ? (this->*over_ranks)() : std::nullopt);
+        archive.list(name + (event == &first_event ? ": first" : ": largest"),
                      values);
-        *which = occurrence_of(values);
+        *event = event_from(values);
       }
   }
 
@@ -103,7 +107,7 @@ namespace auxfem
       archive.values(record_of(name), number);
     for (auto &[name, largest] : maxima)
       archive.values(record_of(name), largest);
-    for (auto &[name, occurrences] : all_occurrences)
+    for (auto &[name, occurrences] : events)
       occurrences.serialize(record_of(name), archive);
     for (auto &[name, list] : lists)
       archive.list(record_of(name), list);
@@ -165,8 +169,8 @@ namespace auxfem
       simulated.strut_damping || has_friction(plan);
     const bool       is_limited = simulated.small_displacements_are_limited;
     const WatchedRun run{plan, equations, statistics, work};
-    const auto       add_if = [&](const bool has_cause, MakeWatch &make) {
-      if (auto watch = has_cause ? make(run) : nullptr)
+    const auto       add_if = [&](const bool is_needed, MakeWatch &make) {
+      if (auto watch = is_needed ? make(run) : nullptr)
         watches.push_back(std::move(watch));
     };
     add_if(true, make_energy_watch);
@@ -230,10 +234,10 @@ namespace auxfem
 
   bool Watches::changes_stability(const Evaluation &step, TangentSolver &solver)
   {
-    bool one_does = false;
+    bool changes = false;
     for (const auto &watch : watches)
-      one_does = watch->changes_stability(step, solver) || one_does;
-    return one_does;
+      changes = watch->changes_stability(step, solver) || changes;
+    return changes;
   }
 
   std::vector<Finding> Watches::findings() const

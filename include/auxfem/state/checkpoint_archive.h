@@ -15,22 +15,21 @@
 namespace auxfem
 {
   /**
-   * Values of the same kind that outlive a step. Their items are named by
-   * numbers that are the same on any number of ranks, so that a run can be
-   * resumed on another.
+   * Layout of values of one kind that persist between steps. Item numbers do
+   * not depend on the number of ranks, so a run can resume on another number.
    */
   struct Record
   {
-    /** Who keeps it and what it is, e.g. `damper: internal variables`. */
+    /** Owner and contents, for instance `damper: internal variables`. */
     std::string name;
-    /** Numbers of the items kept on this rank, in order. */
+    /** Numbers of the items on this rank, in order. */
     std::vector<unsigned int> items;
     unsigned int              values_per_item = 1;
-    /** Index of the first value among those of all records. */
+    /** Index of the first value among the values of all records. */
     std::size_t first = 0;
   };
 
-  /** Which records there are and where their values lie. */
+  /** List of records and positions of their values. */
   class RecordLayout
   {
   public:
@@ -44,7 +43,7 @@ namespace auxfem
       return records;
     }
 
-    /** Values of all records. */
+    /** Number of values of all records. */
     std::size_t n_values() const;
 
   private:
@@ -52,9 +51,8 @@ namespace auxfem
   };
 
   /**
-   * Records with their values: what a run that is resumed gets back beside the
-   * State. Who remembers something from one step to the next keeps it here when
-   * a checkpoint is taken, under a name of its own.
+   * Contents of a checkpoint beside the State: named records with their
+   * values. Every class that keeps data between steps has a record of its own.
    */
   class CheckpointData
   {
@@ -65,15 +63,15 @@ namespace auxfem
               unsigned int              values_per_item,
               std::vector<double>       values);
 
-    /** Adds a record of the run as a whole, the same on all ranks. */
+    /** Adds a record of the whole run, equal on all ranks. */
     void keep(const std::string &name, std::vector<double> values);
 
-    /** Adds a record of the run as a whole, a text, the same on all ranks. */
+    /** Adds a text record of the whole run, equal on all ranks. */
     void keep_text(const std::string &name, const std::string &text);
 
     bool has(const std::string &name) const;
 
-    /** Adds what @p others have beside it: records, and items of records. */
+    /** Adds the records, and items of records, that only @p others have. */
     void add(const CheckpointData &others);
 
     /** Items of a record. Throws InputError if there is no such record. */
@@ -83,20 +81,22 @@ namespace auxfem
     }
 
     /**
-     * The values of @p items in a record, which may have others beside them and
-     * in another order. Throws InputError if it does not have them.
+     * Values of @p items in a record, which may have more items in another
+     * order. Throws InputError if an item is missing.
      */
     std::vector<double> values(const std::string               &name,
                                const std::vector<unsigned int> &items,
                                unsigned int values_per_item) const;
 
     /**
-     * The @p n values of a record of the run as a whole. Throws InputError if
-     * there is no such record.
+     * The @p n values of a record of the whole run. Throws InputError if there
+     * is no such record.
      */
     std::vector<double> values(const std::string &name, unsigned int n) const;
 
-    /** What keep_text() has kept. Throws InputError if there is no such record.
+    /**
+     * Text of a record added by keep_text(). Throws InputError if there is no
+     * such record.
      */
     std::string text(const std::string &name) const;
 
@@ -115,8 +115,7 @@ namespace auxfem
         record.save(archive);
     }
 
-    /** Writes what load() reads, and lets go of each record as soon as it is
-     * saved. */
+    /** Writes the format of load() and frees each record once written. */
     template <class Archive>
     void move_to(Archive &archive)
     {
@@ -163,22 +162,24 @@ namespace auxfem
   };
 
   /**
-   * Saves what a run remembers beside its State, or restores it. A class has
-   * one function `serialize(archive)` for both directions, which names its
-   * members once. All functions are collective.
+   * Saves or restores the data of a run beside its State. Each class has one
+   * function `serialize(archive)` for both directions, which lists its members
+   * once. All functions are collective.
    */
   class CheckpointArchive
   {
   public:
-    /** Saves into @p records. Both must outlive the object.
-     * @param layout knows the ranks */
+    /**
+     * Saves into @p records. Both arguments must outlive the object.
+     * @param layout gives the ranks
+     */
     static CheckpointArchive saving(CheckpointData      &records,
                                     const UnknownLayout &layout)
     {
       return {&records, records, layout};
     }
 
-    /** Restores from @p records, which other ranks may have saved. */
+    /** Restores from @p records, which may come from other ranks. */
     static CheckpointArchive restoring(const CheckpointData &records,
                                        const UnknownLayout  &layout)
     {
@@ -190,15 +191,15 @@ namespace auxfem
       return written != nullptr;
     }
 
-    /** Whether there is a record; for what not every run has. */
+    /** Whether a record exists; for data that only some runs have. */
     bool has(const std::string &name) const
     {
       return read.has(name);
     }
 
     /**
-     * Numbers, flags and optional numbers that are the same on all ranks.
-     * Throws InputError if they cannot be restored, as all functions below.
+     * Numbers, flags and optional numbers, equal on all ranks. Throws
+     * InputError if they cannot be restored, like all functions below.
      */
     template <class... Values>
     void values(const std::string &name, Values &...values)
@@ -215,8 +216,9 @@ namespace auxfem
     }
 
     /**
-     * Sums, of which each rank has its part. Afterwards the first rank has the
-     * whole sum, also in the run that goes on: so both have equal digits.
+     * Sums that are distributed over ranks. Saving moves the total to the
+     * first rank, also in the current run, so that both runs have equal
+     * digits.
      */
     template <class... Values>
     void sums(const std::string &name, Values &...values)
@@ -227,10 +229,10 @@ namespace auxfem
       ((values = totals[next++]), ...);
     }
 
-    /** As sums(), of any number. */
+    /** As sums(), for any number of values. */
     void sums(const std::string &name, std::vector<double> &values);
 
-    /** The largest values of all ranks, in time. */
+    /** Largest values over all ranks, with their times. */
     template <class... Largest>
     void largest(const std::string &name, Largest &...largest)
     {
@@ -239,20 +241,20 @@ namespace auxfem
       values(name, largest...);
     }
 
-    /** A list of any length, the same on all ranks. */
+    /** List of any length, equal on all ranks. */
     void list(const std::string &name, std::vector<double> &values);
 
     void text(const std::string &name, std::string &text);
 
-    /** Values by @p items of this rank, see Record. */
+    /** Values of @p items of this rank, see Record. */
     void items(const std::string               &name,
                const std::vector<unsigned int> &items,
                unsigned int                     values_per_item,
                std::vector<double>             &values);
 
-    /** @name The records, for other forms. */
+    /** @name Direct access to the records. */
     ///@{
-    /** Only if is_saving(). */
+    /** Requires is_saving(). */
     CheckpointData &to() const
     {
       return *written;
@@ -265,7 +267,7 @@ namespace auxfem
     ///@}
 
   private:
-    /** Values as a list of numbers. */
+    /** Conversion of values to a list of numbers. */
     struct Numbers
     {
       std::vector<double> list;

@@ -10,19 +10,19 @@
 
 namespace auxfem
 {
-  /** The largest value so far, zero at least, and when it was met (s). */
+  /** Largest value so far, at least zero, and its time (s). */
   struct LargestInTime
   {
     void add(const double candidate, const double now)
     {
-      // What is no number stays.
+      // A NaN is never replaced.
       if (value >= candidate || std::isnan(value))
         return;
       value = candidate;
       time  = now;
     }
 
-    /** The largest of all ranks; @p layout knows them. Collective. */
+    /** Largest value over all ranks of @p layout. Collective. */
     LargestInTime over_all_ranks(const UnknownLayout &layout) const
     {
       const double largest = layout.largest(value);
@@ -32,37 +32,39 @@ namespace auxfem
     double value = 0, time = 0;
   };
 
-  /** What an entry of an energy ledger stands for. */
+  /** Kind of an entry in the energy ledger. */
   enum class EnergyKind
   {
     kinetic,
     strain,     ///< in struts and rotational springs
     stored,     ///< in the springs of connectors
     dissipated, ///< since the start
-    /** Taken by the time integration since the start; below zero: given. */
+    /** Removed by the time integration since the start; negative: added. */
     numerical,
     work ///< done by loads and prescribed motion since the start
   };
 
-  /** One entry of the ledger: a column of history.csv. */
+  /** Entry of the ledger, a column of history.csv. */
   struct EnergyEntry
   {
     EnergyKind kind;
-    /** As in the heading of the column, e.g. `kinetic` or `push.load_work`. */
+    /** Heading of the column, for instance `kinetic` or `push.load_work`. */
     std::string name;
     /** For `history.units.csv`. */
     std::string meaning;
   };
 
   /**
-   * The energies a scene has, each with a name. What simulates something enters
-   * what it keeps account of; several may share an entry. Entries are told
-   * apart by their names.
+   * Named energies of a scene. Each effect enters its own; effects may share
+   * an entry, which is identified by its name.
    */
   class EnergyLedger
   {
   public:
-    /** Number of the entry with the name of @p entry, made if there is none. */
+    /**
+     * Number of the entry with the name of @p entry, which is added if
+     * missing.
+     */
     unsigned int enter(const EnergyEntry &entry);
 
     const std::vector<EnergyEntry> &entries() const
@@ -76,7 +78,7 @@ namespace auxfem
     std::vector<EnergyEntry> list;
   };
 
-  /** @name Entries that several effects share. */
+  /** @name Entries shared by several effects. */
   ///@{
   EnergyEntry kinetic_energy_entry();
   EnergyEntry strain_energy_entry();
@@ -86,7 +88,7 @@ namespace auxfem
   EnergyEntry friction_energy_entry();
   ///@}
 
-  /** Energies at one time (J), an amount for each entry of a ledger. */
+  /** Energies at one time (J), one amount per entry of a ledger. */
   class Energies
   {
   public:
@@ -147,7 +149,7 @@ namespace auxfem
       return sum(EnergyKind::dissipated);
     }
 
-    /** Taken by the time integration. */
+    /** Energy removed by the time integration. */
     double numerical() const
     {
       return sum(EnergyKind::numerical);
@@ -167,8 +169,8 @@ namespace auxfem
     }
 
     /**
-     * total + dissipated + numerical - external - @p initial_total: zero to
-     * round-off for linear scenes, else but for the error of the step length.
+     * total + dissipated + numerical - external - @p initial_total. Linear
+     * scenes balance to round-off, others to the error of the steps.
      */
     double balance(const double initial_total) const
     {

@@ -11,8 +11,8 @@
 namespace auxfem
 {
   /**
-   * A signal has asked the run to end before its end time. Everything computed
-   * until then is on disk when it reaches main(). Exit code 128 + signal.
+   * A signal ends the run before its end time; all results so far are on disk.
+   * Exit code 128 + signal.
    */
   class Interrupted : public ComputationError
   {
@@ -29,10 +29,9 @@ namespace auxfem
   };
 
   /**
-   * While an object lives, SIGTERM and SIGINT are noted for noted_signal() and
-   * do not end the process; but the second one of a
-   * kind does, at once. A signal that the process ignores stays ignored. One
-   * object at a time.
+   * Defers SIGTERM and SIGINT to noted_signal() during its lifetime. A second
+   * signal of a kind ends the process at once; ignored signals stay ignored.
+   * Only one object may exist at a time.
    */
   class SignalsWaitForStep
   {
@@ -49,10 +48,10 @@ namespace auxfem
     std::array<struct sigaction, signals.size()> former;
   };
 
-  /** A signal that one of the ranks has noted; 0: none. Collective. */
+  /** Deferred signal of any rank; 0: none. Collective. */
   int noted_signal(MPI_Comm communicator);
 
-  /** Throws Interrupted on all ranks if there is one. Collective. */
+  /** Throws Interrupted on all ranks if a signal is pending. Collective. */
   void end_if_interrupted(MPI_Comm communicator);
 } // namespace auxfem
 

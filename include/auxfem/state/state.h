@@ -12,121 +12,136 @@
 
 namespace auxfem
 {
-  /** Entries of State::is_massless; damped: viscous forces depend on the
-   * velocity of the unknown. */
+  /**
+   * Entries of State::is_massless. Damped: viscous forces depend on the
+   * velocity of the unknown.
+   */
   constexpr double massless = 1, massless_and_damped = 2;
 
-  /** Three of @p values, of a displacement or a rotation, say. */
+  /** Three of @p values, for instance of a displacement or rotation. */
   inline SpaceVector vector_at(const double *values, const int *unknowns)
   {
     return SpaceVector(
       {values[unknowns[0]], values[unknowns[1]], values[unknowns[2]]});
   }
 
-  /** Where a state lies on a path of equilibria. */
+  /** Position of a state on an equilibrium path. */
   struct PathPosition
   {
-    /** All loads and prescribed motions are those of this factor, see
-     * proportional_loads(). */
+    /** Factor of all loads and prescribed motions, see proportional_loads(). */
     double load_factor = 0;
-    /** Negative eigenvalues of the stiffness; nothing where they are not known.
-     */
+    /** Number of negative eigenvalues of the stiffness; empty if unknown. */
     std::optional<unsigned long> n_negative;
-    /** 1 or -1: sign of the determinant of the stiffness, 1 in stable
-     * equilibrium; nothing where it is not known. */
+    /**
+     * Sign of the determinant of the stiffness, 1 in stable equilibrium; empty
+     * if unknown.
+     */
     std::optional<int> determinant_sign;
   };
 
-  /** Which parts of the state a scene needs, as its effects ask for them. */
+  /** Parts of the state that a scene needs; effects request them. */
   struct StateLayout
   {
     /** Dynamics, or viscosity in statics. */
     bool velocity     = false;
     bool acceleration = false; ///< dynamics
-    bool path         = false; ///< paths of equilibria
-    /** Alpha methods other than Newmark. */
+    bool path         = false; ///< static paths
+    /** Alpha methods except Newmark. */
     bool algorithmic_acceleration = false;
-    bool compensation             = false; ///< schemes that balance means
-    /** Rotations in space kept as quaternions; none if they stay small. */
+    bool compensation             = false; ///< discrete-gradient schemes
+    /**
+     * Number of rotations in space stored as quaternions; 0 if they stay
+     * small.
+     */
     unsigned int n_rotations = 0;
-    /** Local unknowns that are large rotations in the plane; for schemes that
-     * balance means. */
+    /**
+     * Local unknowns that are large rotations in the plane; for
+     * discrete-gradient schemes.
+     */
     std::vector<int> plane_rotations;
-    /** Those of every large rotation in space; for such schemes too. */
+    /**
+     * Local unknowns of every large rotation in space; for such schemes too.
+     */
     std::vector<std::array<int, 3>> space_rotations;
     EnergyLedger                    energies;
     RecordLayout                    history; ///< internal variables
-    /** Those of them that obey differential equations: begin, end. */
+    /** Ranges of history that obey differential equations: begin, end. */
     std::vector<std::pair<std::size_t, std::size_t>> integrated;
   };
 
   /**
-   * Everything that describes the structure at one time, and all that its
-   * motion from there on depends on. There is one accepted state, owned by the
-   * analysis, and one trial state, owned by the time stepper. Ghosts are up to
-   * date, but for residuals, which are complete in owned rows only.
+   * Complete description of the structure at one time; later motion depends on
+   * nothing else. LatticeRun owns the accepted state, TimeStepper the trial
+   * state. Ghosts are up to date, except those of residuals, which are
+   * complete in owned rows only.
    */
   struct State
   {
-    /** At rest; @p n_unknowns of UnknownLayout::n_local(). */
+    /** State at rest with @p n_unknowns = UnknownLayout::n_local(). */
     State(unsigned int n_unknowns, const StateLayout &layout);
 
-    /** Makes room for ghosts that @p layout has gained, and fetches them.
-     * Collective. */
+    /**
+     * Adds ghosts that @p layout has gained and fetches their values.
+     * Collective.
+     */
     void take_ghosts(const UnknownLayout &layout);
 
-    /** s; of a state on a path of equilibria its arc length (m). */
+    /** s; on an equilibrium path the arc length (m). */
     double        time = 0;
     unsigned long step = 0;
-    /** Only on a path of equilibria. */
+    /** Only on an equilibrium path. */
     std::optional<PathPosition> path;
 
     /**
-     * The accepted state before this one, kept by schemes without inertia:
-     * velocities and work of second order look back on it. Empty at the start
-     * of a run and where loads have had a kink since.
+     * The previous accepted state, for schemes without inertia: velocities and
+     * work of second order need it. Empty at the start of a run and after a
+     * kink of loads.
      */
     struct Before
     {
-      double time_of_loads; ///< as time_of_loads()
-      /** Length of the step from there (s): differences of times would be
-       * rounded, and what should be the same in all steps is not. */
+      double time_of_loads; ///< as in time_of_loads()
+      /**
+       * Length of the step from there (s). Differences of times have round-off
+       * and would make equal steps unequal.
+       */
       double dt;
       Vector displacement, residual;
     };
     std::optional<Before> before;
 
-    /** M, m, rad; the multipliers of constraints (N) lie here too, without
-     * rates. Large rotations in space: see NodeRotations. */
+    /**
+     * M, m, rad; also multipliers of constraints (N), without rates. Large
+     * rotations in space: see NodeRotations.
+     */
     Vector displacement;
 
     std::optional<Vector> velocity;     ///< m/s, m/s, rad/s
-    std::optional<Vector> acceleration; ///< satisfies equilibrium at `time`
+    std::optional<Vector> acceleration; ///< in equilibrium at `time`
 
     /**
-     * The auxiliary acceleration of Arnold & Bruels 2007; only in alpha
-     * methods with a shift.
+     * Auxiliary acceleration of Arnold & Bruels (2007); only in alpha methods
+     * with a shift.
      */
     std::optional<Vector> algorithmic_acceleration;
 
     /**
-     * Kahan's compensation: the displacement is `displacement` and this
-     * together, to twice the digits. What moves far away would else deform by
-     * the round-off of its positions (see relative_displacement()).
+     * Kahan's compensation: the sum with `displacement` has twice the digits.
+     * Otherwise the round-off of large positions would deform the structure
+     * (see relative_displacement()).
      */
     std::optional<Vector> compensation;
 
     /**
-     * Not 0 for free unknowns with neither mass nor constraint; known from the
-     * start of a run with inertia on. Schemes that would let their
-     * accelerations grow keep them in equilibrium.
+     * Not 0 for free unknowns with neither mass nor constraint, known after
+     * the start of a run with inertia. Some schemes keep them in equilibrium
+     * so that their accelerations do not grow.
      */
     std::optional<Vector> is_massless;
 
     /**
-     * Internal + inertia - applied force. Zero to the Newton tolerance in free
-     * rows; in prescribed rows the force of the support on the lattice (N, N
-     * m); in rows of multipliers the constraints (m).
+     * Internal + inertia - applied force. Zero to Newton's tolerance in free
+     * rows; in prescribed rows the support force on the lattice (N, N m); in
+     * multiplier rows the constraint (m).
      */
     Vector residual;
 
@@ -145,26 +160,28 @@ namespace auxfem
     /** Internal variables, in the order of StateLayout::history. */
     std::vector<double> history;
 
-    /** Energies of the whole lattice, known for accepted states. */
+    /** Energies of the whole lattice; valid in accepted states. */
     Energies energies;
 
     /**
-     * What was dissipated, taken by the scheme and done as work so far (J),
-     * this rank's share, by entry of the ledger.
+     * Sums of dissipation, numerical energy and work so far (J): this rank's
+     * share, by entry of the ledger.
      */
     std::vector<double> energy_sums;
 
-    /** @name Largest so far in the run, what errors are judged by. */
+    /** @name Largest values so far in the run, references for errors. */
     ///@{
     double largest_force = 0; ///< Newton's force scale (N)
-    /** In each owned row (N, N m), what its residual is judged by. */
+    /** Reference of the residual in each owned row (N, N m). */
     Vector largest_forces;
     double largest_energy = 0; ///< mechanical or dissipated (J)
     ///@}
   };
 
-  /** The argument of time histories: the time (s), on a path of equilibria the
-   * load factor. */
+  /**
+   * Argument of time histories: the time (s), on an equilibrium path the load
+   * factor.
+   */
   inline double time_of_loads(const State &state)
   {
     return state.path ? state.path->load_factor : state.time;

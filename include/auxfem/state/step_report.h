@@ -7,7 +7,7 @@
 
 namespace auxfem
 {
-  /** Adds the wall time of its own life (s) to a sum. */
+  /** Adds the wall time of its lifetime (s) to a sum. */
   class Stopwatch
   {
   public:
@@ -31,8 +31,10 @@ namespace auxfem
     const std::chrono::steady_clock::time_point start;
   };
 
-  /** Where State::time is @p value, in words: `t = 0.1 s`, if @p on_path, one of
-   * equilibria, `arc length 0.1 m`. */
+  /**
+   * Text of State::time = @p value: `t = 0.1 s` or, if @p on_path, `arc length
+   * 0.1 m`.
+   */
   inline std::string
   moment_text(const bool on_path, const double value, const int precision = 6)
   {
@@ -43,16 +45,16 @@ namespace auxfem
     return text.str();
   }
 
-  /** What happened in one step, for the console, the log and the summary. */
+  /** Summary of one step, for the console, the log and the summary. */
   struct StepReport
   {
     unsigned int iterations = 0; ///< Newton iterations, retries included
-    /** Accepted parts the step was divided into. */
+    /** Number of accepted parts of the step. */
     unsigned int substeps = 0;
     unsigned int retries  = 0; ///< rejected steps
-    /** Of the last iteration, in units of the force scale. */
+    /** Residual of the last iteration over the force scale. */
     double relative_residual = 0;
-    double dt                = 0; ///< length of the smallest accepted part (s)
+    double dt                = 0; ///< length of the shortest accepted part (s)
   };
 
   /** Wall seconds by phase. */
@@ -64,28 +66,30 @@ namespace auxfem
     double tangent   = 0; ///< assembly of tangents
     double factorize = 0;
     double solve     = 0;
-    double contact   = 0; ///< search for what comes near, or passes
+    double contact   = 0; ///< contact detection
     double output    = 0; ///< without checkpoints
     /** Writing checkpoints. */
     double checkpoints = 0;
   };
 
-  /** All that a run has done so far, its start included. */
+  /** Effort of a run so far, including its start. */
   struct Work
   {
     unsigned long steps = 0, iterations = 0, factorizations = 0, retries = 0;
-    /** Residuals of shortened increments, beside one an iteration. */
+    /** Residuals evaluated in line searches. */
     unsigned long shortened = 0;
-    /** By all linear solvers, those of checks at the start included. */
+    /** Solutions by all linear solvers, including checks at the start. */
     unsigned long linear_solutions = 0;
-    /** Of the iterative linear solver; 0 with direct ones. */
+    /** Iterations of the iterative linear solver; 0 with direct ones. */
     unsigned long linear_iterations = 0;
-    /** What solved the linear equations last, and why that was chosen; empty if
-     * nothing was factorized. */
+    /**
+     * Linear solver used last and the reason for its choice; empty before the
+     * first factorization.
+     */
     std::string linear_solver;
     PhaseTimes  wall;
 
-    /** Adds all that another run has done, but for its steps. */
+    /** Adds the effort of another run, except its steps. */
     void add_effort(const Work &other);
   };
 } // namespace auxfem

@@ -11,19 +11,25 @@ namespace auxfem
   /** Error of a motion by small displacements against exact kinematics. */
   struct LargeRotationError
   {
-    /** Distance to the exact equilibrium over the motion, root mean squares;
-     * not finite: there is no equilibrium near. */
+    /**
+     * Distance to the exact equilibrium over the motion, both as root mean
+     * squares; not finite if there is no equilibrium nearby.
+     */
     double relative = 0;
-    /** As `relative`, of the largest translations of joints or, where joints
-     * hardly move, of all nodes. */
+    /**
+     * As `relative`, for the largest translations of joints, or of all nodes
+     * if joints hardly move.
+     */
     double translation = 0;
-    double rotation    = 0; ///< largest (rad)
-    /** Whether the exact stiffness has negative modes there. */
+    double rotation    = 0; ///< largest one (rad)
+    /** Whether the exact stiffness there has negative modes. */
     bool        is_unstable = false;
-    std::string location; ///< the unknown with the largest distance
+    std::string location; ///< unknown with the largest distance
 
-    /** The reason to use exact kinematics, in words; empty: nothing.
-     * @param allowed error of the motion */
+    /**
+     * Reason to use exact kinematics, as text; empty if there is none.
+     * @param allowed relative error of the motion
+     */
     std::string reason(double allowed) const;
   };
 
@@ -38,34 +44,39 @@ namespace auxfem
    * R_exact(u + e) = R_small(u)
    * @endcode
    *
-   * by Newton's method, with the stiffness at rest where that serves. In
-   * dynamics e has the inertia of a motion over the whole run, which replaces
-   * supports that there may not be. Keeps nothing from one estimate to the
-   * next; what computes is collective.
+   * by Newton's method, with the stiffness at rest if that converges. In
+   * dynamics e has inertia over the duration of the run, which replaces
+   * missing supports. Estimates are independent of each other and collective.
    */
   class LargeRotationErrorEstimator
   {
   public:
-    /** @param small, exact must outlive the object; both equations are
-     *   of the same numbering
-     * @param allowed error, relative to the motion: larger rotations than go
-     *   with it are not looked into */
+    /**
+     * @param small, exact equations with the same numbering; must outlive the
+     *   object
+     * @param allowed relative error; motions with larger rotations than that
+     *   implies are not computed
+     */
     LargeRotationErrorEstimator(const Equations &small,
                                 const Equations &exact,
                                 double           allowed);
 
-    /** The largest linear static answer to the loads in the run, with its
-     * energies; nothing where there is none. */
+    /**
+     * The largest linear static response to the loads of the run, with its
+     * energies; empty if there is none.
+     */
     std::optional<State> static_answer();
 
     /** The error of these displacements and small rotations. */
     LargeRotationError at(const Vector &motion);
 
-    /** Root mean square of free displacements, and of rotations times the mean
-     * length of struts (m). */
+    /**
+     * Root mean square of free displacements, and of rotations times the mean
+     * strut length (m).
+     */
     double size(const Vector &motion) const;
 
-    /** Work of all estimates so far. */
+    /** Effort of all estimates so far. */
     const Work &effort() const
     {
       return work;
@@ -73,18 +84,21 @@ namespace auxfem
 
   private:
     bool factorize_at_rest(TangentSolver &solver) const;
-    /** Displacements that answer the loads of @p time. */
+    /** Linear response to the loads at @p time. */
     std::optional<Vector> linear_answer(const TimeLimit &time,
                                         TangentSolver   &solver) const;
-    /** Newton's method; returns whether it converges.
-     * @param uses_rest_stiffness with the stiffness at rest, which @p solver has */
+    /**
+     * Newton's method; returns whether it converges.
+     * @param uses_rest_stiffness with the stiffness at rest, factorized in @p
+     *   solver
+     */
     bool find_error(const Vector  &motion,
                     bool           uses_rest_stiffness,
                     TangentSolver &solver,
                     Vector        &error) const;
-    /** The exact state after @p motion and @p error. */
+    /** Exact state after @p motion and @p error. */
     State exact_state(const Vector &motion, const Vector &error) const;
-    /** Whether the stiffness there is positive, as far as that can be told. */
+    /** Whether the stiffness is positive definite, or cannot be checked. */
     bool is_positive(State exact, TangentSolver &solver) const;
 
     const RunPlan   &plan;

@@ -18,31 +18,41 @@ namespace auxfem
   inline constexpr double growth_between_checks = 1.25;
 
   /**
-   * What small displacements leave out, where it is most. Relative to what is
-   * computed, to first order (doc/theory.md).
+   * Largest effects that small displacements neglect, relative to the
+   * response, to first order (doc/theory.md).
    */
   struct SmallDisplacementError
   {
-    /** Of an end or chord of an element, a rigid part or a connector (rad). */
+    /**
+     * Largest rotation of an end or chord of an element, a rigid part or a
+     * connector (rad).
+     */
     double rotation = 0;
     /**
-     * Effect of axial forces on the stiffness: the work of all of them on the
-     * turned struts over the energy of bending, or the compressive force of a
-     * strut over its buckling load with hinged ends, if it is beyond that.
+     * Effect of axial forces on the stiffness: their work on rotated struts
+     * over the bending energy. Beyond buckling, the compressive force of a
+     * strut over its Euler load with hinged ends.
      */
     double second_order = 0;
     /** Axial strain of a strut. */
     double strain = 0;
-    /** `strut 3`, say; empty: nothing moves. */
+    /**
+     * Part with the largest effect, for instance `strut 3`; empty without
+     * motion.
+     */
     std::string location;
-    /** No error of its own: largest compressive force of a strut over its
-     * buckling load with hinged ends. */
+    /**
+     * Largest compressive force of a strut over its Euler load with hinged
+     * ends; not part of total().
+     */
     double compression = 0;
-    /** The same of each of SmallDisplacementEstimate::struts(). */
+    /** The same for each of SmallDisplacementEstimate::struts(). */
     std::vector<double> compressions;
 
-    /** Of displacements and forces; half the rotation is the part of a strut's
-     * motion that turning on a circle and not on its tangent makes. */
+    /**
+     * Estimated error of displacements and forces. Half the rotation is the
+     * difference between motion on a circle and on its tangent.
+     */
     double total() const
     {
       return total(rotation, second_order, strain);
@@ -56,10 +66,9 @@ namespace auxfem
   };
 
   /**
-   * Tells from a state what is wrong with it if small displacements have led
-   * there (`Large rotation = off`), where geometry and equilibrium are those at
-   * rest. By ends of elements, mean axial forces, rigid parts, and connectors
-   * along their line.
+   * Estimates the error of a state by small displacements (`Large rotation =
+   * off`), whose geometry and equilibrium are those at rest. Uses ends of
+   * elements, mean axial forces, rigid parts, and connectors along their line.
    */
   class SmallDisplacementEstimate
   {
@@ -67,24 +76,26 @@ namespace auxfem
     /** @param equations must outlive the object. */
     explicit SmallDisplacementEstimate(const Equations &equations);
 
-    /** Of @p state, which has its energies; the same on all ranks, but for
-     * SmallDisplacementError::compressions. Collective. */
+    /**
+     * Estimate for @p state, which has its energies. Equal on all ranks except
+     * for SmallDisplacementError::compressions. Collective.
+     */
     SmallDisplacementError at(const State &state) const;
 
-    /** Forces of axial forces on turned chords (N), by local unknown. */
+    /** Forces of axial forces on rotated chords (N), by local unknown. */
     Vector forces_by_turning(const State &state) const;
 
-    /** Those that this rank counts, sorted. */
+    /** Struts counted by this rank, sorted. */
     const std::vector<unsigned int> &struts() const
     {
       return counted;
     }
 
   private:
-    /** Of a line, to first order. */
+    /** Motion of a line, to first order. */
     struct SmallMotion
     {
-      double rotation, ///< rad, no less than zero
+      double rotation, ///< rad, not negative
         strain;
     };
     /** A line between two nodes. */
@@ -103,13 +114,13 @@ namespace auxfem
     struct Chord
     {
       Line               line;
-      const StrutForces *struts;  ///< none: its axial strain is the chord's
+      const StrutForces *struts;  ///< nullptr: its axial strain is the chord's
       unsigned int       element; ///< of the numbering
       unsigned int       strut;
       std::size_t        index;           ///< of the strut in struts()
       double             buckling_force;  ///< pi^2 EI / L^2 (N)
       double             axial_stiffness; ///< EA (N)
-      bool               is_counted;      ///< by this rank
+      bool               is_counted;      ///< by this rank, once over all ranks
     };
     /** A connector along its line, counted by this rank. */
     struct Connector
@@ -118,20 +129,20 @@ namespace auxfem
       unsigned int group, joint;
     };
     /** The part with the largest error. */
-    struct Worst;
+    struct LargestError;
 
-    /** Mean along an element (N), positive in tension. */
+    /** Mean axial force of an element (N), positive in tension. */
     double axial_force(const Chord &chord, const State &state) const;
     void   add_chords(const StrutGroup &group);
     void   count_struts();
     void   add_connectors(unsigned int group);
-    /** The largest of both ends of an element (rad). */
+    /** Larger one of the rotations at both ends of an element (rad). */
     double node_rotation(const Chord &chord, const Vector &displacement) const;
-    /** Work of axial forces over the energy of bending, in all struts. */
+    /** Work of axial forces over the bending energy of all struts. */
     double      overall_second_order(double       own_work,
                                      double       own_axial_energy,
                                      const State &state) const;
-    std::string location_of(const Worst &worst) const;
+    std::string location_of(const LargestError &largest) const;
 
     const Scene              &scene;
     const Equations          &equations;

@@ -13,65 +13,73 @@
 
 namespace auxfem
 {
-  /** The change of a linear answer by axial forces. */
+  /** Change of a linear response by axial forces. */
   struct SecondOrderChange
   {
-    /** The larger of the change of the displacements over the displacements
-     * and that of the forces over the forces, in the norm of their energy. */
+    /**
+     * Relative change of displacements or of forces, the larger one, in the
+     * energy norm.
+     */
     double relative = 0;
-    /** Whether the stiffness under the axial forces has negative modes;
-     * nothing where the linear solver does not tell. */
+    /**
+     * Whether the stiffness under axial forces has negative modes; empty if
+     * the linear solver cannot tell.
+     */
     std::optional<bool> is_unstable = {};
   };
 
   /**
-   * Change of displacements and forces of a linear scene by axial forces,
-   * by the stiffness K + K_g of the structure as it is at rest with the forces
-   * that it bears: linear stability theory. Beyond the critical load that
-   * stiffness has no meaning for the answer; K takes its place, as if buckling
-   * were excluded. Costs one or two factorizations each time.
+   * Change of a linear response by axial forces: uses the stiffness K + K_g of
+   * the undeformed structure under its forces, as in linear stability theory.
+   * Beyond the critical load that stiffness is meaningless for the response,
+   * and K replaces it, as if buckling were excluded. Each call costs one or
+   * two factorizations.
    */
   class SecondOrderEffect
   {
   public:
-    /** @param equations of small displacements, must outlive the object.
-     */
+    /** @param equations of small displacements, must outlive the object. */
     explicit SecondOrderEffect(const Equations &equations);
     ~SecondOrderEffect();
 
     /**
-     * The change in @p state; nothing where there is no such structure with
-     * large rotations or it moves freely. Collective.
-     * @param state by small displacements, which has its energies
-     * @param forces_by_turning forces (N) by local unknown that axial forces
-     *   exert on turned struts
+     * The change in @p state; empty if large rotations are not possible or the
+     * structure moves freely. Collective.
+     * @param state by small displacements, with its energies
+     * @param forces_by_turning forces (N) by local unknown of axial forces on
+     *   rotated struts
      */
     std::optional<SecondOrderChange> at(const State  &state,
                                         const Vector &forces_by_turning);
 
-    /** The equations of the same structure with large rotations; nullptr where
-     * these are not possible. Collective. */
+    /**
+     * Equations of the same structure with large rotations; nullptr if these
+     * are not possible. Collective.
+     */
     const Equations *exact_equations();
 
-    /** Effort of the checks since the last call. */
+    /** Effort since the last call. */
     Work collect_effort();
 
   private:
     /** The same structure with large rotations. */
     struct Exact;
 
-    /** The change by @p forces (N) with the factors at hand. */
+    /** Relative change by @p forces (N) with the current factors. */
     std::optional<double> relative_change(const State  &state,
                                           const Vector &forces);
 
     const Equations       &equations;
     Work                   effort;
-    std::unique_ptr<Exact> exact; ///< made when it is needed
-    /** There is no such structure. */
+    std::unique_ptr<Exact> exact; ///< created on demand
+    /** Large rotations are not possible. */
     bool is_impossible = false;
   };
 
-  /** Small displacements have become wrong; what() says why and when. */
+  /**
+   * Thrown when small displacements are no longer accurate; what() says why
+   * and when.
+   */
   class BeyondSmallDisplacements : public std::runtime_error
   {
   public:
@@ -79,28 +87,33 @@ namespace auxfem
   };
 
   /**
-   * Ends a run by small displacements where their error exceeds
+   * Ends a run by small displacements when their error exceeds
    * `Effects/Tolerance`, the structure becomes unstable, or struts touch.
-   * Samples the motion in every step, with inertia in every twentieth. What
-   * computes is collective.
+   * Samples every step, with inertia every twentieth. Used by
+   * run_with_chosen_kinematics(); all checks are collective.
    */
   class SmallDisplacementLimit
   {
   public:
-    /** @param small, exact must outlive the object, as
-     *   LargeRotationErrorEstimator */
+    /**
+     * @param small, exact must outlive the object, as in
+     *   LargeRotationErrorEstimator
+     */
     SmallDisplacementLimit(const Equations &small, const Equations &exact);
 
-    /** The error of the static answer to the loads; with inertia of twice that,
-     * as to sudden loads. */
+    /**
+     * Error of the static response to the loads; with inertia of twice that,
+     * as under sudden loads.
+     */
     LargeRotationError check_static_answer();
 
-    /** Of each accepted step. Throws BeyondSmallDisplacements. */
+    /** Checks an accepted step. Throws BeyondSmallDisplacements. */
     void check(const Evaluation &step);
 
     /**
-     * Largest so far, over the largest displacements. With inertia vibrations
-     * have gone out of phase: half of it for each radian they have turned by.
+     * Largest error so far over the largest displacement. With inertia adds
+     * the phase error of vibrations: half the error for each radian of their
+     * phase.
      */
     double error() const;
 
@@ -112,30 +125,34 @@ namespace auxfem
     void serialize(CheckpointArchive &archive);
 
   private:
-    /** Motions that are known to be stable and to have a small error: they are
-     * no larger, and press no strut more, than one for which both were
-     * computed.
+    /**
+     * Motions known to be stable and accurate: they are no larger, and
+     * compress no strut more, than one for which both were computed.
      */
     struct Envelope
     {
       double              size  = 0;                  ///< m
-      double              total = 0, compression = 0; ///< as the estimate
+      double              total = 0, compression = 0; ///< as in the estimate
       std::vector<double> compressions;               ///< by strut
-      double              error = 0; ///< of the largest of them (m)
+      double              error = 0; ///< of the largest motion (m)
     };
 
-    /** Whether a motion of @p size (m) is among them. */
-    bool is_inside(double size, const SmallDisplacementError &motion) const;
-    /** Replaces them by those up to @p factor times a motion, which has the
-     * @p error (m) then. */
+    /** Whether the envelope contains a motion of @p size (m). */
+    bool envelope_contains(double                        size,
+                           const SmallDisplacementError &motion) const;
+    /**
+     * Replaces the envelope by @p factor times a motion, with the @p error
+     * (m).
+     */
     void extend(double                        factor,
                 double                        size,
                 const SmallDisplacementError &motion,
                 double                        error);
-    /** Why the motion is beyond the limit; empty: it is not. */
+    /** Why the motion exceeds the limit; empty if it does not. */
     std::string reason(const State &state);
-    /** The same of @p factor times the motion, with which the envelope is
-     * extended. */
+    /**
+     * As reason(), for @p factor times the motion; extends the envelope to it.
+     */
     std::string compute(double                        factor,
                         const State                  &state,
                         double                        size,
@@ -147,12 +164,12 @@ namespace auxfem
     LargeRotationErrorEstimator           estimator;
     const SmallDisplacementEstimate       estimate;
     Envelope                              envelope;
-    std::unique_ptr<FirstContactDetector> detector;   ///< none: no contact
+    std::unique_ptr<FirstContactDetector> detector; ///< nullptr without contact
     double       largest_error = 0, largest_size = 0; ///< so far (m)
-    double       way      = 0;                        ///< of the motion (m)
-    double       sampled  = 0;                        ///< time (s)
-    double       computed = 0; ///< time of the last error computed (s)
-    unsigned int n_steps  = 0; ///< since the last sample
+    double       path_length     = 0; ///< length of the motion's path (m)
+    double       sampled_time    = 0; ///< time of the last sample (s)
+    double       last_error_time = 0; ///< time of the last error computed (s)
+    unsigned int n_steps         = 0; ///< since the last sample
   };
 } // namespace auxfem
 

@@ -100,7 +100,7 @@ namespace auxfem
     std::unique_ptr<Rule> stage_rule;
 
     double              dt = 0, end = 0; ///< of the step (s)
-    unsigned int        stage = 0;       ///< ///< of the last next()
+    unsigned int        stage = 0;       ///< of the last next()
     std::vector<Slopes> slopes;
     /** See Evaluation. */
     std::vector<Evaluation::Pair> taken_from_kinetic;

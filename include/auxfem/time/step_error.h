@@ -16,15 +16,16 @@
 namespace auxfem
 {
   /**
-   * Differences of a vector over the last steps, of any lengths: the difference
-   * of order k is dt^k times the k-th derivative of the polynomial of degree k
-   * through the last k + 1 values. The third one for equal steps is
+   * Backward differences of a vector over the last steps, which may have any
+   * lengths. The difference of order k is dt^k times the k-th derivative of
+   * the polynomial of degree k through the last k + 1 values. For equal steps
+   * the third one is
    *
    * @code
    * x_{n+1} - 3 x_n + 3 x_{n-1} - x_{n-2}
    * @endcode
    *
-   * It is at most 2^k amplitudes of an oscillation, however fast.
+   * For an oscillation it is at most 2^k amplitudes, at any frequency.
    */
   class BackwardDifferences
   {
@@ -32,9 +33,9 @@ namespace auxfem
     static constexpr unsigned int largest_order = 4;
 
     /**
-     * The difference at @p now, at @p time (s), for a step of length @p dt (s).
-     * Nothing if fewer than @p order values have been added. Entries that have
-     * come since the oldest of the values are left out.
+     * The difference at @p now, at @p time (s), for a step of length @p dt
+     * (s). Empty if fewer than @p order values have been added. Omits entries
+     * that are newer than the oldest value.
      * @param order at most largest_order
      */
     std::optional<Vector> difference(unsigned int  order,
@@ -74,10 +75,10 @@ namespace auxfem
       Vector value;
     };
 
-    std::deque<Sample> samples; ///< the oldest first
+    std::deque<Sample> samples; ///< oldest first
   };
 
-  /** Local error of one step of displacements (m) or rotations (rad). */
+  /** Local error of one step, of displacements (m) or rotations (rad). */
   struct LocalError
   {
     /** The oscillation that dominates the error. */
@@ -96,27 +97,27 @@ namespace auxfem
   };
 
   /**
-   * Error of all steps. Local errors add up, as they do in an undamped
-   * oscillation. But an oscillation of the amplitude A cannot err by more than
-   * 2 A, however long it lasts: a small fast vibration, of a stiff contact for
-   * instance, need not be followed to its end. Errors are therefore summed by
-   * octaves of frequency, each up to that bound.
+   * Accumulated error of all steps. Local errors add up as in an undamped
+   * oscillation, but an oscillation of amplitude A errs by no more than 2 A.
+   * Errors are therefore summed by octaves of frequency, each up to that
+   * bound, so that small fast vibrations, as of a stiff contact, need not be
+   * resolved.
    */
   class AccumulatedError
   {
   public:
     void add(const LocalError &step);
 
-    /** The smaller of the plain sum and the bounded one (m or rad). */
+    /** Smaller one of the plain and the bounded sum (m or rad). */
     double total() const;
 
-    /** The largest total so far. */
+    /** Largest total so far. */
     double largest_total() const
     {
       return largest;
     }
 
-    /** @param name of its record */
+    /** @param name of its checkpoint record */
     void serialize(const std::string &name, CheckpointArchive &archive);
 
   private:
@@ -126,16 +127,15 @@ namespace auxfem
     };
 
     double                sum = 0, slow = 0, unbounded = 0, largest = 0;
-    std::map<int, Octave> octaves; ///< by the binary logarithm of frequency
+    std::map<int, Octave> octaves; ///< by binary logarithm of frequency
   };
 
   /**
-   * Estimates the error of the motion that a step adds, for step-size control,
-   * and that of all steps so far. Schemes of the alpha family take it from the
-   * change of acceleration (O. C. Zienkiewicz & Y. M. Xie, Earthquake Eng.
-   * Struct. Dyn. 20 (1991) 871-887, eq. 22 for Newmark; here for the whole
-   * family) or from the third difference of displacements, Runge-Kutta schemes
-   * from their embedded scheme:
+   * Local error estimator of the step-size control, and the accumulated error
+   * of all steps. The alpha family uses the change of acceleration (O. C.
+   * Zienkiewicz & Y. M. Xie, Earthquake Eng. Struct. Dyn. 20 (1991) 871-887,
+   * eq. 22, here for the whole family) or the third difference of
+   * displacements. Runge-Kutta schemes use their embedded scheme:
    *
    * @code
    * e = pi / 2 c min(dt^2 |a_{n+1} - a_n|, |dt^3 u_ttt|)
@@ -144,14 +144,14 @@ namespace auxfem
    * @endcode
    *
    * with c = ImplicitScheme::error_constant() and r =
-   * ImplicitScheme::error_by_difference(). The factor pi / 2 stands for the
+   * ImplicitScheme::error_by_difference(). The factor pi / 2 accounts for the
    * error of the velocity, which an oscillation turns into one of the
-   * displacement. The third difference bounds the error of oscillations that
-   * steps do not resolve. Displacements and rotations are measured separately,
-   * by root mean squares over all free unknowns; the worse of the two counts.
+   * displacement. The third difference bounds the error of unresolved
+   * oscillations. The larger one of displacements and rotations counts, each
+   * as the root mean square over all free unknowns.
    *
-   * A step may use the part of the remaining tolerance that its length is of
-   * the remaining time. AccumulatedError sums local errors.
+   * A step may use a share of the remaining tolerance in proportion to its
+   * length.
    */
   class StepError
   {
@@ -159,23 +159,22 @@ namespace auxfem
     /** @p equations must outlive the object. */
     explicit StepError(const Equations &equations);
 
-    /**
-     * The error that @p step adds over the one it may add. Collective.
-     */
+    /** Local error of @p step over the allowed one. Collective. */
     double relative(const Evaluation &step);
 
     /** The same for a scheme with stages. */
     double relative(const Evaluation         &step,
                     const Stages::Difference &difference);
 
-    /** Accepts the @p step last given to relative(), and returns the value that
-     * relative() returned. */
+    /**
+     * Accepts the last @p step of relative(); returns the value of relative().
+     */
     double accept(const Evaluation &step);
 
-    /** Error of all steps over the largest motions. */
+    /** Accumulated error over the largest motions. */
     double total() const;
 
-    /** A finding if all steps together err more than the tolerance allows. */
+    /** Reports an accumulated error above the tolerance. */
     std::vector<Finding> findings() const;
 
     void serialize(CheckpointArchive &archive);
@@ -186,18 +185,20 @@ namespace auxfem
     {
       std::string             name, parameter, unit;
       const std::vector<int> &rows; ///< free ones
-      /** Allowed error while motions are small. If absent, rotations may err by
-       * the allowed error of displacements over the length of a strut. */
+      /**
+       * Allowed error while motions are small. If empty, that of rotations is
+       * the allowed error of displacements over the mean strut length.
+       */
       std::optional<double> absolute_tolerance = {};
-      double                largest            = 0; ///< so far
-      AccumulatedError      error              = {};
+      double                largest = 0; ///< largest motion so far (m, rad)
+      AccumulatedError      error   = {};
       /** Third derivative at intervals of the scene's step (m/s^3). */
       std::optional<double> slow_third_derivative = {};
 
-      /** The step last given to relative(). */
+      /** Estimate of the last relative(). */
       struct Estimate
       {
-        AccumulatedError error    = {}; ///< with that of the step
+        AccumulatedError error    = {}; ///< including the step
         double           largest  = 0;
         double           relative = 0;
       };
@@ -206,29 +207,35 @@ namespace auxfem
 
     /** Root mean square of @p values. Collective. */
     double mean(const Motions &motions, const Vector &values) const;
-    /** Error that all steps together may make (m, rad).
-     * @param largest of @p motions so far (m, rad) */
+    /**
+     * Allowed error of all steps together (m, rad).
+     * @param largest of @p motions so far (m, rad)
+     */
     double allowed(const Motions &motions,
                    double         largest,
                    double         largest_displacement) const;
     /** Local error by a scheme of the alpha family. Collective. */
     LocalError local_error(const Motions    &motions,
                            const Evaluation &step) const;
-    /** The oscillation that differences of order 2 to 4 show, the @p third of
-     * which is known. Collective. */
+    /**
+     * Dominant oscillation, from the @p third difference and those of orders 2
+     * and 4. Collective.
+     */
     std::optional<LocalError::Oscillation>
     dominant_oscillation(const Motions    &motions,
                          const Evaluation &step,
                          double            third) const;
-    /** Displacements come first, as the tolerance of rotations may depend on
-     * them. Collective. */
+    /**
+     * Estimate displacements first: the tolerance of rotations may depend on
+     * them. Collective.
+     */
     void
     estimate(Motions &motions, const Evaluation &step, const LocalError &local);
     /** Samples displacements at intervals of the scene's step. Collective. */
     void sample(const State &state);
-    /** Largest motions (m, rad) that the tolerance is relative to. */
+    /** Largest motion (m, rad) that the tolerance refers to. */
     double reference(const Motions &motions) const;
-    double worst() const;
+    double largest_relative() const;
 
     const Equations      &equations;
     const ImplicitScheme &scheme;

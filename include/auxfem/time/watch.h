@@ -18,11 +18,10 @@ namespace auxfem
   /** An event at a part of the structure, as found by a watch. */
   struct Occurrence
   {
-    double       size;   ///< ///< severity, in the watch's unit
-    double       time;   ///< s
-    unsigned int number; ///< ///< of the strut or joint
-    unsigned int group =
-      0; ///< ///< of the connector, or of the other part involved
+    double       size;      ///< severity, in the watch's unit
+    double       time;      ///< s
+    unsigned int number;    ///< of the strut or joint
+    unsigned int group = 0; ///< of the connector, or of the other part involved
   };
 
   /**
@@ -42,7 +41,7 @@ namespace auxfem
     /** Largest event of this rank. */
     const std::optional<Occurrence> &largest_here() const
     {
-      return largest_one;
+      return largest_event;
     }
 
     /** @name Of all ranks, equal on each; collective. */
@@ -56,7 +55,7 @@ namespace auxfem
 
   private:
     const MPI_Comm            communicator;
-    std::optional<Occurrence> first_one, largest_one;
+    std::optional<Occurrence> first_event, largest_event;
   };
 
   /**
@@ -88,7 +87,7 @@ namespace auxfem
 
     Occurrences &occurrences(const std::string &name)
     {
-      return all_occurrences.try_emplace(name, communicator).first->second;
+      return events.try_emplace(name, communicator).first->second;
     }
 
     std::vector<double> &list(const std::string &name)
@@ -109,7 +108,7 @@ namespace auxfem
     const MPI_Comm                             communicator;
     std::map<std::string, double>              numbers;
     std::map<std::string, LargestInTime>       maxima;
-    std::map<std::string, Occurrences>         all_occurrences;
+    std::map<std::string, Occurrences>         events;
     std::map<std::string, std::vector<double>> lists;
     std::map<std::string, std::string>         texts;
   };
@@ -148,14 +147,14 @@ namespace auxfem
      * Smallest number of samples in a run with more steps.
      * @tuned judgement
      */
-    static constexpr unsigned long least_number = 20;
+    static constexpr unsigned long min_samples = 20;
 
     explicit SamplingSchedule(const Equations &equations)
       : has_inertia(equations.model().plan.simulated.inertia)
       , is_linear(equations.is_linear())
       , n_steps(equations.model().plan.time.n_steps())
       , period(
-          std::min(longest_period, (n_steps + least_number - 1) / least_number))
+          std::min(longest_period, (n_steps + min_samples - 1) / min_samples))
     {}
 
     /** @param number of the step, from 0 */
@@ -324,7 +323,7 @@ namespace auxfem
     const RunPlan   &plan;
     const Equations &equations;
     RunStatistics   &statistics;
-    Work            &work; ///< ///< counts the effort of watches
+    Work            &work; ///< counts the effort of watches
   };
 
   using MakeWatch = std::unique_ptr<Watch>(const WatchedRun &);

@@ -51,7 +51,7 @@ namespace auxfem
                 TangentSolver & /*solver*/) override
       {
         const Energies &energies = step.to.energies;
-        // The work of sudden loads depends on how they are raised.
+        // The work of sudden loads depends on how they are applied.
         if (expects_jump || (starts_with_loads && step.from.largest_force == 0))
           judgement.start(energies);
         expects_jump = false;
@@ -77,8 +77,10 @@ namespace auxfem
       }
 
     private:
-      /** Work of the round-off of forces (J): all there is where a structure is
-       * moved without strains. Collective. */
+      /**
+       * Work of the round-off of forces (J), which dominates in motions
+       * without strain. Collective.
+       */
       double round_off(const Evaluation        &step,
                        const EvaluationResults &results) const
       {

@@ -13,35 +13,40 @@ namespace auxfem
   namespace
   {
     /**
-     * A mode whose stiffness is below this part of the diagonal's is a
-     * mechanism: the softest sound lattice lies far above (a cantilever of 1000
-     * slender struts at 4e-13).
+     * A mode with a stiffness below this part of the diagonal's is a
+     * mechanism. The softest valid lattice is far stiffer (a cantilever of
+     * 1000 slender struts: 4e-13).
      */
     constexpr double softest = few_round_offs;
 
-    /** The softest mode is found far sooner when it is that of a mechanism. */
+    /**
+     * Inverse iteration finds the softest mode much faster if it is a
+     * mechanism.
+     */
     constexpr unsigned int n_mechanism_iterations = 6;
 
     /**
-     * Of the softness after @p n iterations over that of the softest mode, at
-     * most: each takes the squares of what others have in a random start of
-     * @p n_unknowns, a millionth of their sum left to that mode, down by their
-     * softness squared.
+     * Upper bound of the softness after @p n iterations over that of the
+     * softest mode. Iterations reduce the squares of all other modes by their
+     * squared softness. The random start of @p n_unknowns has a millionth of
+     * its square in that mode.
      */
-    double most_above_softest(const unsigned int n, const double n_unknowns)
+    double largest_softness_ratio(const unsigned int n, const double n_unknowns)
     {
       return 2 * std::pow(1e6 * n_unknowns, 1. / (2 * n));
     }
 
-    /** A strut, or another part, and its stiffness (N/m). */
+    /** Stiffness (N/m) of a strut or other part. */
     struct PartStiffness
     {
       double value;
       int    strut; ///< -1: a connector or spring
     };
 
-    /** Stiffness of a part in its stiffest direction, and whether it resists
-     * a mode. */
+    /**
+     * Largest stiffness of a part over directions, and whether it resists a
+     * mode.
+     */
     struct PartInMode
     {
       double stiffness = 0; ///< N/m
@@ -82,7 +87,7 @@ namespace auxfem
       return part;
     }
 
-    /** The strut that a block of the tangent is of; -1: none. */
+    /** Strut of a block of the tangent; -1: none. */
     int strut_of_block(const DofNumbering &numbering, const std::size_t block)
     {
       return block < numbering.elements().size()
@@ -90,7 +95,7 @@ namespace auxfem
         : -1;
     }
 
-    /** The largest of all ranks' @p factor times stiffness. Collective. */
+    /** Largest @p factor times stiffness over all ranks. Collective. */
     PartStiffness extreme_of_all_ranks(const PartStiffness &mine,
                                        const double         factor,
                                        const UnknownLayout &layout)
@@ -112,9 +117,9 @@ namespace auxfem
     }
 
     /**
-     * Refuses parts so much stiffer than those that resist the softest mode
-     * that these are lost in their round-off; returns where none does, as of a
-     * mechanism. Collective.
+     * Refuses parts so stiff that the parts resisting the softest mode are
+     * lost in their round-off. Returns if no part resists, as in a mechanism.
+     * Collective.
      */
     void refuse_stiffness_ratio(TangentSolver &solver, const Vector &mode)
     {
@@ -147,8 +152,8 @@ namespace auxfem
            << describe(stiffest) << " is "
            << stiffest.value / softest_part.value << " times that of "
            << describe(softest_part)
-           << ", which is lost in the round-off of the former. Make what is "
-              "stiff rigid (Rigid parts), or check Young's moduli, sections, "
+           << ", which is lost in the round-off of the former. Make stiff "
+              "parts rigid (Rigid parts), or check Young's moduli, sections, "
               "stiffnesses and their units.";
       throw InputError(text.str());
     }
@@ -158,34 +163,35 @@ namespace auxfem
     {
       const DofNumbering &numbering = model.numbering;
       std::vector<double> sizes(numbering.layout().n_owned());
-      // A strut that turns about its end moves the other by its length times
-      // the angle; half of that leaves the first word to the joint, also where
-      // the inside of a strut moves as far as that.
+      // The inside of a strut may move as far as a joint; the factors make the
+      // message name the joint first.
       for (unsigned int i = 0; i < sizes.size(); ++i)
         sizes[i] = std::abs(mode[i]) *
           (numbering.unknowns().is_rotation[i] ? model.mean_strut_length / 2
                                                : 1.) *
           (numbering.unknowns().strut[i] ? 0.99 : 1.);
-      const std::string words = describe_largest(numbering, sizes);
+      const std::string location = describe_largest(numbering, sizes);
       std::string       notes;
       for (const std::string &note : model.lattice.notes)
         notes += '\n' + note;
       throw InputError(
-        "The structure is not supported: it can move without any resistance, most of "
-        "all the " +
-        words +
+        "The structure is not supported: it can move without any resistance, "
+        "largest in the " +
+        location +
         ".\nStatic equilibrium (Scheme = static, or Start from = static "
         "equilibrium) needs supports, rigid joints or springs that hold every part. "
         "Check Supports, hinges (Joints) and struts that are connected to nothing." +
         (model.lattice.n_plates > 0
-           ? " Plates hold nothing until it is pressed on them, nor are they "
-             "held: move them, or use a scheme with inertia."
+           ? " Plates support the structure only while it is pressed on them. "
+             "Prescribe their motion, or use a scheme with inertia."
            : "") +
         notes);
     }
 
-    /** Stiffness of each owned row's motion alone, for which that of a motion
-     * is soft or not; multipliers have none. */
+    /**
+     * Stiffness of each owned row alone, the reference for soft motions; zero
+     * for multipliers.
+     */
     Vector stiffness_by_rows(TangentSolver &solver)
     {
       const LatticeModel  &model     = solver.model();
@@ -203,8 +209,8 @@ namespace auxfem
         // parts allow.
         if (numbering.unknowns().kinds[i] == UnknownKind::multiplier)
           weight[i] = 0;
-        // A row without any stiffness counts as the stiffest: its motion is
-        // then the softest of all.
+        // A row without stiffness counts as the stiffest, which makes its
+        // motion the softest.
         else if (weight[i] <= 0)
           weight[i] = (stiffest > 0 ? stiffest : 1.) *
             (numbering.unknowns().is_rotation[i] ? length * length : 1.);
@@ -212,9 +218,9 @@ namespace auxfem
     }
 
     /**
-     * Looks for the softest motion with a factorization of the matrix as it is;
-     * false if that is none, or one of a mechanism.
-     * @param shift that the matrix has beside the stiffness, on owned rows
+     * Searches the softest motion with a factorization of the current matrix.
+     * False if the matrix is singular or the motion is a mechanism.
+     * @param shift added to the stiffness, on owned rows
      */
     bool resists_all_motions(TangentSolver &solver,
                              const Vector  &weight,
@@ -247,7 +253,8 @@ namespace auxfem
         mode,
         [&](const unsigned int n) {
           measure();
-          return softness > softest * most_above_softest(n, layout.n_global());
+          return softness >
+            softest * largest_softness_ratio(n, layout.n_global());
         });
       return growth && softness > softest;
     }
@@ -272,7 +279,7 @@ namespace auxfem
     Vector       mode, shift(weight.size(), 0.);
     if (resists_all_motions(solver, weight, shift, mode))
       return true;
-    // A singular matrix may have no factors, or any.
+    // A singular matrix may have arbitrary factors, or none.
     for (unsigned int i = 0; i < shift.size(); ++i)
       shift[i] = softest * weight[i];
     solver.matrix().add_to_diagonal(shift);
@@ -287,18 +294,18 @@ namespace auxfem
   namespace
   {
     /**
-     * Eigenvalues of G G^T below this are zero: its entries are of order 1, a
-     * chain of 1000 bars comes down to 1e-6.
+     * Smaller eigenvalues of G G^T are zero: its entries are of order 1, and a
+     * chain of 1000 bars has 1e-6.
      */
     constexpr double smallest_eigenvalue = 1e-11;
 
     constexpr unsigned int n_overconstraint_iterations = 4;
 
     /**
-     * Identity in the rows of displacements, the constraints' gradients G
-     * beside it, a small negative number in the multipliers' diagonal: its
-     * Schur complement is -(G G^T + small) on unknowns that are free. Rotations
-     * in space count as displacements at the length of a strut.
+     * Sets the diagonal to identity in rows of displacements and to a small
+     * negative number in multipliers, beside the constraint gradients G. The
+     * Schur complement is then -(G G^T + small) on free unknowns. Rotations in
+     * space are scaled by the strut length.
      */
     void replace_diagonal(const LatticeModel &model, TangentMatrix &matrix)
     {
@@ -315,8 +322,8 @@ namespace auxfem
       matrix.set_diagonal(diagonal);
     }
 
-    [[noreturn]] void tell_overconstraint(const LatticeModel &model,
-                                          const Vector       &mode)
+    [[noreturn]] void throw_overconstraint(const LatticeModel &model,
+                                           const Vector       &mode)
     {
       const DofNumbering &numbering = model.numbering;
       std::vector<double> sizes(numbering.layout().n_owned());
@@ -330,13 +337,12 @@ namespace auxfem
         " follows from the constraints of other parts and the supports, so the "
         "forces in them are not determined.\n" +
         (model.lattice.dimension == 3
-           ? "Two hinges on one axis hold a part twice: let one be a hinge, or "
-             "a support slide along the axis. "
+           ? "Two hinges on one axis support a part twice: keep one of them, or "
+             "let a support slide along the axis. "
            : "") +
-        "A rigid part between fixed joints, "
-        "or one too many in a closed loop, must go or become elastic (Sections), "
-        "or a support must let go; bars that lie exactly in one line must be "
-        "bent a little.");
+        "Remove a rigid part between fixed joints or in a closed loop, make it "
+        "elastic (Sections), or release a support. Rigid bars in exactly one "
+        "line need a slight bend.");
     }
   } // namespace
 
@@ -350,7 +356,7 @@ namespace auxfem
     EvaluationResults results    = solver.equations().make_results();
     const Evaluation  evaluation = Evaluation::consistent_rates(state, now);
     solver.residual(evaluation, results);
-    // Only the gradients of the constraints stand in it.
+    // Assembles only the gradients of constraints.
     solver.assemble(evaluation, results, {0., 0., 0.});
     replace_diagonal(model, solver.matrix());
 
@@ -365,6 +371,6 @@ namespace auxfem
       n_overconstraint_iterations,
       mode);
     if (!growth || *growth > 1 / smallest_eigenvalue)
-      tell_overconstraint(model, mode);
+      throw_overconstraint(model, mode);
   }
 } // namespace auxfem

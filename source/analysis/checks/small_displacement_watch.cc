@@ -15,15 +15,15 @@ namespace auxfem
   namespace
   {
     /**
-     * Estimate from which on the exact equilibrium is compared.
+     * Estimate above which the exact equilibrium is compared.
      * @tuned theory: struts held at both ends, 500 times longer than thick,
-     * are stiffer by some per cent
+     *   are stiffer by some per cent
      */
     constexpr double least_compared = 5e-4;
 
     /**
      * Growth of the estimate after which the exact equilibrium is compared
-     * in any case.
+     * again.
      * @tuned judgement
      */
     constexpr double growth_between_comparisons = 8;
@@ -35,13 +35,13 @@ namespace auxfem
                                     : Verdict::sound;
     }
 
-    /** When a linear scene was furthest beyond its critical load. */
+    /** Largest excess of a linear scene over its critical load. */
     struct LossOfStability
     {
       double time = 0; ///< s
       /** Largest compressive force over the Euler load of its strut. */
       double compression = 0;
-      double strut       = 0; ///< number of that strut
+      double strut       = 0; ///< its strut
       enum class Evidence
       {
         none,
@@ -74,16 +74,18 @@ namespace auxfem
       }
     };
 
-    /** The exact equilibrium under the same loads, of which the estimate knows
-     * no axial forces that come from bending. */
+    /**
+     * Comparison with the exact equilibrium under the same loads. The estimate
+     * alone misses axial forces caused by bending.
+     */
     struct Comparison
     {
-      double      estimate = 0; ///< when it was found
+      double      estimate = 0; ///< at the comparison
       double      error = 0; ///< distance, see LargeRotationError::translation
       double      time  = 0; ///< s
       std::string location;
 
-      /** Error of a motion with another estimate: goes with its square. */
+      /** Error of a motion with another estimate, which is quadratic in it. */
       double expected(const double other) const
       {
         return estimate > 0 ? error * std::pow(other / estimate, 2) : 0;
@@ -93,14 +95,14 @@ namespace auxfem
       {
         std::ostringstream text;
         text << "Displacements are not small, as Large rotation = off "
-                "supposes: at t = "
+                "assumes: at t = "
              << time << " s ";
         if (std::isfinite(error))
           text << "the exact equilibrium under the same loads differs by "
                << percentage_text(error)
-               << " of the displacements, most in the " << location;
+               << " of the displacements, largest in the " << location;
         else
-          text << "no exact equilibrium under the same loads was found near";
+          text << "no exact equilibrium under the same loads was found nearby";
         text << ". Set Effects/Large rotation = on, or reduce the load.";
         return {std::isfinite(error) ? verdict_on(error) : Verdict::doubtful,
                 text.str(),
@@ -109,7 +111,7 @@ namespace auxfem
       }
     };
 
-    /** Watches linear scenes. */
+    /** Checks linear scenes for large displacements. */
     class SmallDisplacementWatch : public Watch
     {
     public:
@@ -127,33 +129,32 @@ namespace auxfem
                 const EvaluationResults & /*results*/,
                 TangentSolver & /*solver*/) override
       {
-        SmallDisplacementError found = estimate.at(step.to);
-        compare(step.to, found);
-        if (found.total() <= worst.total())
+        SmallDisplacementError current = estimate.at(step.to);
+        compare(step.to, current);
+        if (current.total() <= largest_error.total())
           return;
-        if (verdict_on(found.total()) !=
-            verdict_on(found.total() - found.second_order))
+        if (verdict_on(current.total()) !=
+            verdict_on(current.total() - current.second_order))
           {
-            if (found.total() <= growth_between_checks * checked &&
+            if (current.total() <= growth_between_checks * last_checked_error &&
                 step.to.time < end_time)
               return;
-            checked = found.total();
-            make_sure(step.to, found);
+            last_checked_error = current.total();
+            refine_second_order(step.to, current);
           }
-        if (found.total() <= worst.total())
+        if (current.total() <= largest_error.total())
           return;
-        worst = found;
-        time  = step.to.time;
+        largest_error = current;
+        time          = step.to.time;
       }
 
       std::vector<Finding> findings() const override
       {
         std::vector<Finding> all;
-        const Finding        by_comparison = comparison.finding(),
-                      by_estimate          = error_finding(),
-                      &worse = by_estimate.verdict >= by_comparison.verdict
-          ? by_estimate
-          : by_comparison;
+        const Finding        compared = comparison.finding(),
+                      estimated       = error_finding(),
+                      &worse = estimated.verdict >= compared.verdict ? estimated
+                                                                     : compared;
         if (worse.verdict != Verdict::sound)
           all.push_back(worse);
         if (loss.evidence != Evidence::none)
@@ -165,11 +166,11 @@ namespace auxfem
       {
         unsigned int evidence = static_cast<unsigned int>(loss.evidence);
         archive.values("watch: small displacements",
-                       worst.rotation,
-                       worst.second_order,
-                       worst.strain,
+                       largest_error.rotation,
+                       largest_error.second_order,
+                       largest_error.strain,
                        time,
-                       checked,
+                       last_checked_error,
                        loss.time,
                        loss.compression,
                        loss.strut,
@@ -179,7 +180,8 @@ namespace auxfem
                        comparison.time);
         archive.text("watch: small displacements: location of comparison",
                      comparison.location);
-        archive.text("watch: small displacements: location", worst.location);
+        archive.text("watch: small displacements: location",
+                     largest_error.location);
         loss.evidence = static_cast<Evidence>(evidence);
       }
 
@@ -191,24 +193,30 @@ namespace auxfem
         std::ostringstream text;
         text.precision(2);
         text << "Displacements are not small, as Large rotation = off "
-                "supposes: at t = "
-             << time << " s forces and displacements are wrong by about "
-             << percentage_text(worst.total()) << ", by rotations of "
-             << worst.rotation
-             << " rad, axial forces that change the stiffness by "
-             << percentage_text(worst.second_order) << ", and axial strains of "
-             << percentage_text(worst.strain) << " (most at " << worst.location
-             << "). Set Effects/Large rotation = on, or reduce the load.";
-        return {verdict_on(worst.total()), text.str(), time, worst.location};
+                "assumes: at t = "
+             << time << " s the estimated error of forces and displacements is "
+             << percentage_text(largest_error.total()) << ", largest at "
+             << largest_error.location << ". Rotations reach "
+             << largest_error.rotation
+             << " rad, axial forces change the stiffness by "
+             << percentage_text(largest_error.second_order)
+             << ", and axial strains reach "
+             << percentage_text(largest_error.strain)
+             << ". Set Effects/Large rotation = on, or reduce the load.";
+        return {verdict_on(largest_error.total()),
+                text.str(),
+                time,
+                largest_error.location};
       }
 
       /**
-       * Puts the effect of axial forces on the whole structure in place of that
-       * on the energy of bending and of the buckling of single struts. Where
-       * struts carry loads along their axes, bending is slight and axial forces
-       * change much of it, but neither displacements nor forces.
+       * Replaces the effect of axial forces on bending energy and single
+       * struts by that on the whole structure. Where struts carry axial loads,
+       * axial forces change much of the slight bending, but neither
+       * displacements nor forces.
        */
-      void make_sure(const State &state, SmallDisplacementError &error)
+      void refine_second_order(const State            &state,
+                               SmallDisplacementError &error)
       {
         const std::optional<SecondOrderChange> change =
           second_order.at(state, estimate.forces_by_turning(state));
@@ -228,13 +236,15 @@ namespace auxfem
                   evidence};
       }
 
-      /** Compares the motion with the exact one where that may differ by more
-       * than is sound, or is not known. */
+      /**
+       * Compares the motion with the exact one if the difference may be
+       * notable or is unknown.
+       */
       void compare(const State &state, const SmallDisplacementError &now)
       {
         const double total     = now.total();
         const bool   has_ended = state.time >= end_time;
-        // At the end it is found how large an error is that is too large.
+        // At the end the size of an excessive error is determined.
         const bool is_settled =
           verdict_on(has_ended ? total : std::max(total, comparison.error)) ==
           Verdict::not_to_be_used;
@@ -252,21 +262,21 @@ namespace auxfem
         LargeRotationErrorEstimator estimator(equations,
                                               *exact,
                                               doubtful_error);
-        const LargeRotationError    found = estimator.at(state.displacement);
+        const LargeRotationError    current = estimator.at(state.displacement);
         work.add_effort(estimator.effort());
         comparison.estimate = total;
-        // The estimate tells of motions that are too large to be compared.
+        // Motions too large for a comparison are left to the estimate.
         const bool is_compared =
-          std::isfinite(found.translation) || total <= doubtful_error;
-        if (is_compared && found.translation >= comparison.error)
+          std::isfinite(current.translation) || total <= doubtful_error;
+        if (is_compared && current.translation >= comparison.error)
           {
-            comparison.error    = found.translation;
+            comparison.error    = current.translation;
             comparison.time     = state.time;
-            comparison.location = found.location;
+            comparison.location = current.location;
           }
       }
 
-      /** The first one; collective. */
+      /** First strut with the largest compression; collective. */
       double most_compressed_strut(const SmallDisplacementError &error) const
       {
         double first = std::numeric_limits<double>::max();
@@ -282,12 +292,12 @@ namespace auxfem
       SecondOrderEffect               second_order;
       const double                    end_time; ///< s
       Work                           &work;
-      SmallDisplacementError          worst;
-      double                          time = 0; ///< s, of it
+      SmallDisplacementError          largest_error;
+      double                          time = 0; ///< of the largest error (s)
       LossOfStability                 loss;     ///< under the largest forces
       Comparison                      comparison;
-      /** Estimate with which the effect of axial forces was found last. */
-      double checked = 0;
+      /** Estimate at the last check of the effect of axial forces. */
+      double last_checked_error = 0;
     };
   } // namespace
 

@@ -13,8 +13,7 @@ namespace auxfem
 {
   namespace
   {
-    /** Growth of disturbances that makes noticeable ones as large as the
-     * motion. */
+    /** Growth that makes noticeable disturbances as large as the motion. */
     constexpr double doubtful_growth = 1 / noticeable_part;
 
     struct PointMass
@@ -24,7 +23,7 @@ namespace auxfem
       std::array<int, 3> unknowns; ///< local
     };
 
-    /** Struts of this rank. */
+    /** Adds nodes of this rank's struts. */
     void add_struts(const LatticeModel &model, std::vector<PointMass> &masses)
     {
       const DofNumbering &numbering = model.numbering;
@@ -35,10 +34,10 @@ namespace auxfem
             continue;
           const StrutInterval           &interval = element.interval;
           const dealii::QGaussLobatto<1> lobatto(element.order + 1);
-          const std::vector<double>      of_nodes = node_masses(model, e);
-          for (unsigned int a = 0; a < of_nodes.size(); ++a)
+          const std::vector<double>      element_masses = node_masses(model, e);
+          for (unsigned int a = 0; a < element_masses.size(); ++a)
             {
-              PointMass    node{of_nodes[a], {}, {}};
+              PointMass    node{element_masses[a], {}, {}};
               SpaceVector  tangent;
               const double part =
                 lobatto.point(place_along(a, element.order))[0];
@@ -76,10 +75,10 @@ namespace auxfem
     }
 
     /**
-     * Growth of a small turn theta of a free lattice that spins as a rigid body
-     * with inertia J and angular momentum L: theta' = J^-1 (L x theta), as J
-     * turns with it and L is constant. Spins about the axis of the middle
-     * moment of inertia are unstable: errors of steps within a tolerance grow
+     * Detects unstable spin of a free lattice. A small rotation theta of a
+     * rigid body with inertia J and angular momentum L obeys theta' = J^-1 (L
+     * x theta), as J rotates with the body and L is constant. Spin about the
+     * middle principal axis is unstable: errors within the step tolerance grow
      * beyond it.
      */
     class SpinWatch : public Watch
@@ -90,11 +89,11 @@ namespace auxfem
         , tolerance(*run.plan.time.relative_tolerance)
         , growth(run.statistics.number("spin: growth", 1))
         , time(run.statistics.number("spin: time (s)"))
-        , turn(run.statistics.list("spin: turns"))
+        , rotation_growth(run.statistics.list("spin: turns"))
       {
         add_struts(run.equations.model(), masses);
         add_joints(run.equations.model(), masses);
-        turn = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+        rotation_growth = {1, 0, 0, 0, 1, 0, 0, 0, 1};
       }
 
       void step(const Evaluation &step,
@@ -108,12 +107,12 @@ namespace auxfem
           {
             one[c][c] = 1;
             for (unsigned int d = 0; d < 3; ++d)
-              before[c][d] = turn[3 * c + d];
+              before[c][d] = rotation_growth[3 * c + d];
           }
         const SpaceTensor now = invert(one - half) * (one + half) * before;
         for (unsigned int c = 0; c < 3; ++c)
           for (unsigned int d = 0; d < 3; ++d)
-            turn[3 * c + d] = now[c][d];
+            rotation_growth[3 * c + d] = now[c][d];
         if (const double size = now.norm() / std::sqrt(3.); size > growth)
           {
             growth = size;
@@ -131,11 +130,10 @@ namespace auxfem
           << "The lattice spins about an axis at which small disturbances "
              "grow, by a factor of "
           << growth << " until t = " << time
-          << " s, and so do the errors of its steps: Time/Relative tolerance "
-             "= "
+          << " s. Errors of its steps grow alike: each step meets Time/Relative "
+             "tolerance = "
           << tolerance
-          << " holds for each step, not for the motion in the end. Compare "
-             "with a smaller tolerance.";
+          << ", but the final motion may not. Compare with a smaller tolerance.";
         return {{Verdict::doubtful, text.str(), time, ""}};
       }
 
@@ -180,7 +178,7 @@ namespace auxfem
             inertia[c][d] = inertia[d][c] =
               -sums[7 + c] + sums[0] * centre[c] * centre[d];
           }
-        // A straight rod has no inertia about itself.
+        // A straight rod has no inertia about its axis.
         const double largest = trace(inertia);
         if (!(determinant(inertia) > 1e-12 * largest * largest * largest))
           return SpaceTensor();
@@ -190,10 +188,10 @@ namespace auxfem
       const UnknownLayout   &layout;
       const double           tolerance;
       std::vector<PointMass> masses;
-      /** Growth of a small turn at t = 0 since, at most, and when (s). */
+      /** Largest growth of a small rotation since t = 0, and its time (s). */
       double &growth, &time;
-      /** Small turns at t = 0 as they have grown since, row by row. */
-      std::vector<double> &turn;
+      /** Matrix by which small rotations have grown since t = 0, row by row. */
+      std::vector<double> &rotation_growth;
     };
   } // namespace
 

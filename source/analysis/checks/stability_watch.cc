@@ -12,8 +12,8 @@ namespace auxfem
   namespace
   {
     /**
-     * Tangents that are factorized beside the run: neither its factorization
-     * nor the name of its linear solver is touched.
+     * Tangents factorized separately from the run, whose own factorization and
+     * linear solver's name stay unchanged.
      */
     class ScratchTangent
     {
@@ -24,7 +24,7 @@ namespace auxfem
         , work(work)
       {}
 
-      /** Whose tangents are wanted next. */
+      /** Evaluates the state of the next tangents. */
       void evaluate(const Evaluation &evaluation)
       {
         if (!solver)
@@ -35,32 +35,37 @@ namespace auxfem
         solver->residual(evaluation, results);
       }
 
-      /** What it remembers of earlier factorizations. */
+      /** Drops earlier factorizations. */
       void forget()
       {
         solver.reset();
       }
 
-      /** Of the tangent with @p factors, if they can be told. */
+      /** Negative modes of the tangent with @p factors; empty if unknown. */
       std::optional<NegativeModes> negative_modes(const Evaluation &evaluation,
                                                   const TangentFactors &factors)
       {
         const std::string chosen_solver = work.linear_solver;
         solver->assemble(evaluation, results, factors);
-        const bool is_done = solver->factorize();
-        work.linear_solver = chosen_solver;
-        return is_done ? solver->new_negative_modes() : std::nullopt;
+        const bool is_factorized = solver->factorize();
+        work.linear_solver       = chosen_solver;
+        return is_factorized ? solver->new_negative_modes() : std::nullopt;
       }
 
-      /** One at least, if the determinant of that tangent tells it. */
+      /**
+       * At least one negative mode if the determinant of that tangent is
+       * negative.
+       */
       NegativeModes negative_modes_by_determinant()
       {
         const std::optional<int> sign = ModeSpace(*solver).determinant_sign();
-        return {sign && *sign < 0 ? 1ul : 0ul, /*is_lower_bound=*/true};
+        return {sign && *sign < 0 ? 1ul : 0ul, /*is_least=*/true};
       }
 
-      /** Joint and component that move most in the softest mode of the tangent
-       * with @p factors; empty if there is none to be found. */
+      /**
+       * Joint and component with the largest motion in the softest mode of the
+       * tangent with @p factors; empty if no mode is growing_rate.
+       */
       std::string location_of_softest_mode(const Evaluation     &evaluation,
                                            const TangentFactors &factors)
       {
@@ -96,8 +101,7 @@ namespace auxfem
       EvaluationResults            results;
     };
 
-    /** When, where and under which loads stability was lost first, if it was.
-     */
+    /** Time, place and loads of the first loss of stability. */
     class FirstLoss
     {
     public:
@@ -120,7 +124,7 @@ namespace auxfem
         location = in;
       }
 
-      /** Begins the sentence of a finding. */
+      /** Writes the first part of a finding. */
       void write(std::ostream &text) const
       {
         const std::string loads = load_values_text(plan, time);
@@ -141,10 +145,9 @@ namespace auxfem
     };
 
     /**
-     * Of equilibria: no mode of their stiffness is negative while they are
-     * stable. Newton's factorization is of a state on the way to the
-     * equilibrium; where it tells nothing new or nothing good, the stiffness of
-     * the equilibrium itself is factorized.
+     * Checks equilibria: in a stable one no mode of the stiffness is negative.
+     * Newton's factorization belongs to a state before convergence. Unless it
+     * shows a positive stiffness, that of the equilibrium is factorized.
      */
     class EquilibriumWatch : public Watch
     {
@@ -154,7 +157,7 @@ namespace auxfem
         , first(run.plan, run.statistics)
         , most(run.statistics.number("stability: most negative modes"))
         , last(run.statistics.number("stability: last negative modes"))
-        , is_lower_bound(run.statistics.number("stability: there may be more"))
+        , is_least(run.statistics.number("stability: there may be more"))
       {}
 
       void forget_steps() override
@@ -165,10 +168,10 @@ namespace auxfem
       bool changes_stability(const Evaluation &step,
                              TangentSolver    &newtons) override
       {
-        const std::optional<NegativeModes> on_the_way =
+        const std::optional<NegativeModes> newton_modes =
           newtons.new_negative_modes();
-        now =
-          on_the_way && on_the_way->n == 0 ? NegativeModes() : modes_at(step);
+        now = newton_modes && newton_modes->n == 0 ? NegativeModes()
+                                                   : modes_at(step);
         return now.n != last;
       }
 
@@ -176,9 +179,9 @@ namespace auxfem
                 const EvaluationResults & /*results*/,
                 TangentSolver & /*newtons*/) override
       {
-        last           = now.n;
-        most           = std::max(most, last);
-        is_lower_bound = is_lower_bound != 0 || now.is_lower_bound;
+        last     = now.n;
+        most     = std::max(most, last);
+        is_least = is_least != 0 || now.is_least;
         if (last > 0 && !first)
           note_loss(step);
       }
@@ -189,14 +192,14 @@ namespace auxfem
           return {};
         std::ostringstream text;
         first.write(text);
-        text << "from there on "
-             << (is_lower_bound != 0 ? "at least " : "up to ") << most
+        text << "from there on " << (is_least != 0 ? "at least " : "up to ")
+             << most
              << (most == 1 ? " mode of the stiffness is negative"
                            : " modes of the stiffness are negative")
              << (last == 0 ? ", though not in the end" : "")
-             << ". A real structure leaves such equilibria. Give a small "
-                "disturbance (a lateral load, an uneven shape) or compute with "
-                "inertia.";
+             << ". A real structure leaves such equilibria. Add a small "
+                "disturbance (a lateral load, an imperfect shape) or compute "
+                "with inertia.";
         return {first.finding(text.str())};
       }
 
@@ -220,8 +223,8 @@ namespace auxfem
         const auto modes = at_end(step, [this](const Evaluation &end) {
           return scratch.negative_modes(end, stiffness);
         });
-        // At an equilibrium the stiffness is not symmetric only where loads do
-        // not keep their direction.
+        // At an equilibrium the stiffness is unsymmetric only with follower
+        // loads.
         return modes ? *modes : scratch.negative_modes_by_determinant();
       }
 
@@ -234,15 +237,15 @@ namespace auxfem
 
       ScratchTangent scratch;
       FirstLoss      first;
-      NegativeModes  now; ///< of the step last solved
+      NegativeModes  now; ///< of the last solved step
       double        &most, &last;
-      double        &is_lower_bound; ///< 0 or 1, as NegativeModes
+      double        &is_least; ///< 0 or 1, as NegativeModes
     };
 
     /**
-     * Of motions, now and then: whether K + s^2 M at rest in the positions of
-     * the moment has more negative eigenvalues than constraints. Then a
-     * disturbance grows at least as exp(s t) for the time being.
+     * Checks motions at intervals: if K + s^2 M, at rest in the current
+     * position, has more negative eigenvalues than constraints, a disturbance
+     * currently grows at least as exp(s t).
      */
     class MotionWatch : public Watch
     {
@@ -284,32 +287,34 @@ namespace auxfem
         text.precision(3);
         first.write(text);
         text << "from there on a small disturbance grows, until the end by a "
-                "factor of e^"
+                "factor of at least e^"
              << exponent
-             << " at least. What the lattice does then depends on disturbances "
-                "that the scene does not give: try a small one (a lateral "
-                "load, an uneven shape), and compare.";
+             << ". The motion then depends on disturbances that the scene does "
+                "not define. Add a small one (a lateral load, an imperfect "
+                "shape), and compare.";
         return {first.finding(text.str())};
       }
 
     private:
       /**
-       * Growth of disturbances, as its natural logarithm, from which on a
-       * motion is doubtful.
-       * @tuned judgement: a disturbance of a 1e-5th part becomes as large as
-       * the motion
+       * Natural logarithm of the growth of disturbances above which a motion
+       * is doubtful.
+       * @tuned judgement: a relative disturbance of 1e-5 becomes as large as
+       *   the motion
        */
       static constexpr double doubtful_exponent = 11.5;
 
       /**
-       * Checks in a run while the motion is unstable, as growth between two
-       * of them is not seen in full.
+       * Number of checks in a run while the motion is unstable; growth between
+       * two checks is underestimated.
        * @tuned judgement: a check costs nine iterations of Newton's method
        */
       static constexpr double n_while_unstable = 240;
 
-      /** Largest of the rates tried (1/s) at which a disturbance grows at
-       * step.to; 0: none. */
+      /**
+       * Largest tested rate (1/s) at which a disturbance grows at step.to; 0:
+       * none.
+       */
       double growth_rate(const Evaluation &step)
       {
         State at_rest = step.to;
@@ -321,18 +326,19 @@ namespace auxfem
         const auto shifted = [](const double rate) {
           return TangentFactors{1., 0., rate * rate};
         };
-        // Slower ones do not get far in the whole run.
-        double                 rate = doubtful_exponent / end_time, found = 0;
-        constexpr double       factor  = 2;
+        // Slower disturbances do not become notable within the run.
+        double           rate = doubtful_exponent / end_time, growing_rate = 0;
+        constexpr double factor        = 2;
         constexpr unsigned int n_rates = 24;
         for (unsigned int i = 0;
              i < n_rates && is_unstable(instant, shifted(rate));
              ++i, rate *= factor)
-          found = rate;
-        if (found > 0 && !first)
+          growing_rate = rate;
+        if (growing_rate > 0 && !first)
           first.note(at_rest.time,
-                     scratch.location_of_softest_mode(instant, shifted(found)));
-        return found;
+                     scratch.location_of_softest_mode(instant,
+                                                      shifted(growing_rate)));
+        return growing_rate;
       }
 
       bool is_unstable(const Evaluation &instant, const TangentFactors &factors)

@@ -11,22 +11,24 @@ namespace auxfem
 {
   namespace
   {
-    /** Part of the largest energy of a motion that is hardly noticed beside the
-     * deformation, as where friction holds it: steps with less do not count. */
+    /**
+     * Part of the largest energy below which motion is negligible beside the
+     * deformation, as under friction; such steps do not count.
+     */
     constexpr double least_kinetic_part = 2 * noticeable_part * noticeable_part;
 
     /**
-     * Turn of a joint in one step that is doubtful.
+     * Doubtful rotation increment of a joint in one step.
      * @tuned [rad] judgement
      */
     constexpr double doubtful_increment = 0.5;
 
     /**
-     * Error of the trapezoidal rule in a step, dt^3 u''' / 12, by the third
-     * difference of displacements at the ends of steps: accelerations may ring
-     * where displacements do not. Sums over all unknowns and sampled steps
-     * weigh each motion by its way. Another scheme misses its part of the
-     * vibration of which the rule would miss as much.
+     * Step error of the trapezoidal rule, dt^3 u''' / 12, by the third
+     * difference of displacements; accelerations may ring where displacements
+     * do not. Sums over all unknowns and sampled steps weigh each motion by
+     * its path length. Other schemes convert the error by
+     * ImplicitScheme::missed_way().
      */
     class StepWatch : public Watch
     {
@@ -38,8 +40,9 @@ namespace auxfem
         , scheme(run.plan.time.implicit_scheme())
         , equations(run.equations)
         , error(run.statistics.number("steps: error (m)"))
-        , way(run.statistics.number("steps: way (m)"))
-        , unjudged_way(run.statistics.number("steps: way not judged (m)"))
+        , path_length(run.statistics.number("steps: way (m)"))
+        , unsampled_path_length(
+            run.statistics.number("steps: way not judged (m)"))
         , time(run.statistics.number("steps: time (s)"))
         , largest_energy(run.statistics.number("steps: largest energy (J)"))
         , largest_increment(run.statistics.largest("steps: rotation (rad)"))
@@ -52,10 +55,10 @@ namespace auxfem
                 const EvaluationResults & /*results*/,
                 TangentSolver & /*solver*/) override
       {
-        // Rates and accelerations before a jump say nothing of those after it.
+        // Rates and accelerations are discontinuous at a jump.
         if (step.event_at_from)
           forget_steps();
-        add_way(step);
+        add_path_length(step);
         add_increment(step);
         time = step.to.time;
       }
@@ -67,67 +70,67 @@ namespace auxfem
 
       std::vector<Finding> findings() const override
       {
-        std::vector<Finding> found;
-        if (way > 0)
+        std::vector<Finding> findings;
+        if (path_length > 0)
           {
-            const double missed = scheme.missed_way(error / way);
+            const double missed = scheme.missed_way(error / path_length);
             if (!(missed <= doubtful_error))
-              found.push_back(error_finding(missed));
+              findings.push_back(error_finding(missed));
           }
-        else if (unjudged_way > 0 && !errors_are_estimated)
-          found.push_back(too_few_steps());
+        else if (unsampled_path_length > 0 && !errors_are_estimated)
+          findings.push_back(too_few_steps());
         if (largest_increment.value > doubtful_increment)
           {
             std::ostringstream text;
-            text << "A joint turns by " << largest_increment.value
-                 << " rad in one step; shorten the step.";
-            found.push_back(
+            text << "A joint rotates by " << largest_increment.value
+                 << " rad in one step; shorten Time/Time step.";
+            findings.push_back(
               {Verdict::doubtful, text.str(), largest_increment.time, ""});
           }
-        return found;
+        return findings;
       }
 
     private:
-      void add_way(const Evaluation &step)
+      void add_path_length(const Evaluation &step)
       {
         const double  per_step = 1 / step.dt;
         const double  per_mean = n_before > 0 ? 2 / (step.dt + dt_before) : 0;
         const double *before   = step.from.displacement.data(),
                      *now      = step.to.displacement.data();
-        double way_now = 0, change = 0;
+        double path_increment = 0, change = 0;
         for (std::size_t k = 0; k < rates.size(); ++k)
           {
             const int    i            = rows.free_translations[k];
             const double increment    = now[i] - before[i];
             const double rate         = increment * per_step;
             const double acceleration = (rate - rates[k]) * per_mean;
-            way_now += std::abs(increment);
+            path_increment += std::abs(increment);
             change += std::abs(acceleration - accelerations[k]);
             rates[k]         = rate;
             accelerations[k] = acceleration;
           }
         const std::vector<double> sums =
-          equations.unknowns().layout.sum({way_now, change});
+          equations.unknowns().layout.sum({path_increment, change});
         const Energies &energies = step.to.energies;
         largest_energy =
           std::max(largest_energy, energies.kinetic() + energies.stored());
-        const bool counts =
+        const bool is_relevant =
           std::max(step.from.energies.kinetic(), energies.kinetic()) >=
           least_kinetic_part * largest_energy;
-        if (counts && n_before > 1)
+        if (is_relevant && n_before > 1)
           {
-            way += sums[0];
+            path_length += sums[0];
             error += sums[1] * step.dt * step.dt * step.dt / dt_before / 12;
           }
-        else if (counts)
-          unjudged_way += sums[0];
+        else if (is_relevant)
+          unsampled_path_length += sums[0];
         n_before  = std::min(n_before + 1, 2u);
         dt_before = step.dt;
       }
 
       void add_increment(const Evaluation &step)
       {
-        // Steps hardly matter to small rotations.
+        // Step lengths hardly affect small rotations.
         if (equations.is_linear())
           return;
         double increment = 0;
@@ -156,9 +159,9 @@ namespace auxfem
       Finding too_few_steps() const
       {
         std::ostringstream text;
-        text << "Whether the steps are short enough for the motion is not "
-                "known: three in a row tell, without a jump of loads between "
-                "them. Compare with a shorter Time/Time step than "
+        text << "The error of the steps is unknown: its estimate needs three "
+                "consecutive steps without a jump of loads. Compare with a "
+                "shorter Time/Time step than "
              << scene_step << " s.";
         return {Verdict::doubtful, text.str(), time, ""};
       }
@@ -167,16 +170,16 @@ namespace auxfem
       const bool            errors_are_estimated;
       const ImplicitScheme &scheme;
       const Equations      &equations;
-      double               &error, &way; ///< m
-      double               &unjudged_way;
+      double               &error, &path_length; ///< m
+      double               &unsampled_path_length;
       double               &time;           ///< s
       double               &largest_energy; ///< J
       LargestInTime        &largest_increment;
       const OwnedRows      &rows;
-      /** @name Of the steps just before, at free translations. */
+      /** @name Values of the previous steps, at free translations. */
       ///@{
       std::vector<double> rates, accelerations; ///< m/s, m/s2
-      unsigned int        n_before  = 0;        ///< steps known, at most two
+      unsigned int        n_before  = 0;        ///< known steps, at most two
       double              dt_before = 0;        ///< s
       ///@}
     };

@@ -30,8 +30,10 @@ namespace auxfem
       return divisions;
     }
 
-    /** Errors (J) of the struts of @p coarse in @p motions, not finite where
-     * they cannot be found. What is out of balance still counts. */
+    /**
+     * Errors (J) of the struts of @p coarse in @p motions; not finite without
+     * a solution. Remaining imbalance counts as error.
+     */
     std::vector<double> errors_of(ClampedStrutProblems           &coarse,
                                   ClampedStrutProblems           &finer,
                                   const std::vector<StrutMotion> &motions)
@@ -72,7 +74,7 @@ namespace auxfem
         first_elements.push_back(e);
   }
 
-  void MeshError::look(const State &state)
+  void MeshError::sample(const State &state)
   {
     std::vector<StrutMotion> now;
     now.reserve(first_elements.size());
@@ -126,18 +128,19 @@ namespace auxfem
 
   namespace
   {
-    /** A run whose elements are not good enough. */
+    /** Reports elements with an excessive error. */
     Finding missed_tolerance(const OrderReport &report, const double time)
     {
       std::ostringstream text;
       text.precision(2);
-      text << "The elements make an error of " << *report.estimated_error
-           << " in the motion of the joints, by estimate, more than "
-              "Discretization/Tolerance = "
-           << report.tolerance
-           << ": the motion is not that of the search run, or no elements are "
-              "good enough for some struts. Lower the tolerance by as much, or "
-              "raise it to that error if it may stay.";
+      text
+        << "The elements make an error of " << *report.estimated_error
+        << " in the motion of the joints, by estimate, more than "
+           "Discretization/Tolerance = "
+        << report.tolerance
+        << ": the motion differs from that of the search run, or no elements "
+           "are accurate enough for some struts. Reduce the tolerance by the "
+           "same factor, or set it to that error if the error is acceptable.";
       return {Verdict::doubtful, text.str(), time, ""};
     }
 
@@ -149,16 +152,16 @@ namespace auxfem
 
     Finding own_vibrations(const unsigned int n_struts)
     {
-      return {Verdict::doubtful,
-              "Steps are short enough to resolve vibrations of " +
-                std::to_string(n_struts) +
-                (n_struts == 1 ? " strut" : " struts") +
-                " between the joints. Errors of these add up over the time and "
-                "are not in the estimated error of the elements: where such "
-                "vibrations matter, give Discretization/Order a number and "
-                "compare it with the next, or ask Analysis = study.",
-              0.,
-              ""};
+      return {
+        Verdict::doubtful,
+        "Steps are short enough to resolve vibrations of " +
+          std::to_string(n_struts) + (n_struts == 1 ? " strut" : " struts") +
+          " between the joints. Their errors accumulate over time and are "
+          "not in the estimated error of the elements. Where such "
+          "vibrations matter, set Discretization/Order to a number and "
+          "compare with the next one, or use Analysis = study.",
+        0.,
+        ""};
     }
   } // namespace
 
@@ -198,7 +201,7 @@ namespace auxfem
   void MeshErrorObserver::start(const State &state)
   {
     const double before = cpu_seconds();
-    estimate.look(state);
+    estimate.sample(state);
     next = (std::floor(state.time / distance * (1 + 1e-12)) + 1) * distance;
     seconds += cpu_seconds() - before;
   }
@@ -217,7 +220,7 @@ namespace auxfem
     final_report.estimated_error = estimate.relative();
     final_report.cpu_seconds_of_estimates =
       dealii::Utilities::MPI::sum(seconds, communicator);
-    // Estimates are good to a factor.
+    // Estimates are good to a factor of two.
     if (*final_report.estimated_error > 2 * final_report.tolerance)
       result.findings.push_back(missed_tolerance(final_report, result.time));
     if (const unsigned int n = n_vibrating(result.time); n > 0)
@@ -245,35 +248,35 @@ namespace auxfem
     namespace mpi = dealii::Utilities::MPI;
 
     /**
-     * Steps of a search run over those of the run: it finds which instants
-     * ask for the highest orders.
+     * Step length of a search run over that of the run; the search finds the
+     * instants that need the highest orders.
      * @tuned judgement
      */
-    constexpr double longer_steps = 4;
+    constexpr double search_step_factor = 4;
 
-    /** Search runs with elements of their own. */
-    constexpr unsigned int most_searches = 6;
+    /** Largest number of search runs. */
+    constexpr unsigned int max_searches = 6;
 
-    /** Tells a recorder how far a search run has come. */
+    /** Reports the progress of a search run to a recorder. */
     class SearchProgress : public Recorder
     {
     public:
-      SearchProgress(const RunPlan &search, Recorder &told)
+      SearchProgress(const RunPlan &search, Recorder &listener)
         : search(search)
-        , told(told)
+        , listener(listener)
       {}
 
       void step(const Solution &solution, const StepReport &report) override
       {
-        told.search_step(search, solution.state, report);
+        listener.search_step(search, solution.state, report);
       }
 
     private:
       const RunPlan &search;
-      Recorder      &told;
+      Recorder      &listener;
     };
 
-    /** The run with fewer steps. */
+    /** Plan of the search run, with fewer steps. */
     RunPlan search_plan(const RunPlan &plan)
     {
       RunPlan search        = plan;
@@ -284,31 +287,34 @@ namespace auxfem
           std::max(*time.relative_tolerance, noticeable_part);
       else
         time.step =
-          std::min(longer_steps * time.step,
+          std::min(search_step_factor * time.step,
                    std::max(time.step, time.end_time / n_mesh_error_samples));
       return search;
     }
 
-    /** By what the number of elements that all struts have may be multiplied.
-     */
+    /** Multiples of the number of elements that all struts have. */
     constexpr unsigned int multiples[] =
       {1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64};
 
-    /** Numbers of elements that may gain nothing, one after the other. */
+    /**
+     * Successive numbers of elements without improvement after which a strut's
+     * search ends.
+     */
     constexpr unsigned int max_failed = 2;
 
-    /** Elements of a strut: the fewest nodes with which its error is allowed,
-     * else the smallest error. */
+    /**
+     * Best elements of a strut: the fewest nodes with an allowed error, else
+     * the smallest error.
+     */
     struct BestElements
     {
       StrutDivision division{lowest_chosen_order, 1};
       double        error = std::numeric_limits<double>::infinity(); ///< J
-      bool          is_good_enough = false;
-      unsigned int  n_failed       = 0;
+      bool          meets_tolerance = false;
+      unsigned int  n_failed        = 0;
     };
 
-    /** Tries elements for struts in the motion in which each needs them most.
-     */
+    /** Tries elements for each strut in its motion with the largest error. */
     class ElementSearch
     {
     public:
@@ -322,7 +328,7 @@ namespace auxfem
         , best(seen.struts().size())
       {}
 
-      /** By MeshError::struts(). */
+      /** Indexed as MeshError::struts(). */
       const std::vector<BestElements> &find()
       {
         for (const unsigned int multiple : multiples)
@@ -344,7 +350,7 @@ namespace auxfem
       {
         std::vector<unsigned int> tried;
         for (unsigned int i = 0; i < best.size(); ++i)
-          if (best[i].is_good_enough
+          if (best[i].meets_tolerance
                 ? division.n_inner_nodes() < best[i].division.n_inner_nodes()
                 : best[i].n_failed < max_failed)
             tried.push_back(i);
@@ -353,12 +359,12 @@ namespace auxfem
         for (std::size_t k = 0; k < tried.size(); ++k)
           {
             BestElements &best_elements = best[tried[k]];
-            const bool    is_good       = errors[k] <= allowed;
-            // Half the error is no gain: it may be of round-off.
-            if (is_good || errors[k] <= best_elements.error / 4)
+            const bool    is_allowed    = errors[k] <= allowed;
+            // Smaller improvements may be round-off.
+            if (is_allowed || errors[k] <= best_elements.error / 4)
               best_elements = {division,
                                errors[k],
-                               is_good,
+                               is_allowed,
                                best_elements.n_failed};
           }
       }
@@ -369,30 +375,32 @@ namespace auxfem
       std::vector<BestElements> best;
     };
 
-    /** Takes the elements that the motion found in @p run asks for, of which
-     * each strut has an equal share in the error. */
-    void take_divisions(const LatticeRun &run,
-                        const MeshError  &error,
-                        ChosenElements   &chosen)
+    /**
+     * Chooses elements for the motion of @p run; each strut has an equal share
+     * in the error.
+     */
+    void choose_divisions(const LatticeRun &run,
+                          const MeshError  &error,
+                          ChosenElements   &chosen)
     {
       const MPI_Comm communicator = run.model.numbering.layout().communicator();
       const double   n_struts =
                      mpi::sum(double(error.struts().size()), communicator),
-                   wanted = std::pow(part_of_tolerance_for_elements *
-                                       chosen.report.tolerance,
-                                     2) *
+                   allowed_error = std::pow(part_of_tolerance_for_elements *
+                                              chosen.report.tolerance,
+                                            2) *
         error.largest_energy();
-      ElementSearch find(run.model, error, wanted / n_struts);
-      const std::vector<BestElements> &found = find.find();
-      // Each is counted by one rank, the others have none.
+      ElementSearch find(run.model, error, allowed_error / n_struts);
+      const std::vector<BestElements> &best = find.find();
+      // Each strut is counted by one rank; the others have zeros.
       std::vector<unsigned int> numbers(2 * chosen.divisions.size(), 0);
       double                    sum = 0;
-      for (std::size_t i = 0; i < found.size(); ++i)
+      for (std::size_t i = 0; i < best.size(); ++i)
         {
           const unsigned int strut = error.struts()[i];
-          numbers[2 * strut]       = found[i].division.order;
-          numbers[2 * strut + 1]   = found[i].division.n_elements;
-          sum += found[i].error;
+          numbers[2 * strut]       = best[i].division.order;
+          numbers[2 * strut + 1]   = best[i].division.n_elements;
+          sum += best[i].error;
         }
       mpi::max(numbers, communicator, numbers);
       for (unsigned int s = 0; s < chosen.divisions.size(); ++s)
@@ -403,34 +411,35 @@ namespace auxfem
     }
 
     /**
-     * A search run and the elements that it asks for. Returns whether its own
-     * are good enough for that.
+     * Makes a search run and chooses elements for its motion. Returns whether
+     * its own elements are accurate enough for that.
      */
     bool search_elements(RunPlan         search,
                          const MPI_Comm  communicator,
-                         Recorder       &told,
+                         Recorder       &listener,
                          ChosenElements &chosen)
     {
       search.elements = chosen;
       LatticeRun run(search, communicator);
-      // What ends the run at its begin may not cost a search.
+      // Scenes that the run refuses at its start must not cost a search.
       refuse_columns_of_nothing(search.scene, run.lattice);
-      SearchProgress progress(search, told);
+      SearchProgress progress(search, listener);
       try
         {
           run.run(progress);
         }
       catch (const ComputationError &)
         {
-          // What it has seen until then has to do; the run itself will tell.
+          // The motion so far must suffice; the run itself reports the
+          // failure.
         }
       const MeshError *const error = run.mesh_error();
       chosen.divisions.assign(run.lattice.struts.size(),
                               {lowest_chosen_order,
                                search.division.n_elements});
-      // Nothing moves, or nothing that could be judged.
+      // Without motion there is nothing to choose for.
       if (error != nullptr && error->largest_energy() > 0)
-        take_divisions(run, *error, chosen);
+        choose_divisions(run, *error, chosen);
       OrderReport &report = chosen.report;
       report.unknowns     = run.model.numbering.layout().n_global();
       report.steps += run.work().steps;
@@ -444,20 +453,20 @@ namespace auxfem
                                  const MPI_Comm communicator,
                                  Recorder      &recorder)
   {
-    const double   cpu_before = cpu_seconds();
-    const RunPlan  search     = search_plan(plan);
+    const double   cpu_start = cpu_seconds();
+    const RunPlan  search    = search_plan(plan);
     ChosenElements chosen;
     chosen.report.tolerance = *plan.scene.discretization.tolerance;
-    for (unsigned int i = 0; i < most_searches; ++i)
+    for (unsigned int i = 0; i < max_searches; ++i)
       {
-        // A motion with large errors asks for the right struts at least.
+        // Even a motion with large errors identifies the demanding struts.
         const std::vector<StrutDivision> former = chosen.divisions;
         if (search_elements(search, communicator, recorder, chosen) ||
             chosen.divisions == former)
           break;
       }
     chosen.report.cpu_seconds =
-      mpi::sum(cpu_seconds() - cpu_before, communicator);
+      mpi::sum(cpu_seconds() - cpu_start, communicator);
     return chosen;
   }
 } // namespace auxfem

@@ -25,9 +25,9 @@ namespace auxfem
                           CheckpointArchive    &archive,
                           State                &state)
     {
-      bool is_there = state.before.has_value();
-      archive.values(before + ": whether it is kept", is_there);
-      if (!is_there)
+      bool has_before = state.before.has_value();
+      archive.values(before + ": whether it is kept", has_before);
+      if (!has_before)
         return state.before.reset();
       if (!archive.is_saving())
         state.before.emplace();
@@ -40,7 +40,7 @@ namespace auxfem
                          archive);
     }
 
-    /** Large rotations in space are known by the first of their unknowns. */
+    /** Large rotations in space are identified by their first unknown. */
     void serialize_rotations(const UnknownRecords &unknowns,
                              const DofNumbering   &numbering,
                              CheckpointArchive    &archive,
@@ -72,22 +72,22 @@ namespace auxfem
                            CheckpointArchive  &archive,
                            State              &state)
     {
-      for (const Record &of_effect : layout.list())
+      for (const Record &effect_record : layout.list())
         {
-          const auto          first = state.history.begin() + of_effect.first;
+          const auto first = state.history.begin() + effect_record.first;
           std::vector<double> values(first,
                                      first +
-                                       of_effect.items.size() *
-                                         of_effect.values_per_item);
-          archive.items(record + ": " + of_effect.name,
-                        of_effect.items,
-                        of_effect.values_per_item,
+                                       effect_record.items.size() *
+                                         effect_record.values_per_item);
+          archive.items(record + ": " + effect_record.name,
+                        effect_record.items,
+                        effect_record.values_per_item,
                         values);
           std::copy(values.begin(), values.end(), first);
         }
     }
 
-    /** Signs tell what is known. */
+    /** Signs mark unknown values. */
     void serialize_position(CheckpointArchive &archive, PathPosition &at)
     {
       double n_negative = at.n_negative ? double(*at.n_negative) : -1.,
@@ -172,7 +172,7 @@ namespace auxfem
       return definition.type == Type::result;
     }
 
-    /** Those that the equations of the designed lattice are needed for. */
+    /** Whether it needs the equations of the perfect lattice. */
     bool is_computed(const ImperfectionDefinition &definition)
     {
       return is_mode(definition) || is_result(definition);
@@ -256,7 +256,7 @@ namespace auxfem
                       mode_offsets);
         }
     }
-    /** What decides which unknowns there are. */
+    /** Parameters that determine the numbering of unknowns. */
     std::string numbering_text(const std::string &parameters,
                                const std::string &file)
     {
@@ -280,15 +280,14 @@ namespace auxfem
       if (numbering_text(other.parameters, definition.folder) !=
           numbering_text(run.scene.all_parameters, run.scene.file))
         throw InputError(definition.path + "/Folder = " + definition.folder +
-                         ": that run has another lattice, other joints, rigid "
-                         "parts or another mesh. Compute it again with those "
-                         "of this scene");
+                         ": that run differs in lattice, joints, rigid parts "
+                         "or mesh. Compute it again with those of this scene");
       const GeometryOffsets displacements =
         offsets_of(saved_displacement(run.equations, other.records), run);
       const double largest = displacements.largest();
       if (largest == 0)
         throw InputError(definition.path + "/Folder = " + definition.folder +
-                         ": nothing has moved in that run");
+                         ": that run has no displacements");
       offsets.add(definition.amplitude / largest, displacements);
     }
 

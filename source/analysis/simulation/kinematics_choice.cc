@@ -9,8 +9,10 @@ namespace auxfem
 {
   namespace
   {
-    /** Whether small displacements of the scene are simpler than what it asks
-     * for, and their error can be estimated. */
+    /**
+     * Whether small displacements simplify the scene and their error can be
+     * estimated.
+     */
     bool has_choice(const Equations &exact)
     {
       const RunPlan &plan  = exact.model().plan;
@@ -27,7 +29,7 @@ namespace auxfem
                      });
     }
 
-    /** The same effects but for those of kinematics. */
+    /** The same effects with small displacements and without contact. */
     SimulatedEffects with_small_displacements(SimulatedEffects simulated)
     {
       simulated.large_rotation = simulated.contact = false;
@@ -35,7 +37,10 @@ namespace auxfem
       return simulated;
     }
 
-    /** A run by small displacements beside the exact one, and its limit. */
+    /**
+     * A run by small displacements, with the exact one as reference, and its
+     * limit.
+     */
     struct SmallRun
     {
       explicit SmallRun(const LatticeRun &exact)
@@ -47,25 +52,27 @@ namespace auxfem
       {
         const double             tolerance = run.model.plan.effects.tolerance;
         const LargeRotationError error     = limit.check_static_answer();
-        const std::string        why       = error.reason(tolerance);
-        const std::string        of =
+        const std::string        reason    = error.reason(tolerance);
+        const std::string        response =
           std::string(run.model.plan.simulated.inertia ? "twice " : "") +
           "the static answer to the loads";
         return {large_rotation_effect().name,
-                !why.empty(),
-                why.empty() ? part_text(error.relative) + " of " + of +
+                !reason.empty(),
+                reason.empty() ? part_text(error.relative) + " of " + response +
                     ", below " + part_text(tolerance) +
                     ": small displacements, checked in the run"
-                            : of + ": " + why,
-                EffectMeasure{std::min(error.relative, 1.), of}};
+                               : response + ": " + reason,
+                EffectMeasure{std::min(error.relative, 1.), response}};
       }
 
       LatticeRun             run;
       SmallDisplacementLimit limit;
     };
 
-    /** Lists a decision for small displacements in @p model, and what follows
-     * from it for contact. */
+    /**
+     * Lists the decision for small displacements in @p model, and its
+     * consequence for contact.
+     */
     void explain_small_displacements(const EffectDecision &decision,
                                      LatticeModel         &model)
     {
@@ -75,7 +82,7 @@ namespace auxfem
         model.explain({contact, false, struts_hardly_move});
     }
 
-    /** Nothing if @p exact is to run, which has the reason then. */
+    /** Empty if @p exact must run; it then has the reason. */
     std::optional<RunResult> run_by_small_displacements(LatticeRun &exact,
                                                         Recorder   &recorder)
     {

@@ -22,11 +22,11 @@ namespace auxfem
 {
   namespace
   {
-    /** 0: there are no checkpoints. */
+    /** Checkpoint interval in steps; 0: no checkpoints. */
     unsigned long steps_between_checkpoints(const RunPlan &plan)
     {
-      // The error of steps is found from three in a row, which no checkpoint is
-      // to part in short runs.
+      // Step errors need three consecutive steps, which checkpoints must not
+      // separate in short runs.
       const unsigned long n     = plan.scene.output.checkpoints,
                           least = plan.simulated.inertia ? 4 : 1;
       return n == 0 ? 0 : std::max(least, (plan.time.n_steps() + n - 1) / n);
@@ -38,8 +38,9 @@ namespace auxfem
         wall.contact;
     }
 
-    /** Counts its life as set-up, without the phases that have clocks of their
-     * own. */
+    /**
+     * Counts its lifetime as set-up, except phases with clocks of their own.
+     */
     class SetUpWatch
     {
     public:
@@ -167,19 +168,19 @@ namespace auxfem
 
   CheckpointData LatticeRun::last_checkpoint(Recorder &recorder)
   {
-    CheckpointData    taken;
+    CheckpointData    data;
     CheckpointArchive archive =
-      CheckpointArchive::saving(taken, model.numbering.layout());
+      CheckpointArchive::saving(data, model.numbering.layout());
     serialize(archive, recorder);
-    model.plan.save(taken);
-    return taken;
+    model.plan.save(data);
+    return data;
   }
 
   CheckpointData LatticeRun::checkpoint(Recorder &recorder)
   {
-    CheckpointData taken = last_checkpoint(recorder);
+    CheckpointData data = last_checkpoint(recorder);
     stepper.restart(solution);
-    return taken;
+    return data;
   }
 
   void LatticeRun::resume(const CheckpointData &checkpoint, Recorder &recorder)
@@ -187,7 +188,7 @@ namespace auxfem
     CheckpointArchive archive =
       CheckpointArchive::restoring(checkpoint, model.numbering.layout());
     serialize(archive, recorder);
-    // Of a run that has ended between two steps of the scene, and goes on.
+    // A run that ended between two steps of the scene completes its step.
     while (!solution.state.path && solution.state.step > 0 &&
            model.plan.time.time_at(solution.state.step) > solution.state.time)
       --solution.state.step;
@@ -226,8 +227,8 @@ namespace auxfem
         resume(*checkpoint, recorder);
         return;
       }
-    // Mistakes it finds must not cost the results of an earlier run; a search
-    // for equilibrium that fails is no mistake.
+    // Mistakes found here must not overwrite results of an earlier run. A
+    // failed search for equilibrium is no mistake and comes later.
     prepare();
     recorder.begin(equations);
     has_begun = true;
@@ -274,8 +275,8 @@ namespace auxfem
 
   RunResult LatticeRun::run(Recorder &recorder)
   {
-    return run(recorder, [this](Recorder &chosen_solver) {
-      advance_to_end(chosen_solver);
+    return run(recorder, [this](Recorder &run_recorder) {
+      advance_to_end(run_recorder);
       return std::vector<Finding>();
     });
   }
@@ -293,7 +294,7 @@ namespace auxfem
                                   : incomplete(failed.time));
       recorder.finish(solution, failed);
     };
-    // Else ranks may know nothing of an exception of another, and would wait.
+    // With several ranks, others may not know of the exception and would wait.
     const bool is_serial = model.numbering.layout().n_ranks() == 1;
     try
       {
@@ -335,7 +336,7 @@ namespace auxfem
 
   namespace
   {
-    /** Says so where statics would do. */
+    /** Notes scenes for which statics suffices. */
     void advise_on_inertia(LatticeRun &run)
     {
       const auto measure = run.inertia_measure();
@@ -343,10 +344,10 @@ namespace auxfem
           measure->change > run.scene.effects.tolerance)
         return;
       std::ostringstream note;
-      note
-        << "Inertia is about " << std::setprecision(2) << measure->change
-        << " of the answer, as the loads are slow beside the lattice's "
-           "oscillations: Time/Scheme = static would do, unless struts snap.";
+      note << "Inertia is about " << std::setprecision(2) << measure->change
+           << " of the answer, as loads vary slowly against the lattice's "
+              "oscillations. Unless struts snap through, Time/Scheme = static "
+              "suffices.";
       std::cout << "\nNote\n" << indented(note.str()) << std::endl;
     }
   } // namespace
@@ -374,8 +375,8 @@ namespace auxfem
     if (scene.discretization.tolerance &&
         run.model.numbering.layout().rank() == 0)
       std::cout
-        << "Discretization/Order = auto: the run chooses elements of its "
-           "own; these counts are those of order "
+        << "Discretization/Order = auto: the run chooses its own elements; "
+           "these counts are for order "
         << scene.discretization.order << '.' << std::endl;
   }
 

@@ -22,7 +22,7 @@ namespace auxfem
 
   void AlphaFamily::predict(const State &from, const double dt, State &to) const
   {
-    // Unchanged true acceleration; the auxiliary one follows from its
+    // Constant true acceleration; the auxiliary one follows from its
     // recurrence.
     const int           n  = from.displacement.size();
     const double *const u  = from.displacement.data();
@@ -31,8 +31,7 @@ namespace auxfem
     const double *const a  = uses_algorithmic_acceleration()
        ? from.algorithmic_acceleration->data()
        : dv;
-    // A copy and a loop for each result: so the compiler sees that they do not
-    // overlap, and uses vector instructions.
+    // Separate loops over copied coefficients let the compiler vectorize.
     const Coefficients c     = this->c;
     const auto         a_new = [=](const int i) {
       return (dv[i] - c.alpha_m * a[i]) / (1 - c.alpha_m);

@@ -20,15 +20,14 @@ namespace auxfem
       {"none"}};
 
     /**
-     * The mean velocity of a step is its increment over dt, for rotations
-     * Cayley's measure of it,
+     * Energy-momentum scheme with a discrete gradient. The mean velocity of a
+     * step is its increment over dt; rotations use Cayley's measure,
      *
-     *   (v_n + v_{n+1}) / 2 = (u_{n+1} - u_n) / dt,
-     *   (omega_n + omega_{n+1}) / 2 = 2 tan((phi_{n+1} - phi_n) / 2) / dt,
+     *     (v_n + v_{n+1}) / 2 = (u_{n+1} - u_n) / dt,
+     *     (omega_n + omega_{n+1}) / 2 = 2 tan((phi_{n+1} - phi_n) / 2) / dt,
      *
-     * in space of material angular velocities and the vector of this length,
-     *
-     * and the mean acceleration (v_{n+1} - v_n) / dt balances the mean forces.
+     * in space with material angular velocities and the vector of this length.
+     * The mean acceleration (v_{n+1} - v_n) / dt balances the mean forces.
      */
     class EnergyMomentum : public ImplicitScheme
     {
@@ -69,8 +68,8 @@ namespace auxfem
     void
     EnergyMomentum::predict(const State &from, const double dt, State &to) const
     {
-      // From the positions at the start: where a step is long for the motion, a
-      // guess ahead of it is further off, and Newton's method fails.
+      // Starts from the initial positions: in long steps an extrapolation is
+      // worse, and Newton's method fails.
       const int     n = from.displacement.size();
       const double *v = from.velocity->data();
       to.displacement = from.displacement;
@@ -100,8 +99,8 @@ namespace auxfem
       double              *a  = trial.acceleration->data();
       for (const int i : *trial.plane_rotations)
         {
-          // What Cayley's measure grows by beyond the increment, by
-          // tan x - tan y = sin(x - y) / (cos x cos y).
+          // Growth of Cayley's measure beyond the increment, by tan x - tan y
+          // = sin(x - y) / (cos x cos y).
           const double before = ((u[i] - u0[i]) + (c[i] - c0[i])) / 2,
                        half   = du[i] / 2;
           const double more   = du[i] *

@@ -15,10 +15,10 @@ namespace auxfem
       4,
       3,
       5,
-      "Order of Scheme = esdirk; a step has 4, 5 or 6 stages, each as dear as a "
-      "step of newmark."};
+      "Order of Scheme = esdirk; a step has 4, 5 or 6 stages, each as costly as "
+      "a step of newmark."};
 
-    /** That of the table which SUNDIALS has for @p order. */
+    /** Name of the SUNDIALS table of @p order. */
     const char *name_of_tableau(const unsigned int order)
     {
       switch (order)

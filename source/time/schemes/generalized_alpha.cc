@@ -27,11 +27,11 @@ namespace auxfem
 
       std::optional<std::string> note_on_rigid_parts() const override
       {
-        // Close to 1 errors are carried on from step to step, and the
-        // algorithmic acceleration feeds them back: rates cannot be restored.
+        // Near 1 errors propagate, and the algorithmic acceleration feeds them
+        // back: rates cannot be restored.
         if (spectral_radius <= 0.9)
           return {};
-        return "Errors of rigid parts grow with the angle these turn; Scheme = "
+        return "Errors of rigid parts grow with their rotation; Scheme = "
                "newmark, or a Spectral radius of at most 0.9, is stable.";
       }
 

@@ -21,13 +21,13 @@ namespace auxfem
       "0.5",
       "1",
       Range::closed(0, 1),
-      "Parameter gamma of Scheme = newmark; 1/2 or more, more damps."};
+      "Parameter gamma of Scheme = newmark, at least 1/2; larger values damp."};
 
     void refuse_unstable(const double       beta,
                          const double       gamma,
                          const std::string &path)
     {
-      // beta = gamma / 2 must pass although the decimals of both are rounded
+      // beta = gamma / 2 must pass although both decimals are rounded.
       if (gamma >= 0.5 && 2 * beta >= gamma * (1 - 1e-12))
         return;
       std::ostringstream text;
@@ -55,11 +55,10 @@ namespace auxfem
 
   TimeSchemeEntry newmark_entry()
   {
-    return {
-      {newmark_name,
-       "Newmark, by default average acceleration, which is of second order",
-       {beta_entry, gamma_entry},
-       make_newmark},
-      {Model::lattice, Model::reduced_cell}};
+    return {{newmark_name,
+             "Newmark; default: average acceleration, of second order",
+             {beta_entry, gamma_entry},
+             make_newmark},
+            {Model::lattice, Model::reduced_cell}};
   }
 } // namespace auxfem

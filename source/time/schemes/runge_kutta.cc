@@ -8,8 +8,11 @@ namespace auxfem
 {
   namespace
   {
-    /** What an oscillation that turns by @p angle in a step, at @p stages, is
-     * off by at its end: |R(iz) - exp(iz)|. */
+    /**
+     * Error |R(iz) - exp(iz)| at the end of a step in which an oscillation
+     * turns by
+     * @p angle.
+     */
     double error_of(const std::vector<std::complex<double>> &stages,
                     const double                             angle)
     {
@@ -75,7 +78,7 @@ namespace auxfem
   std::optional<std::string> RungeKutta::note_on_rigid_parts() const
   {
     return "Their motion is of second to third order only; Scheme = newmark is "
-           "as accurate for the same time.";
+           "as accurate at the same cost.";
   }
 
   double RungeKutta::amplification(const double angle) const
@@ -85,8 +88,8 @@ namespace auxfem
 
   double RungeKutta::error_by_difference(const double angle) const
   {
-    // Error and difference of smaller angles have few digits; their ratio goes
-    // by the angle.
+    // For smaller angles error and difference have few digits; their ratio is
+    // proportional to the angle.
     constexpr double smallest = 0.1;
     if (angle < smallest)
       return error_by_difference(smallest) * angle / smallest;
@@ -110,8 +113,8 @@ namespace auxfem
 
   bool RungeKutta::estimates_errors() const
   {
-    // Where stiff damping lowers the order, that of order 5 differs too little
-    // from its embedded scheme: errors were 30 times the estimate.
+    // Stiff damping lowers the order: the scheme of order 5 then differs too
+    // little from its embedded scheme.
     return tableau.order <= 4;
   }
 } // namespace auxfem

@@ -7,7 +7,7 @@ namespace auxfem
   {
     const std::string static_name = "static";
 
-    /** Where it is, without motion. */
+    /** Sets @p to to the position of @p from, without motion. */
     void put_at_rest(const State &from, State &to)
     {
       to.displacement = from.displacement;

@@ -21,7 +21,7 @@ namespace auxfem
     {
       std::array<unsigned int, 3> points  = {};
       std::array<double, 3>       weights = {}; ///< of their values (Lagrange)
-      /** What its error is proportional to. */
+      /** Proportional to its error. */
       double distance = std::numeric_limits<double>::infinity();
     };
 
@@ -38,12 +38,12 @@ namespace auxfem
               (time - times[points[j]]) / (times[points[i]] - times[points[j]]);
     }
 
-    bool enlarges_errors(const Parabola &parabola)
+    bool amplifies_errors(const Parabola &parabola)
     {
       double sum = 0;
       for (const double weight : parabola.weights)
         sum += std::abs(weight);
-      // Not a number where two times are the same.
+      // NaN if two times are equal.
       return !(sum <= largest_sum_of_weights);
     }
   } // namespace
@@ -64,7 +64,7 @@ namespace auxfem
         if (!(parabola.distance < best.distance))
           return;
         find_weights(parabola, times, time);
-        if (!enlarges_errors(parabola))
+        if (!amplifies_errors(parabola))
           best = parabola;
       };
     for (unsigned int i = 0; i < n; ++i)
@@ -105,11 +105,11 @@ namespace auxfem
                               const double       step,
                               const unsigned int pieces)
   {
-    target           = next_target;
-    begin            = time;
-    whole            = length_between(time, next_target, step);
-    number_of_pieces = pieces;
-    number           = 0;
+    target   = next_target;
+    begin    = time;
+    whole    = length_between(time, next_target, step);
+    n_pieces = pieces;
+    number   = 0;
   }
 
   double DividedInterval::length_between(const double time,
@@ -121,26 +121,25 @@ namespace auxfem
 
   PlannedStep DividedInterval::next() const
   {
-    const double piece = whole / number_of_pieces;
-    return {number + 1 == number_of_pieces ? *target
-                                           : begin + piece * (number + 1),
+    const double piece = whole / n_pieces;
+    return {number + 1 == n_pieces ? *target : begin + piece * (number + 1),
             piece};
   }
 
   void DividedInterval::pass()
   {
     ++number;
-    if (number == number_of_pieces)
+    if (number == n_pieces)
       target.reset();
   }
 
   bool DividedInterval::divide(const unsigned int pieces)
   {
     const unsigned long ahead = static_cast<unsigned long>(number) * pieces;
-    if (ahead % number_of_pieces != 0)
+    if (ahead % n_pieces != 0)
       return false;
-    number           = ahead / number_of_pieces;
-    number_of_pieces = pieces;
+    number   = ahead / n_pieces;
+    n_pieces = pieces;
     return true;
   }
 
@@ -150,13 +149,13 @@ namespace auxfem
     /**
      * Relative error above which a step is repeated.
      * @tuned judgement: errors of single steps exceed their mean in an
-     * oscillation
+     *   oscillation
      */
     constexpr double largest_error = 3;
 
     /**
-     * Ratio of the wanted length to the present one, or its inverse, up to
-     * which steps keep their length.
+     * Ratio of the desired step length to the present one, or its inverse, up
+     * to which steps keep their length.
      * @tuned judgement: a new length costs a factorization
      */
     constexpr double least_change = 1.25;
@@ -179,11 +178,12 @@ namespace auxfem
      * Weight of the newest error in the mean.
      * @tuned judgement
      */
-    constexpr double share_of_newest = 0.25;
+    constexpr double newest_weight = 0.25;
 
-    /** Takes the length from a moving mean of errors: their sum counts, and
-     * single ones go up and down in an oscillation and where struts hit each
-     * other. */
+    /**
+     * Step-size controller based on a moving mean of errors. Their sum counts,
+     * and single ones vary in oscillations and impacts.
+     */
     class ErrorControlledSteps : public StepControl
     {
     public:
@@ -193,7 +193,7 @@ namespace auxfem
         : step(step)
         , smallest(smallest)
         , order(order)
-        , wanted(step)
+        , desired_length(step)
       {}
 
       PlannedStep plan(const double time, const double target) override
@@ -213,11 +213,12 @@ namespace auxfem
 
       void accepted(const double relative_error) override
       {
-        mean += share_of_newest * (relative_error - mean);
+        mean += newest_weight * (relative_error - mean);
         const double factor =
           std::pow(std::max(mean, least_error) / safety_of_steps, -1. / order);
-        const bool is_kept = factor > 1 / least_change && factor < least_change;
-        wanted             = piece() * (is_kept ? 1 : factor);
+        const bool keeps_length =
+          factor > 1 / least_change && factor < least_change;
+        desired_length = piece() * (keeps_length ? 1 : factor);
         interval.pass();
         if (interval.is_open())
           divide();
@@ -234,8 +235,8 @@ namespace auxfem
           return false;
         const double factor =
           relative_error > 0 ? std::pow(relative_error, -1. / order) : 0.5;
-        wanted = piece() * std::min(0.5, factor);
-        mean   = std::max(mean, relative_error);
+        desired_length = piece() * std::min(0.5, factor);
+        mean           = std::max(mean, relative_error);
         divide();
         return true;
       }
@@ -247,12 +248,14 @@ namespace auxfem
 
       void serialize(CheckpointArchive &archive) override
       {
-        archive.values("step-size controller", wanted, mean, dt);
+        archive.values("step-size controller", desired_length, mean, dt);
       }
 
     private:
-      /** Smaller errors are taken for this one, so that no step is more than
-       * about three times as long as the one before. */
+      /**
+       * Lower bound of errors, so that a step is at most about three times as
+       * long as the previous one.
+       */
       static constexpr double least_error = 0.01;
 
       double piece() const
@@ -265,19 +268,21 @@ namespace auxfem
         return piece() / 2 >= smallest;
       }
 
-      /** A number of the form 2^k or 3 2^k. */
+      /** Number of pieces, of the form 2^k or 3 2^k. */
       unsigned int pieces_of(const double length) const
       {
         unsigned int pieces = 1;
-        while (length / pieces > (1 + given_digits) * wanted)
+        while (length / pieces > (1 + given_digits) * desired_length)
           pieces = more_pieces(pieces);
         while (pieces > 1 && length / pieces < smallest)
           pieces = fewer_pieces(pieces);
         return pieces;
       }
 
-      /** Divides the rest of the interval into pieces of the wanted length, or
-       * the nearest one that a piece can begin with here. */
+      /**
+       * Divides the rest of the interval into pieces of the desired length, or
+       * of the nearest one that fits here.
+       */
       void divide()
       {
         const unsigned int now = interval.pieces();
@@ -290,8 +295,8 @@ namespace auxfem
       const double       step, smallest;
       const unsigned int order;
       DividedInterval    interval;
-      double             wanted; ///< length of steps (s)
-      /** Mean relative error for the present length. */
+      double             desired_length; ///< desired length of steps (s)
+      /** Mean relative error at the present length. */
       double mean = 0;
       double dt   = 0; ///< present length, 0 before the first step (s)
     };

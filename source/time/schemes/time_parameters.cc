@@ -47,45 +47,43 @@ namespace auxfem
       "0 s",
       "s",
       Range::non_negative(),
-      "A step that fails is repeated with half its length down to this; 0: a "
-      "1024th of the time step."};
+      "Shortest step to which failed steps are halved; 0: a 1024th of the time "
+      "step."};
     const Quantity relative_tolerance = {
       "Relative tolerance",
       "none",
       "1",
       Range::open(0, 1),
-      "Error that the time integration may make in displacements and rotations "
-      "until the end time, relative to the largest ones, as root mean squares: a "
-      "time step is divided into parts where its estimated error asks for it. So "
-      "results still come at every time step, which may be long. none: "
-      "steps are divided only where they fail.",
+      "Allowed error of the time integration until the end time, relative to the "
+      "largest displacements and rotations, as root mean squares. Time steps are "
+      "divided where their estimated error requires it; results are still "
+      "written at every time step. none: only failed steps are divided.",
       {"none"}};
     const Quantity absolute_tolerance = {
       "Absolute tolerance",
       "auto",
       "m",
       Range::positive(),
-      "With a relative tolerance: the error that is allowed while displacements "
-      "are small yet. auto: the relative tolerance times a fiftieth of a mean "
-      "strut's length; a run with smaller displacements ends with a warning that "
-      "has the value to be set.",
+      "With a relative tolerance: the error allowed while displacements are "
+      "small. auto: the relative tolerance times a fiftieth of the mean strut "
+      "length; a run with smaller displacements ends with a warning that "
+      "gives the value to set.",
       {"auto"}};
     const Quantity absolute_tolerance_of_rotations = {
       "Absolute tolerance of rotations",
       "auto",
       "rad",
       Range::positive(),
-      "With a relative tolerance, which rotations obey as well as displacements: "
-      "the error that is allowed while rotations are small. auto: that of "
-      "displacements over a mean strut's length.",
+      "With a relative tolerance: the error allowed while rotations are small. "
+      "auto: that of displacements over the mean strut length.",
       {"auto"}};
     const Quantity energy_error = {
       "Largest energy error",
       "0.5",
       "1",
       Range::positive(),
-      "A step that creates more energy than this part of the largest "
-      "so far is repeated with half its length."};
+      "Largest energy that a step may create, as part of the largest energy so "
+      "far; otherwise it is repeated with half its length."};
     const QuantityList events = {
       "Events",
       "",
@@ -93,10 +91,10 @@ namespace auxfem
       Range::non_negative(),
       0,
       10000,
-      "Times at which steps end and rates are computed anew, as at the kinks and "
-      "jumps of loads and motions that the program finds itself; for those it "
-      "cannot find, as in sqrt((t - 1)^2), asin(sin(t)) or if(sin(t) > 0.999, 1, "
-      "0). None may lie after the end time."};
+      "Times at which steps end and rates are recomputed. The program detects "
+      "most kinks and jumps of loads and motions; list those that it cannot, as "
+      "in sqrt((t - 1)^2), asin(sin(t)) or if(sin(t) > 0.999, 1, 0). No time may "
+      "lie after the end time."};
     const Choice start = {"Start from",
                           "rest",
                           {"rest", "static equilibrium"},
@@ -104,7 +102,7 @@ namespace auxfem
                           "the loads of t = 0."};
 
 
-    /** All schemes' parameters stand side by side. */
+    /** All schemes' parameters are listed side by side. */
     Parameters time_parameters()
     {
       Parameters parameters = {scheme_choice()};
@@ -166,28 +164,27 @@ namespace auxfem
       "auto",
       "1",
       Range::open(0, 1),
-      "Largest residual, relative to the forces of the scene; rows have their "
-      "own scale too. auto: 1e-8; with Time/Relative tolerance a tenth of it, at "
-      "least 1e-10 and at most 1e-5.",
+      "Largest residual, relative to the forces of the scene and, more loosely, "
+      "to those of its row. auto: 1e-8; with Time/Relative tolerance a tenth of "
+      "it, between 1e-10 and 1e-5.",
       {"auto"}};
-    const Integer maximum_iterations = {
-      "Maximum iterations",
-      30,
-      1,
-      1000,
-      "Iterations after which a step counts as failed."};
-    const Choice factorization = {
-      "Factorization",
-      "kept",
-      {"kept", "every iteration"},
-      "Keep a factorization as long as it serves, or full Newton."};
+    const Integer maximum_iterations = {"Maximum iterations",
+                                        30,
+                                        1,
+                                        1000,
+                                        "Iterations after which a step fails."};
+    const Choice  factorization      = {
+            "Factorization",
+            "kept",
+            {"kept", "every iteration"},
+            "Jacobian reuse (kept), or full Newton (every iteration)."};
     const Quantity kept_reduction = {
       "Jacobian reuse threshold",
       "5",
       "1",
       {1, std::numeric_limits<double>::infinity(), true, false},
-      "Factor by which an iteration with a kept factorization must reduce the "
-      "residual."};
+      "Smallest factor by which an iteration with a reused factorization must "
+      "reduce the residual."};
   } // namespace
 
 
@@ -234,7 +231,7 @@ namespace auxfem
     return {
       "Newton",
       SubsectionSchema::Form::fixed,
-      "When a step counts as solved.",
+      "Convergence of Newton's method in a step.",
       {newton_tolerance, maximum_iterations, factorization, kept_reduction},
       "",
       {},

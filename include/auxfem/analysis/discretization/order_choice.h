@@ -8,20 +8,19 @@
 namespace auxfem
 {
   /**
-   * Error that the elements of a run make in the motion of the joints,
-   * estimated strut by strut at instants of it.
+   * Estimates the error of the elements in the motion of the joints, strut by
+   * strut, at sampled instants.
    *
-   * Each strut is solved again with its ends held and its acceleration kept, on
-   * elements of half the length and one order more. By how much this changes
-   * the forces r_s on its ends is what the joints are out of equilibrium by:
-   * they move by e = K^-1 sum r_s, K being the stiffness of the lattice. With
-   * the stiffness K_s of a strut alone,
+   * Each strut is solved again with clamped ends and unchanged acceleration,
+   * on elements of half the length and one order higher. The change r_s of its
+   * end forces is the imbalance of the joints, which move by e = K^-1 sum r_s
+   * with the stiffness K of the lattice. With the stiffness K_s of a single
+   * strut,
    *
-   *     e.K e <= sum r_s.K_s^+ r_s,
+   *     e.K e <= sum r_s.K_s^+ r_s.
    *
-   * (the energy of a sum of loads on a sum of springs), so what is added up
-   * strut by strut is no less than the square of the error in the energy norm,
-   * as long as K is that of small motions.
+   * The sum over struts thus bounds the squared error in the energy norm, as
+   * long as K is that of small motions.
    */
   class MeshError
   {
@@ -29,12 +28,12 @@ namespace auxfem
     /** @param model must outlive the object. */
     explicit MeshError(const LatticeModel &model);
 
-    /** Looks at an instant. Collective. */
-    void look(const State &state);
+    /** Samples an instant. Collective. */
+    void sample(const State &state);
 
     /**
-     * Largest error at one instant in the energy norm, relative to that of the
-     * largest motion so far.
+     * Largest error at one instant over the largest motion so far, both in the
+     * energy norm.
      */
     double relative() const;
 
@@ -44,13 +43,13 @@ namespace auxfem
       return energy;
     }
 
-    /** The struts that this rank counts. */
+    /** Struts counted by this rank. */
     const std::vector<unsigned int> &struts() const
     {
       return same.struts();
     }
 
-    /** Of each of struts(), the motion in which its error was largest. */
+    /** For each of struts(), the motion with its largest error. */
     const std::vector<StrutMotion> &critical_motions() const
     {
       return motions;
@@ -61,19 +60,17 @@ namespace auxfem
   private:
     const LatticeModel       &model;
     ClampedStrutProblems      same, finer;
-    std::vector<unsigned int> first_elements; ///< of the model, by struts()
+    std::vector<unsigned int> first_elements; ///< in the model, by struts()
     std::vector<double>       largest;        ///< errors (J), by struts()
     std::vector<StrutMotion>  motions;
-    /** Largest sum of the errors, twice the largest strain energy (J). */
+    /** Largest sum of the errors; twice the largest strain energy (J). */
     double error = 0, energy = 0;
   };
 
   /**
-   * Errors (J, as the square of the energy norm) that struts would have with
-   * other elements.
-   *
-   * @param seen the motions that their ends have; errors are not finite where
-   *   they are not
+   * Errors (J, squared energy norm) of struts with other elements; not finite
+   * where the problem cannot be solved.
+   * @param seen motions of the ends
    * @param which struts, by their numbers in MeshError::struts()
    */
   std::vector<double> division_errors(const LatticeModel              &model,
@@ -82,34 +79,34 @@ namespace auxfem
                                       StrutDivision division);
 
   /**
-   * Part of the tolerance that chosen elements aim at: their error is known
-   * by an estimate, from another motion than that of the run.
+   * Part of the tolerance that chosen elements aim at; their error is
+   * estimated from another motion than that of the run.
    * @tuned judgement: estimates are good to a factor of two
    */
   inline constexpr double part_of_tolerance_for_elements = 0.5;
 
-  /**
-   * Instants of a run at which the error of its elements is estimated.
-   */
+  /** Number of instants of a run at which the element error is estimated. */
   inline constexpr unsigned int n_mesh_error_samples = 64;
 
-  /** Wave number times length of the first bending mode between clamped ends.
+  /**
+   * Wave number times length of the first bending mode between clamped ends.
    */
   inline constexpr double clamped_phase = 4.73004074;
 
-  /** Angular frequencies (rad/s) of the first bending modes of all elastic
-   * struts with a mass between clamped ends. */
+  /**
+   * Angular frequencies (rad/s) of the first bending modes, between clamped
+   * ends, of all elastic struts with mass.
+   */
   std::vector<double> own_frequencies(const Lattice              &lattice,
                                       const std::vector<Section> &sections);
 
-  /** Estimates the error of the elements of a run at instants in equal
-   * distances. */
+  /** Estimates the element error of a run at equidistant instants. */
   class MeshErrorObserver
   {
   public:
     /**
      * @param model must outlive the object
-     * @param report what is known of the choice before the run
+     * @param report of the element choice before the run
      */
     MeshErrorObserver(const LatticeModel &model, const OrderReport &report);
 
@@ -118,46 +115,45 @@ namespace auxfem
       return estimate;
     }
 
-    /** The state at t = 0. */
+    /** Samples the state at t = 0. */
     void start(const State &state);
-    /** The state after a step of the scene. */
+    /** Samples the state after a step of the scene, if it is due. */
     void step(const State &state, const StepReport &report);
 
-    /** Adds what was found out about the elements. Collective. */
+    /** Adds findings about the elements. Collective. */
     void add_to(RunResult &result) const;
 
     void serialize(CheckpointArchive &archive);
 
   private:
     /**
-     * Struts that vibrate by themselves, as far as steps until @p time (s) can
-     * tell: the first bending mode between clamped ends turns by less than one
-     * radian in a step of mean length, or a stage of it. Errors of
-     * accelerations inside struts and of such frequencies add up over the time,
-     * of which estimates at an instant know nothing.
+     * Number of struts whose own vibrations the steps until @p time (s)
+     * resolve: the first clamped bending mode turns by less than one radian
+     * per mean step or stage. Their errors of frequency accumulate over time,
+     * which estimates at instants cannot detect.
      */
     unsigned int n_vibrating(double time) const;
 
-    const double      distance;      ///< of instants (s)
-    const double      parts_of_step; ///< stages, each of which follows a motion
+    const double      distance;      ///< between instants (s)
+    const double      parts_of_step; ///< stages that each resolve the motion
     const OrderReport report;
     MeshError         estimate;
     const MPI_Comm    communicator;
-    /** Since when an instant is due (s). */
+    /** Next instant that is due (s); effort so far (s). */
     double next = 0, seconds = 0;
     /** Natural angular frequencies of struts (rad/s); none without inertia. */
     std::vector<double> frequencies;
-    double              n_parts = 0; ///< of steps so far
+    double              n_parts = 0; ///< steps or stages so far
   };
 
   /**
-   * Orders and numbers of elements, strut by strut, with which the estimated
-   * errors of all struts add up to no more than `Discretization/Tolerance`, and
-   * as few unknowns as possible; what comes nearest where none are enough. The
-   * motion that asks for them is that of a search run: the scene with one order
-   * for all struts and fewer steps, which @p recorder is told of. Where the
-   * errors of that are large, a second one has what the first found.
-   * Collective. Throws InputError for a probe whose joints do not exist.
+   * Chooses order and number of elements, strut by strut: the estimated errors
+   * add up to at most `Discretization/Tolerance`, with as few unknowns as
+   * possible. If that is impossible, takes the best available elements. The
+   * motion is that of a search run with one order and fewer steps, reported to
+   * @p recorder; if its error is large, a further search uses the chosen
+   * elements. Collective. Throws InputError for a probe whose joints do not
+   * exist.
    */
   ChosenElements choose_elements(const RunPlan &plan,
                                  MPI_Comm       communicator,

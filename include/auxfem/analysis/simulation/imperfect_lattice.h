@@ -11,9 +11,9 @@
 namespace auxfem
 {
   /**
-   * Saves @p state, an accepted one, or restores it in place of the initial
-   * state, with equal digits on as many ranks. Throws InputError if a record is
-   * missing. Collective.
+   * Saves the accepted @p state, or restores it in place of the initial state.
+   * Digits are equal on equal numbers of ranks. Throws InputError if a record
+   * is missing. Collective.
    */
   void serialize_state(const Equations   &equations,
                        CheckpointArchive &archive,
@@ -27,17 +27,16 @@ namespace auxfem
   /** Time of a saved state (s); on a path of equilibria its arc length (m). */
   double time_of_saved_state(const CheckpointData &records);
 
-  /** Steps of the scene until a saved state, or points of a path. */
+  /** Number of scene steps, or path points, until a saved state. */
   unsigned long step_of_saved_state(const CheckpointData &records);
 
-  /** Load factor of a saved state on a path of equilibria. */
+  /** Load factor of a saved state on an equilibrium path. */
   double load_factor_of_saved_state(const CheckpointData &records);
 
   /**
-   * The lattice of @p plan with its imperfections, for which buckling modes of
-   * the designed one may have to be computed: collective then. Throws as
-   * build_lattice() and buckling_modes(), and InputError for a mode that is not
-   * there.
+   * The lattice of @p plan with its imperfections. May compute buckling modes
+   * of the perfect lattice and is collective then. Throws as build_lattice()
+   * and buckling_modes(), and InputError for a mode that does not exist.
    */
   Lattice imperfect_lattice(const RunPlan &plan, MPI_Comm communicator);
 } // namespace auxfem

@@ -6,19 +6,19 @@
 namespace auxfem
 {
   /**
-   * A run with `Effects/Large rotation = auto`: by small displacements where
-   * their error in the static answer to the loads is within
-   * `Effects/Tolerance`. If the run comes to SmallDisplacementLimit, it is
-   * done again from the start with exact kinematics. Other scenes run as they
-   * are. Throws as LatticeRun::run(); collective.
+   * Runs with `Effects/Large rotation = auto`: uses small displacements if
+   * their error in the static response to the loads is within
+   * `Effects/Tolerance`. If the run reaches SmallDisplacementLimit, it
+   * restarts with exact kinematics. Other scenes run unchanged. Throws as
+   * LatticeRun::run(); collective.
    */
   RunResult run_with_chosen_kinematics(const RunPlan &plan,
                                        MPI_Comm       communicator,
                                        Recorder      &recorder);
 
   /**
-   * The first part of that for a dry run: the line about it among what is
-   * simulated. Collective.
+   * For a dry run: only adds the decision to the list of simulated effects.
+   * Collective.
    */
   void explain_kinematics(LatticeRun &exact);
 } // namespace auxfem

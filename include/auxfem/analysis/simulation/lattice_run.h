@@ -13,13 +13,16 @@
 namespace auxfem
 {
   /**
-   * A scene with a lattice, set up and taken through time on all ranks: what
-   * computes is collective.
+   * A lattice scene, set up and advanced through time on all ranks. Used by
+   * simulations and by analyses that start from one. Computing functions are
+   * collective.
    */
   class LatticeRun
   {
     Work work_done;
-    /** Of the constructor: what follows is made while it runs. */
+    /**
+     * Measures the constructor; the members below are constructed meanwhile.
+     */
     std::optional<Stopwatch> set_up_watch;
 
     const std::shared_ptr<const Lattice> shared_lattice;
@@ -27,7 +30,7 @@ namespace auxfem
   public:
     const Scene   &scene; ///< of the plan
     const Lattice &lattice;
-    /** Constant but for what LatticeModel::explain() says. */
+    /** Constant except for LatticeModel::explain(). */
     LatticeModel model;
     Equations    equations;
     Solution     solution;
@@ -36,13 +39,13 @@ namespace auxfem
      * Sets up lattice, model, equations and solver.
      * @param plan whose scene must outlive the object
      *
-     * Throws InputError for what the lattice shows to be wrong with the scene.
+     * Throws InputError for mistakes in the scene that the lattice reveals.
      */
     LatticeRun(const RunPlan &plan, MPI_Comm communicator);
 
     /**
-     * The plan and lattice of @p other, which must outlive the object, with
-     * other effects, as LatticeModel.
+     * Uses the plan and lattice of @p other, which must outlive the object,
+     * with other effects, as LatticeModel.
      */
     LatticeRun(const LatticeRun &other, SimulatedEffects simulated);
 
@@ -50,78 +53,73 @@ namespace auxfem
     LatticeRun &operator=(const LatticeRun &) = delete;
 
     /**
-     * All that comes before the first result, which a wrong scene does not get
-     * past: throws InputError if the scene has no unique solution from the
-     * start, since it can move without resistance or constraints follow from
-     * others; then start(), but for a search for static equilibrium.
+     * Checks the scene before the first result: throws InputError if it has a
+     * mechanism or redundant constraints, so that the solution is not unique.
+     * Then calls start(), unless that searches for static equilibrium.
      */
     void prepare();
 
     /**
-     * How much of the answer inertia is: motion that the loads do not command
-     * (uncommanded_motion()). Nothing without inertia, and where the structure
-     * can move freely. Collective; takes a factorization.
+     * Estimates the part of inertia in the response: motion beyond the static
+     * response (uncommanded_motion()). Empty without inertia, or if the
+     * structure moves freely. Collective; takes a factorization.
      */
     std::optional<EffectMeasure> inertia_measure();
 
-    /** Brings the solution at t = 0 into order, as TimeStepper::start(). */
+    /** Completes the solution at t = 0, as TimeStepper::start(). */
     void start();
 
-    /** The next step of the scene, as TimeStepper::advance(). */
+    /** Advances by one step of the scene, as TimeStepper::advance(). */
     StepReport advance(Recorder &recorder);
 
-    /** The error of chosen elements; nullptr: there are none, or the run has
-     * not begun.
-     */
+    /** Error of chosen elements; nullptr without them or before the run. */
     const MeshError *mesh_error() const
     {
       return observer ? &observer->error() : nullptr;
     }
 
     /**
-     * All that a run of the same scene needs to go on from here: the solution
-     * now, and what the run and @p recorder, which has been told of it,
-     * remember of the way there. The run goes on from here as one that is
-     * resumed with it does, with equal digits.
+     * Complete data to resume the run from here: the solution, and the history
+     * of the run and of @p recorder. The current run continues exactly as a
+     * resumed one, with equal digits.
      */
     CheckpointData checkpoint(Recorder &recorder);
 
     /**
-     * In place of start(): goes on from @p checkpoint. @p recorder, which has
-     * begun, gets back its part. Throws InputError if a record is missing.
+     * Replaces start(): resumes from @p checkpoint and restores the part of
+     * @p recorder, which has begun. Throws InputError if a record is missing.
      */
     void resume(const CheckpointData &checkpoint, Recorder &recorder);
 
     /**
-     * Steps to the end time, of which @p recorder is told. Throws Interrupted
-     * after a signal. The recorder gets the checkpoints, as many as the scene
-     * asks for at equal numbers of steps, and one at the end.
+     * Advances to the end time and reports to @p recorder: steps, checkpoints
+     * at equal numbers of steps as the scene requests, and one at the end.
+     * Throws Interrupted after a signal.
      */
     void advance_to_end(Recorder &recorder);
 
     /**
-     * Everything from refuse_undetermined() or the checkpoint that @p recorder
-     * has to go on from, to the end time. Throws InputError and
-     * ComputationError; the recorder has then been told of all that was
-     * computed, as it has at the end.
+     * Runs from prepare(), or from the checkpoint that @p recorder restarts
+     * from, to the end time. Throws InputError and ComputationError; the
+     * recorder then has all results so far.
      */
     RunResult run(Recorder &recorder);
 
-    /** Takes a run on from its start, tells the recorder of it, and returns
-     * what it has found out about the way. */
+    /**
+     * Advances a started run, reports to the recorder, and returns findings.
+     */
     using Advance = std::function<std::vector<Finding>(Recorder &)>;
 
     /** As run(), with @p advance in place of advance_to_end(). */
     RunResult run(Recorder &recorder, const Advance &advance);
 
-    /** What looks at accepted steps. */
+    /** Watches that check accepted steps. */
     Watches &watches()
     {
       return stepper.watches();
     }
 
-    /** All that has been done so far; whoever takes the run further adds to it.
-     */
+    /** Effort so far; code that advances the run elsewhere adds its own. */
     ///@{
     const Work &work() const
     {
@@ -137,10 +135,10 @@ namespace auxfem
     /** Ends the run where @p limit, which must outlive it, throws. */
     void set_limit(SmallDisplacementLimit &limit);
 
-    /** With that of the limit. */
+    /** Effort including that of the limit. */
     Work work_of_all() const;
 
-    /** What was done elsewhere counts here too, but for its steps. */
+    /** Adds effort spent elsewhere, except its steps. */
     void add_effort(const Work &elsewhere);
 
     /** As TimeStepper::solver(), before the run. */
@@ -154,13 +152,13 @@ namespace auxfem
 
     RunResult result(const std::string &exit_state) const;
 
-    /** A checkpoint() after which the run does not go on. */
+    /** A checkpoint() at the end of the run, without a restart. */
     CheckpointData last_checkpoint(Recorder &recorder);
 
-    /** Saves or restores all that is remembered of the way. */
+    /** Saves or restores the history of run and recorder. */
     void serialize(CheckpointArchive &archive, Recorder &recorder);
 
-    /** prepare() and start(), or resume(), with @p recorder told of it. */
+    /** Calls prepare() and start(), or resume(), and reports to @p recorder. */
     void begin(Recorder &recorder, bool &has_begun);
 
     TimeStepper                      stepper;
@@ -168,11 +166,11 @@ namespace auxfem
     std::optional<MeshErrorObserver> observer; ///< of chosen elements
   };
 
-  /** A LatticeRun from its set-up to the end time. */
+  /** Runs a LatticeRun from its set-up to the end time. */
   RunResult
   run_lattice(const Scene &scene, MPI_Comm communicator, Recorder &recorder);
 
-  /** Its set-up and start; prints counts and what is simulated. */
+  /** Sets up and starts the run; prints counts and simulated effects. */
   void check_lattice(const Scene &scene, MPI_Comm communicator);
 } // namespace auxfem
 

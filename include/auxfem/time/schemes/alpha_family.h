@@ -7,9 +7,9 @@ namespace auxfem
 {
   /**
    * Newmark, Hilber-Hughes-Taylor and generalized-alpha as one scheme, in the
-   * form of Arnold & Bruels (2007): equilibrium holds at the end of the step
-   * with the true acceleration v', while displacement and velocity follow
-   * Newmark's formulas with an auxiliary acceleration a,
+   * form of Arnold & Bruels (2007). Equilibrium holds at the end of the step
+   * with the true acceleration v'; displacement and velocity follow Newmark's
+   * formulas with an auxiliary acceleration a,
    *
    * @code
    * (1 - alpha_m) a_{n+1} + alpha_m a_n =
@@ -21,15 +21,15 @@ namespace auxfem
    * For linear systems this is the method of Chung & Hulbert (1993). With
    * alpha_m = alpha_f = 0 it is Newmark's method and a = v'.
    *
-   * Members whose spectral radius at infinity is one, with gamma = 2 beta,
-   * would let accelerations of unknowns without mass grow from step to step.
-   * There their rates are differences of the last three positions; of those
-   * that damping acts on a = v' = 0.
+   * Members with gamma = 2 beta have the spectral radius one at infinity, so
+   * that accelerations of unknowns without mass would grow. Rates of such
+   * unknowns are differences of the last three positions; if they are damped,
+   * a = v' = 0.
    */
   class AlphaFamily : public ImplicitScheme
   {
   public:
-    /** The four numbers of a member of the family. */
+    /** Parameters of a member of the family. */
     struct Coefficients
     {
       double alpha_m, alpha_f, beta, gamma;
@@ -71,9 +71,9 @@ namespace auxfem
     }
 
     /**
-     * From the Taylor series of the formulas above: a_n is v' at a time delta
-     * dt after t_n, delta = alpha_m - alpha_f, so that c = beta + delta / 2 -
-     * 1/6; gamma = 1/2 - delta makes the order two.
+     * Follows from the Taylor series of the formulas above. a_n is v' at the
+     * time delta dt after t_n, delta = alpha_m - alpha_f, so that c = beta +
+     * delta / 2 - 1/6. The order is two for gamma = 1/2 - delta.
      */
     std::optional<double> error_constant() const override;
 
@@ -83,7 +83,7 @@ namespace auxfem
     }
 
   private:
-    /** Rates of unknowns without mass in a step of @p dt to @p trial. */
+    /** Sets rates of unknowns without mass in a step of @p dt to @p trial. */
     void settle_massless(const State &from, double dt, State &trial) const;
 
     void settle_acceleration(unsigned int unknown,

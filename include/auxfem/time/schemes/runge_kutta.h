@@ -9,10 +9,10 @@
 namespace auxfem
 {
   /**
-   * The coefficients of a Runge-Kutta scheme whose first stage is the start of
-   * the step, whose other stages are implicit with the same coefficient of
-   * their own, and whose last stage is the solution (ESDIRK, stiffly accurate):
-   * at stage i, at the time t_n + c_i dt,
+   * Coefficients of an ESDIRK scheme, stiffly accurate: the first stage is the
+   * start of the step, the others are implicit with equal diagonal
+   * coefficients, and the last is the solution. At stage i, at the time t_n +
+   * c_i dt,
    *
    * @code
    * y_i = y_n + dt sum_{j < i} a_ij y'_j + gamma dt y'_i
@@ -23,7 +23,7 @@ namespace auxfem
     std::vector<double>              times;   ///< c_i, in [0, 1]
     std::vector<std::vector<double>> factors; ///< a_ij, j <= i
     std::vector<double>              weights; ///< b_i = a_si
-    /** b_i less those of the embedded scheme of the order below. */
+    /** b_i minus those of the embedded scheme of the order below. */
     std::vector<double> embedded_difference;
     double              diagonal; ///< gamma
     unsigned int        order;
@@ -34,8 +34,8 @@ namespace auxfem
     }
 
     /**
-     * b_i a_ij + b_j a_ji - b_i b_j (K. Burrage & J. C. Butcher, SIAM J. Numer.
-     * Anal. 16 (1979) 46-57), by which the scheme misses the growth of a
+     * b_i a_ij + b_j a_ji - b_i b_j (K. Burrage & J. C. Butcher, SIAM J.
+     * Numer. Anal. 16 (1979) 46-57). By it the scheme misses the growth of a
      * quadratic form: with the power y'.M y at the stages,
      *
      * @code
@@ -45,31 +45,32 @@ namespace auxfem
      */
     double missed_growth(unsigned int i, unsigned int j) const;
 
-    /** The oscillation exp(iz) at the stages of a step in which it turns by z =
-     * @p angle (rad). */
+    /**
+     * The oscillation exp(iz) at the stages of a step with the phase z = @p
+     * angle (rad).
+     */
     std::vector<std::complex<double>> oscillation(double angle) const;
   };
 
   /**
-   * The tableau of order 3, 4 or 5: ESDIRK3(2)5L[2]SA and ESDIRK5(4)7L[2]SA2 of
-   * C. A. Kennedy & M. H. Carpenter, Appl. Numer. Math. 146 (2019) 221-244, and
-   * ARK4(3)6L[2]SA of the same, Appl. Numer. Math. 44 (2003) 139-181. All are
-   * L-stable, of stage order 2, and have no stage beyond the step's end. From
-   * SUNDIALS.
+   * The tableau of order 3, 4 or 5: ESDIRK3(2)5L[2]SA and ESDIRK5(4)7L[2]SA2
+   * of C. A. Kennedy & M. H. Carpenter, Appl. Numer. Math. 146 (2019) 221-244,
+   * and ARK4(3)6L[2]SA of the same, Appl. Numer. Math. 44 (2003) 139-181, all
+   * as in SUNDIALS. They are L-stable, of stage order 2, and have no stage
+   * beyond the step's end.
    */
   ButcherTableau esdirk_tableau(unsigned int order);
 
   /**
-   * An implicit Runge-Kutta scheme, seen from one of its stages: with what
-   * earlier stages contribute as the base, a stage is Euler's backward rule
-   * over gamma dt,
+   * A stage of an implicit Runge-Kutta scheme. With the contributions of
+   * earlier stages as the base, it is a backward Euler step over gamma dt,
    *
    * @code
    * v = v_base + gamma dt a,   u = u_base + gamma dt v
    * @endcode
    *
-   * so here `from` is the base, with a guess of the acceleration, and the
-   * length of the step is gamma dt.
+   * Here `from` is the base, with a predicted acceleration, and the step
+   * length is gamma dt.
    */
   class RungeKutta : public ImplicitScheme
   {
@@ -89,7 +90,7 @@ namespace auxfem
                  double        dt,
                  State        &trial) const override;
 
-    /** Their positions are constraints. */
+    /** Rigid parts are constrained in position. */
     std::optional<std::string> note_on_rigid_parts() const override;
 
     const ButcherTableau *stages() const override
@@ -105,14 +106,14 @@ namespace auxfem
     double amplification(double angle) const override;
 
     /**
-     * Of an oscillation that turns by z in a step the differences give 4
-     * sin^2(z/2) / 12 of its way; it misses |R(iz) - exp(iz)| / z.
+     * For an oscillation of phase z in a step the differences yield 4
+     * sin^2(z/2) / 12 of z; the scheme misses |R(iz) - exp(iz)| / z.
      */
     double missed_way(double by_trapezoidal_rule) const override;
 
     double error_by_difference(double angle) const override;
 
-    /** Of orders up to 4. */
+    /** Only up to order 4. */
     bool estimates_errors() const override;
 
   private:

@@ -6,26 +6,25 @@
 namespace auxfem
 {
   /**
-   * Weights (1/s) of the increments of this step and of the one before in the
-   * velocity at the end of a step without inertia,
+   * Weights (1/s) of the last two increments in the velocity at the end of a
+   * step without inertia,
    *
-   *   v_{n+1} = now (u_{n+1} - u_n) - before (u_n - u_{n-1}):
+   *     v_{n+1} = now (u_{n+1} - u_n) - before (u_n - u_{n-1}).
    *
-   * the derivative of the parabola through the three (BDF2, e.g. Hairer &
-   * Wanner 1996, section V.1, of second order for steps of any lengths); of the
-   * line through two where none came before, in the first step after an event.
+   * This is BDF2 with variable steps (Hairer & Wanner 1996, section V.1); the
+   * first step after an event uses backward Euler.
    */
   struct BackwardDifference
   {
     double now, before;
 
-    /** Of a step of length @p dt (s) that begins with @p from. */
+    /** Weights in a step of length @p dt (s) that begins with @p from. */
     BackwardDifference(const State &from, double dt);
   };
 
   /**
-   * Equilibrium without inertia at every step. Where viscosity needs a velocity
-   * it is the BackwardDifference.
+   * Equilibrium without inertia at every step. Viscous forces use the velocity
+   * of BackwardDifference.
    */
   class QuasiStatic : public ImplicitScheme
   {
@@ -46,9 +45,8 @@ namespace auxfem
   };
 
   /**
-   * The search for the state that all viscous processes tend to: only
-   * displacements change, whatever has a velocity is at rest. There is no step,
-   * so that no member looks at dt.
+   * Search for the state that all viscous processes tend to: only
+   * displacements change, and all velocities are zero. No member uses dt.
    */
   class Equilibrium : public ImplicitScheme
   {

@@ -19,43 +19,44 @@ namespace auxfem
     double end_time      = 1;    ///< s (pseudo time for statics)
     double step          = 0.01; ///< s
     double smallest_step = 0;    ///< s; 0: step / 1024
-    /** Error of the displacements that all steps together may have, of the
-     * largest displacement; nothing: steps are as long as they are set. */
-    std::optional<double> relative_tolerance;
-    /** The same in m, where displacements are small yet; nothing: see
-     * StepError.
+    /**
+     * Error of displacements of all steps together, over the largest
+     * displacement; empty: steps have the given length.
      */
+    std::optional<double> relative_tolerance;
+    /** The same in m, for small displacements; empty: see StepError. */
     std::optional<double> absolute_tolerance;
-    /** In rad, where rotations are small; nothing: see StepError. */
+    /** The same in rad, for small rotations; empty: see StepError. */
     std::optional<double> absolute_tolerance_of_rotations;
-    /** Energy a step may create, of the largest so far. */
+    /** Energy that a step may create, over the largest so far. */
     double energy_error = 0.5;
-    /** Times (s) at which steps end besides kinks and jumps that are found. */
+    /** Times (s) at which steps end, besides detected kinks and jumps. */
     std::vector<double> events;
     /** Start from the static equilibrium under the loads of t = 0. */
     bool static_start = false;
-    /** One sentence per parameter of another scheme that is not at its default,
-     * for the user. */
+    /**
+     * One sentence for the user per parameter of another scheme that is not at
+     * its default.
+     */
     std::vector<std::string> values_without_effect;
 
     /** Number of steps to the end time; the last may be shorter. */
     unsigned long n_steps() const
     {
-      // A last step of a millionth of a step is round-off of the input.
+      // A last step below a millionth of a step is round-off of the input.
       return static_cast<unsigned long>(std::ceil(end_time / step - 1e-6));
     }
 
     /**
-     * The scheme as one that advances a State: that of every lattice, and of
-     * the reduced cell unless it is one of its own. Throws std::bad_cast if it
-     * is.
+     * The scheme as one that advances a State; every lattice has one. Throws
+     * std::bad_cast for schemes of the reduced cell alone.
      */
     const ImplicitScheme &implicit_scheme() const
     {
       return dynamic_cast<const ImplicitScheme &>(*scheme);
     }
 
-    /** Time at the end of step @p n, from the count, never accumulated (s). */
+    /** Time at the end of step @p n (s), computed and not accumulated. */
     double time_at(const unsigned long n) const
     {
       return n >= n_steps() ? end_time : n * step;
@@ -65,30 +66,32 @@ namespace auxfem
   /** `Time`. */
   SubsectionSchema time_schema();
 
-  /** The values of one such subsection. Throws InputError if they contradict
-   * each other. */
+  /**
+   * Reads such a subsection. Throws InputError if values contradict each
+   * other.
+   */
   TimeParameters read_time(ParameterValues &values);
 
-  /** `Newton`: when a step counts as solved. */
+  /** `Newton`: convergence of a step. */
   struct NewtonParameters
   {
-    /** Relative to the scene's own force and moment scale. */
+    /** Relative to the force and moment scale of the scene. */
     double       tolerance          = 1e-8;
     bool         tolerance_is_given = false;
     unsigned int maximum_iterations = 30;
     bool         keep_factorization = true; ///< false: full Newton
-    /** A kept factorization must reduce the residual so much an iteration. */
+    /**
+     * Smallest residual reduction by an iteration with a reused factorization.
+     */
     double kept_reduction = 5;
-    /** Whether residuals of stages within a step need not be computed if they
-     * can be told from others. */
+    /** Whether residuals of stages may be predicted instead of computed. */
     bool estimates_stages = false;
 
     /**
-     * The same for steps whose length follows their error, which may be as
-     * large as @p time_tolerance: unless the tolerance is given it is a tenth of
-     * that, neither below 1e-10 nor above 1e-5. The error it leaves in
-     * displacements is much smaller than itself. Residuals within such a step
-     * are estimated.
+     * Parameters for the step-size control with @p time_tolerance. Unless
+     * given, the tolerance is a tenth of that, between 1e-10 and 1e-5; the
+     * error it causes in displacements is much smaller. Residuals within a
+     * step are predicted.
      */
     NewtonParameters
     for_steps_within(const std::optional<double> &time_tolerance) const;
@@ -97,7 +100,7 @@ namespace auxfem
   /** `Newton`. */
   SubsectionSchema newton_schema();
 
-  /** The values of one such subsection. */
+  /** Reads such a subsection. */
   NewtonParameters read_newton(ParameterValues &values);
 } // namespace auxfem
 

@@ -9,10 +9,7 @@
 
 namespace auxfem
 {
-  /**
-   * What a scheme wants of the tangent: stiffness * K + damping * C +
-   * mass * M.
-   */
+  /** Factors of the tangent: stiffness * K + damping * C + mass * M. */
   struct TangentFactors
   {
     double stiffness = 1;
@@ -27,14 +24,13 @@ namespace auxfem
   }
 
   /**
-   * What the user chose as `Time/Scheme`, with its parameters. It says of
-   * itself whatever the rest of the program decides by the scheme, so that no
-   * name is compared anywhere.
+   * The scheme of `Time/Scheme` with its parameters. It answers all questions
+   * that the program asks about schemes, so that names are never compared.
    */
   class TimeScheme
   {
   public:
-    /** @param name is that of its line in the table, as the user writes it. */
+    /** @param name as in the table and in `Time/Scheme` */
     explicit TimeScheme(const std::string &name);
 
     virtual ~TimeScheme() = default;
@@ -45,16 +41,13 @@ namespace auxfem
       return scheme_name;
     }
 
-    /** Whether motion and time are related by inertia at all. */
+    /** Whether the scheme has inertia. */
     virtual bool is_dynamic() const
     {
       return true;
     }
 
-    /**
-     * What a user who computes rigid parts should know of the scheme; nothing
-     * if there is nothing to say.
-     */
+    /** Note for users who simulate rigid parts; empty if there is none. */
     virtual std::optional<std::string> note_on_rigid_parts() const
     {
       return {};
@@ -67,10 +60,10 @@ namespace auxfem
   struct ButcherTableau;
 
   /**
-   * A rule that ties displacement, velocity and acceleration at the end of a
-   * step to those at its start and one unknown increment. It knows nothing of
-   * elements: it predicts, says how the increment enters the tangent, and
-   * corrects.
+   * Relates displacement, velocity and acceleration at the end of a step to
+   * those at its start and to one unknown increment. It predicts, gives the
+   * tangent factors of the increment, and corrects; it is independent of
+   * elements.
    */
   class ImplicitScheme : public TimeScheme
   {
@@ -78,21 +71,21 @@ namespace auxfem
     using TimeScheme::TimeScheme;
 
     /**
-     * Fills @p to (all but time and residual) with a first guess of the state
-     * @p dt (s) after @p from.
+     * Fills @p to (all but time and residual) with a predictor of the state @p
+     * dt (s) after @p from.
      */
     virtual void predict(const State &from, double dt, State &to) const = 0;
 
     /**
-     * How an increment of displacement changes displacement, velocity and
-     * acceleration in a step of length @p dt (s) that begins with @p from, means
-     * if it balances these.
+     * Factors by which an increment of displacement changes displacement,
+     * velocity and acceleration in a step of length @p dt (s) that begins with
+     * @p from; of their means if the scheme balances means.
      */
     virtual TangentFactors factors(const State &from, double dt) const = 0;
 
     /**
-     * Adds the increment (values at all local unknowns) to the trial state,
-     * which is @p dt (s) after @p from.
+     * Adds the increment (values at all local unknowns) to the trial state, @p
+     * dt (s) after @p from.
      */
     virtual void correct(const State  &from,
                          const Vector &increment,
@@ -100,8 +93,9 @@ namespace auxfem
                          State        &trial) const = 0;
 
     /**
-     * Whether forces are balanced in the mean over a step, not at its end. The
-     * acceleration is the mean one then and does not enter the next step.
+     * Whether mean forces of the step are balanced, by a discrete gradient,
+     * and not those at its end. The acceleration is then the mean one and does
+     * not enter the next step.
      */
     virtual bool balances_means() const
     {
@@ -109,8 +103,8 @@ namespace auxfem
     }
 
     /**
-     * The factor chi by which a scheme that balances means damps the highest
-     * frequencies of struts (elements/increment_damping.h); 0: not at all.
+     * Damping factor chi of a discrete-gradient scheme for the highest
+     * frequencies of struts (elements/increment_damping.h); 0: no damping.
      */
     virtual double high_frequency_damping() const
     {
@@ -118,9 +112,9 @@ namespace auxfem
     }
 
     /**
-     * Whether errors of velocity and acceleration that change sign from step to
-     * step are neither damped nor fed back by an algorithmic acceleration, so
-     * that restoring consistent rates after a step removes them.
+     * Whether errors of velocity and acceleration alternate in sign without
+     * damping or feedback by an algorithmic acceleration. Restoring consistent
+     * rates after a step then removes them.
      */
     virtual bool propagates_alternating_errors() const
     {
@@ -128,8 +122,8 @@ namespace auxfem
     }
 
     /**
-     * Whether rates of unknowns without mass (State::is_massless) are kept from
-     * growing.
+     * Whether rates of unknowns without mass (State::is_massless) are kept
+     * from growing.
      */
     virtual bool keeps_massless_in_equilibrium() const
     {
@@ -137,25 +131,24 @@ namespace auxfem
     }
 
     /**
-     * The number c with which c dt^2 times the change of acceleration in a step
-     * is the error of displacement that it adds. Nothing if that is not how the
-     * error is estimated.
+     * Error constant c: the local error of displacement is c dt^2 times the
+     * change of acceleration in a step. Empty if the error is not estimated
+     * this way.
      */
     virtual std::optional<double> error_constant() const
     {
       return {};
     }
 
-    /** Whether the error of a step is estimated: by error_constant(), or of a
-     * scheme with stages by these. */
+    /** Whether the local error is estimated, by error_constant() or stages. */
     virtual bool estimates_errors() const
     {
       return error_constant().has_value();
     }
 
     /**
-     * For a scheme with stages: the factor of the amplitude of an oscillation
-     * that turns by @p angle (rad) in a step.
+     * For schemes with stages: amplification of an oscillation of phase @p
+     * angle (rad) in a step.
      */
     virtual double amplification(const double /*angle*/) const
     {
@@ -163,9 +156,8 @@ namespace auxfem
     }
 
     /**
-     * For a scheme with stages: the error that a step adds to an oscillation
-     * that turns by @p angle (rad) in it, over the difference from the embedded
-     * scheme.
+     * For schemes with stages: local error of an oscillation of phase @p angle
+     * (rad) in a step, over the difference from the embedded scheme.
      */
     virtual double error_by_difference(const double /*angle*/) const
     {
@@ -173,31 +165,31 @@ namespace auxfem
     }
 
     /**
-     * Part of its way that an oscillation misses in a step, of which the
-     * trapezoidal rule, its error taken from third differences of displacements
-     * at the ends of steps, would miss @p by_trapezoidal_rule.
+     * Relative error of an oscillation's phase in a step, given that of the
+     * trapezoidal rule, whose error follows from third differences of
+     * displacements.
      */
     virtual double missed_way(const double by_trapezoidal_rule) const
     {
       return by_trapezoidal_rule;
     }
 
-    /** Power of the step's length with which the error of many steps goes. */
+    /** Order of convergence. */
     virtual unsigned int order() const
     {
       return 2;
     }
 
     /**
-     * The stages of a step, each of which is a step of this scheme (see
-     * RungeKutta); nullptr: a step is one.
+     * Stages of a step, each of which is a step of this scheme (see
+     * RungeKutta); nullptr: the step is a single one.
      */
     virtual const ButcherTableau *stages() const
     {
       return nullptr;
     }
 
-    /** Whether the state must carry the algorithmic acceleration. */
+    /** Whether the state must have the algorithmic acceleration. */
     virtual bool uses_algorithmic_acceleration() const
     {
       return false;
@@ -205,8 +197,8 @@ namespace auxfem
   };
 
   /**
-   * One line of the table of time schemes. Parameters of all schemes stand side
-   * by side in the subsection `Time`, those of the chosen one are used.
+   * One line of the table of time schemes. The subsection `Time` lists
+   * parameters of all schemes; those of the chosen one are used.
    */
   struct TimeSchemeEntry : RegistryEntry<TimeScheme>
   {
@@ -219,14 +211,13 @@ namespace auxfem
     bool serves(Model model) const;
   };
 
-  /** All schemes the program knows (time/register.cc), the default first. */
+  /** All time schemes, the default first (time/register.cc). */
   const std::vector<TimeSchemeEntry> &time_scheme_registry();
 
   /** The line of the scheme @p name, which must be in the table. */
   const TimeSchemeEntry &time_scheme_entry(const std::string &name);
 
-  /** The first scheme of the table with the default values of its parameters.
-   */
+  /** The first scheme of the table with default parameters. */
   std::shared_ptr<const TimeScheme> default_time_scheme();
 
   /**
