@@ -133,14 +133,14 @@ TEST(StepWatch, TellsThatTooFewStepsAreNotJudged)
       const auto found = findings_of(swinging_mass, {end, "Time/Time step=1"});
       ASSERT_EQ(found.size(), 1u) << verdict_text(found);
       EXPECT_EQ(found[0].verdict, Verdict::doubtful);
-      expect_contains(found[0].text, {"three in a row"});
+      expect_contains(found[0].text, {"three consecutive"});
       // Steps that follow a tolerance are judged each by itself.
       const auto by_tolerance = findings_of(swinging_mass,
                                             {end,
                                              "Time/Time step=1",
                                              "Time/Relative tolerance=0.01",
                                              "Time/Scheme=esdirk"});
-      expect_without(verdict_text(by_tolerance), {"three in a row"});
+      expect_without(verdict_text(by_tolerance), {"three consecutive"});
     }
   // What rests, rests in any step.
   EXPECT_TRUE(findings_of(one_mass_scene("Law = spring | Spring stiffness = 4",

@@ -182,8 +182,8 @@ namespace auxfem
         "equilibrium) needs supports, rigid joints or springs that hold every part. "
         "Check Supports, hinges (Joints) and struts that are connected to nothing." +
         (model.lattice.n_plates > 0
-           ? " Plates support the structure only while it is pressed on them. "
-             "Prescribe their motion, or use a scheme with inertia."
+           ? " Plates hold nothing until the structure is pressed on them: "
+             "prescribe their motion, or use a scheme with inertia."
            : "") +
         notes);
     }

@@ -159,9 +159,9 @@ namespace auxfem
       Finding too_few_steps() const
       {
         std::ostringstream text;
-        text << "The error of the steps is unknown: its estimate needs three "
-                "consecutive steps without a jump of loads. Compare with a "
-                "shorter Time/Time step than "
+        text << "The error of the steps is unknown: its estimate needs "
+                "three consecutive steps without a jump of loads. Compare with "
+                "a shorter Time/Time step than "
              << scene_step << " s.";
         return {Verdict::doubtful, text.str(), time, ""};
       }

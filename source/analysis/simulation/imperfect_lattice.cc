@@ -280,8 +280,9 @@ namespace auxfem
       if (numbering_text(other.parameters, definition.folder) !=
           numbering_text(run.scene.all_parameters, run.scene.file))
         throw InputError(definition.path + "/Folder = " + definition.folder +
-                         ": that run differs in lattice, joints, rigid parts "
-                         "or mesh. Compute it again with those of this scene");
+                         ": that run has another lattice, joints, rigid parts or "
+                         "another mesh. Compute it again with those of this "
+                         "scene");
       const GeometryOffsets displacements =
         offsets_of(saved_displacement(run.equations, other.records), run);
       const double largest = displacements.largest();
