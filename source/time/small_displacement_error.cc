@@ -292,7 +292,7 @@ namespace auxfem
                     LargestError::Kind::rigid_part,
                     parts->part(i));
     largest.reduce_over_ranks(equations.unknowns().layout);
-    const double largest = compressions.empty()
+    const double compression = compressions.empty()
       ? 0.
       : *std::max_element(compressions.begin(), compressions.end());
     return {largest.error.rotation,
@@ -300,7 +300,7 @@ namespace auxfem
                      overall_second_order(work, axial_energy, state)),
             largest.error.strain,
             location_of(largest),
-            equations.unknowns().layout.largest(largest),
+            equations.unknowns().layout.largest(compression),
             std::move(compressions)};
   }
 

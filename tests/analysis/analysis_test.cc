@@ -30,7 +30,7 @@ namespace
   }
 } // namespace
 
-TEST(AnalysisRegistry, EntriesAreWhole)
+TEST(AnalysisRegistry, EntriesAreComplete)
 {
   std::set<std::string> names;
   for (const AnalysisEntry &entry : analysis_registry())

@@ -9,8 +9,8 @@ using namespace auxfem;
 
 namespace
 {
-  /** One of each kind. */
-  struct Remembered
+  /** One value of each kind. */
+  struct SavedValues
   {
     double                number = 0.25;
     unsigned long         count  = 7;
@@ -35,15 +35,15 @@ namespace
   };
 } // namespace
 
-TEST(CheckpointArchive, RestoresWhatItHasSaved)
+TEST(CheckpointArchive, RestoresSavedValues)
 {
   const UnknownLayout layout(MPI_COMM_SELF, 1, {});
-  Remembered          saved;
+  SavedValues         saved;
   CheckpointData      records;
   CheckpointArchive   saving = CheckpointArchive::saving(records, layout);
   saved.serialize(saving);
 
-  Remembered restored;
+  SavedValues restored;
   restored.number = restored.count = 0;
   restored.flag                    = false;
   restored.known.reset();
@@ -71,7 +71,7 @@ TEST(CheckpointArchive, RestoresWhatItHasSaved)
   EXPECT_EQ(restored.text, "strut 3");
 }
 
-TEST(CheckpointArchive, RefusesRecordsThatAreNotThere)
+TEST(CheckpointArchive, RefusesMissingRecords)
 {
   const UnknownLayout  layout(MPI_COMM_SELF, 1, {});
   const CheckpointData none;
@@ -81,7 +81,7 @@ TEST(CheckpointArchive, RefusesRecordsThatAreNotThere)
   EXPECT_THROW(archive.values("value", value), InputError);
 }
 
-TEST(CheckpointArchive, ThePartsOfASumContinueOnTheFirstRank)
+TEST(CheckpointArchive, MovesSumsToTheFirstRank)
 {
   const unsigned int n_ranks =
     dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);

@@ -6,7 +6,9 @@ using namespace auxfem;
 
 namespace
 {
-  /** One entry of every kind, two of those that have several causes. */
+  /**
+   * A ledger with one entry per kind, and two for kinds with several causes.
+   */
   std::shared_ptr<const EnergyLedger> ledger_of_all_kinds()
   {
     auto ledger = std::make_shared<EnergyLedger>();
@@ -21,7 +23,7 @@ namespace
     return ledger;
   }
 
-  /** Powers of two in their order, so that sums tell who is in them. */
+  /** Powers of two in order, so that sums identify their terms. */
   Energies powers_of_two()
   {
     Energies energies(ledger_of_all_kinds());
@@ -51,7 +53,7 @@ TEST(EnergyLedger, EntriesAreSharedByName)
   EXPECT_EQ(ledger.entries()[first].meaning, "first") << "who enters it, says";
 }
 
-TEST(EnergyLedger, TellsWhichKindsItHas)
+TEST(EnergyLedger, KnowsItsKinds)
 {
   EnergyLedger ledger;
   for (const EnergyKind kind : {EnergyKind::kinetic,
@@ -69,7 +71,7 @@ TEST(EnergyLedger, TellsWhichKindsItHas)
   EXPECT_FALSE(ledger.has(EnergyKind::stored));
 }
 
-TEST(EnergyLedger, SharedEntriesAreOfTheKindTheyAreNamedBy)
+TEST(EnergyLedger, SharedEntriesHaveTheKindOfTheirName)
 {
   EXPECT_EQ(kinetic_energy_entry().kind, EnergyKind::kinetic);
   EXPECT_EQ(strain_energy_entry().kind, EnergyKind::strain);
@@ -89,7 +91,7 @@ TEST(Energies, SumsAreByKind)
   EXPECT_EQ(energies.total(), 1 + 4 + 16);
 }
 
-TEST(Energies, BalanceIsWhatWorkAndLossesLeaveUnexplained)
+TEST(Energies, BalanceIsEnergyBeyondWorkAndLosses)
 {
   Energies energies = powers_of_two();
   EXPECT_EQ(energies.balance(0), (1 + 4 + 16) + (2 + 32) + 128 - (8 + 64));
@@ -99,7 +101,7 @@ TEST(Energies, BalanceIsWhatWorkAndLossesLeaveUnexplained)
   energies[0] -= 1;
   energies[1] += 1;
   EXPECT_EQ(energies.balance(-17), 0);
-  // Work that went nowhere.
+  // Work without an energy.
   energies[6] += 3;
   EXPECT_EQ(energies.balance(-17), -3);
 }

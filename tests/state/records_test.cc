@@ -6,7 +6,7 @@
 
 using namespace auxfem;
 
-TEST(CheckpointData, ALayoutPutsRecordsBehindEachOther)
+TEST(CheckpointData, LayoutAppendsRecords)
 {
   RecordLayout layout;
   EXPECT_EQ(layout.n_values(), 0u);
@@ -19,7 +19,7 @@ TEST(CheckpointData, ALayoutPutsRecordsBehindEachOther)
   EXPECT_EQ(layout.list()[2].first, 6u);
 }
 
-TEST(CheckpointData, GiveBackWhatTheyKeepByNameAndItem)
+TEST(CheckpointData, ReturnsValuesByNameAndItem)
 {
   CheckpointData records;
   records.keep("time", {0.25});
@@ -27,14 +27,14 @@ TEST(CheckpointData, GiveBackWhatTheyKeepByNameAndItem)
   records.keep("none", {}, 2, {});
   EXPECT_EQ(records.values("time", 1), (std::vector<double>{0.25}));
   EXPECT_EQ(records.items("pairs"), (std::vector<unsigned int>{4, 7, 9}));
-  // As another rank may ask for them.
+  // Another rank may request another order.
   EXPECT_EQ(records.values("pairs", {9, 4}, 2),
             (std::vector<double>{90, 91, 40, 41}));
   EXPECT_TRUE(records.items("none").empty());
   EXPECT_TRUE(records.values("none", {}, 2).empty());
 }
 
-TEST(CheckpointData, WhatIsNotThereIsRefusedByName)
+TEST(CheckpointData, NamesMissingRecords)
 {
   CheckpointData records;
   records.keep("pairs", {4, 7}, 2, {40, 41, 70, 71});
@@ -49,7 +49,7 @@ TEST(CheckpointData, WhatIsNotThereIsRefusedByName)
                {"\"pairs\" with 3 values"});
 }
 
-TEST(CheckpointData, AddWhatOtherRanksHave)
+TEST(CheckpointData, AddsRecordsOfOtherRanks)
 {
   CheckpointData first, second;
   first.keep("time", {0.25});
@@ -67,7 +67,7 @@ TEST(CheckpointData, AddWhatOtherRanksHave)
   EXPECT_FALSE(second.has("doubles"));
 }
 
-TEST(CheckpointData, KeepTexts)
+TEST(CheckpointData, StoresTexts)
 {
   CheckpointData records;
   records.keep_text("location", "joint 3 at (0, 1)");

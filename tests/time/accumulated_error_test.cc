@@ -12,7 +12,7 @@ TEST(AccumulatedError, AddsUpErrorsOfLargeMotions)
   EXPECT_NEAR(error.total(), 1, 1e-12);
 }
 
-TEST(AccumulatedError, SmallVibrationsErrByTwiceTheirAmplitudeAtMost)
+TEST(AccumulatedError, ErrorOfVibrationsIsAtMostTwiceTheAmplitude)
 {
   AccumulatedError error;
   for (unsigned int i = 0; i < 1000; ++i)

@@ -9,7 +9,7 @@ using namespace auxfem;
 
 namespace
 {
-  /** Of @p motion, at the last of @p times. */
+  /** Difference of @p motion at the last of @p times. */
   template <typename Motion>
   std::optional<Vector> difference_of(const Motion                &motion,
                                       const std::array<double, 4> &times)
@@ -54,7 +54,7 @@ TEST(BackwardDifferences, ThirdOneOfAnOscillationIsAtMostEightAmplitudes)
     }
 }
 
-TEST(BackwardDifferences, LeaveOutEntriesThatHaveComeSince)
+TEST(BackwardDifferences, OmitEntriesAddedLater)
 {
   BackwardDifferences differences;
   differences.add(0, {1.});
@@ -64,7 +64,7 @@ TEST(BackwardDifferences, LeaveOutEntriesThatHaveComeSince)
   EXPECT_EQ(*difference, Vector{2.});
 }
 
-TEST(BackwardDifferences, TakeTheLastValuesOnly)
+TEST(BackwardDifferences, UseOnlyTheLastValues)
 {
   BackwardDifferences differences;
   for (const double t : {-1., 0., 1., 2.})

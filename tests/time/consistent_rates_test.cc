@@ -44,8 +44,8 @@ TEST(ConsistentRates, InitialAccelerationIsFoundWithoutRotaryInertia)
 {
   for (const auto &[name, acceleration] :
        initial_acceleration(falling, {"Effects/Rotary inertia=off"}))
-    // The stiffness that stands in for rotations is 1e-7 of the mass: digits
-    // go by its inverse.
+    // The stiffness substituted for rotary inertia is 1e-7 of the mass, which
+    // costs as many digits.
     EXPECT_NEAR(acceleration, std::get<3>(name) == 1 ? -9. : 0., 1e-8);
 }
 
@@ -61,7 +61,7 @@ TEST(ConsistentRates, AShakenBaseAcceleratesAsPrescribed)
 
 namespace
 {
-  /** A rigid bar from (0, 0) to (1, 0), turned about its end by 3 rad/s. */
+  /** A rigid bar from (0, 0) to (1, 0), rotating about its end at 3 rad/s. */
   SceneText rotating_bar(const std::string &speed_apart)
   {
     return SceneText()
@@ -74,22 +74,22 @@ namespace
   }
 } // namespace
 
-TEST(ConsistentRates, VelocitiesAreRoundedToThoseOfRigidParts)
+TEST(ConsistentRates, VelocitiesAreProjectedToThoseOfRigidParts)
 {
   EquationsOnRanks setup(rotating_bar("2e-6"), {}, MPI_COMM_SELF);
   State            state = setup.equations.initial_state();
   start(setup, state);
   const auto &dofs = setup.dofs();
-  // The momentum stays, the ends share it.
+  // Momentum is preserved and shared by both ends.
   for (unsigned int joint = 0; joint < 2; ++joint)
     EXPECT_NEAR((*state.velocity)[dofs.joint_unknown(joint, 0)], 1e-6, 1e-18);
   EXPECT_NEAR((*state.velocity)[dofs.joint_unknown(1, 1)], 3, 1e-14);
-  // Centripetal, the free bar turns about its middle.
+  // Centripetal; the free bar rotates about its middle.
   EXPECT_NEAR((*state.acceleration)[dofs.joint_unknown(0, 0)], 4.5, 1e-13);
   EXPECT_NEAR((*state.acceleration)[dofs.joint_unknown(1, 0)], -4.5, 1e-13);
 }
 
-TEST(ConsistentRates, VelocitiesThatNoRigidPartCanHaveAreRefused)
+TEST(ConsistentRates, VelocitiesThatStrainRigidPartsAreRefused)
 {
   EquationsOnRanks  setup(rotating_bar("2e-4"), {}, MPI_COMM_SELF);
   State             state   = setup.equations.initial_state();
@@ -100,12 +100,12 @@ TEST(ConsistentRates, VelocitiesThatNoRigidPartCanHaveAreRefused)
 namespace
 {
   /**
-   * Expects that the initial accelerations of @p text need no factorization and
-   * are those of a direct solution with the mass matrix.
+   * Expects the initial accelerations of @p text without factorization, equal
+   * to a direct solution with the mass matrix.
    */
   void expect_those_of_direct_solution(const std::string &text)
   {
-    // The support accelerates: columns of prescribed rows have a part.
+    // The support accelerates, so columns of prescribed rows contribute.
     EquationsOnRanks setup(text,
                            {"Supports/shaker/Displacement x=0.02 * t^2"},
                            MPI_COMM_SELF);
@@ -138,7 +138,8 @@ namespace
     double       prescribed = 0;
     for (unsigned int i = 0; i < setup.dofs().layout().n_owned(); ++i)
       {
-        // Residuals of 1e-13, and inertias that differ by some hundreds.
+        // Residuals of 1e-13, and inertias that differ by a factor of some
+        // hundreds.
         EXPECT_NEAR((*state.acceleration)[i],
                     (*direct.acceleration)[i],
                     1e-10 * largest);
@@ -151,12 +152,12 @@ namespace
   }
 } // namespace
 
-TEST(ConsistentRates, ConjugateGradientsFindWhatADirectSolutionDoes)
+TEST(ConsistentRates, ConjugateGradientsMatchADirectSolution)
 {
   expect_those_of_direct_solution(star_with_everything(2, 2));
 }
 
-TEST(ConsistentRates, ConjugateGradientsFindWhatADirectSolutionDoesInSpace)
+TEST(ConsistentRates, ConjugateGradientsMatchADirectSolutionInSpace)
 {
   // A hinge without constraints.
   expect_those_of_direct_solution(space_star_with_everything()

@@ -10,13 +10,16 @@
 using namespace auxfem;
 using namespace auxfem::testing_support;
 
-// Solutions at times within steps, as rows of a history that does not go by
-// steps. The orders of schemes with stages: tests/verification/
-// runge_kutta_order_test.cc.
+// Solutions within steps, as rows of a history with an interval of its own.
+// The orders of schemes with stages:
+// tests/verification/runge_kutta_order_test.cc.
 
 namespace
 {
-  /** Its columns at multiples of @p interval; at steps if that is 0 (s). */
+  /**
+   * Columns of the history at multiples of @p interval (s), or at steps if it
+   * is 0.
+   */
   MemoryRecorder history_of(SceneText scene, const double interval)
   {
     if (interval > 0)
@@ -69,7 +72,7 @@ TEST(DenseOutput, RowsAtEndsOfStepsAreThoseOfTheSteps)
   EXPECT_EQ(by_step.rows(), by_time.rows());
 }
 
-TEST(DenseOutput, AsksNothingOfTheSteps)
+TEST(DenseOutput, DoesNotChangeTheSteps)
 {
   const SceneText      scene      = struck_angle(3);
   const MemoryRecorder by_step    = history_of(scene, 0),
@@ -85,7 +88,7 @@ TEST(DenseOutput, IsOfSecondOrderWithTheAlphaFamily)
 {
   for (const unsigned int dimension : {2, 3})
     {
-      // Steps do not resolve all that a jump would excite.
+      // Steps would not resolve the motion that a jump excites.
       const SceneText scene =
         struck_angle(dimension).set("Loads/push/Force x", "-800 * t^3");
       const auto by = [&scene](const char *scheme, const double step) {
@@ -138,7 +141,7 @@ TEST(DenseOutput, MotionsOfSupportsAreExact)
 
 TEST(DenseOutput, WorkWithStagesIsThatOfLoadsBeforeTheyJump)
 {
-  // The step that ends at 0.1 s, the eighth, has rows within.
+  // The eighth step ends at 0.1 s and has rows within.
   const MemoryRecorder history =
     history_of(struck_angle(2)
                  .set("Loads/push/Force x", "if(t < 0.1, 80 * t, -8)")
@@ -164,8 +167,7 @@ TEST(DenseOutput, IsLinearWithoutInertia)
   ASSERT_EQ(u.size(), 11u);
   for (unsigned int i = 0; i < u.size(); ++i)
     EXPECT_NEAR(u[i], i / 10. * u.back(), 1e-3 * u.back());
-  // Work goes with the square of the load: 0.4 is on the chord from 0.25 to
-  // 0.5.
+  // Work is quadratic in the load: 0.4 is on the chord from 0.25 to 0.5.
   EXPECT_NEAR(work[4],
               (0.0625 + 0.6 * (0.25 - 0.0625)) * work.back(),
               1e-3 * work.back());
@@ -173,8 +175,8 @@ TEST(DenseOutput, IsLinearWithoutInertia)
 
 TEST(DenseOutput, ForcesOfStiffStrutsAreThoseOfTheSteps)
 {
-  // A rod of mass m and length l that spins about its end with w: m w^2 l / 2
-  // at the support, N = m w^2 (l^2 - x^2) / 2l along it.
+  // A rod of mass m and length l that rotates about its end with w: m w^2 l /
+  // 2 at the support, N = m w^2 (l^2 - x^2) / 2l along it.
   SceneText scene;
   scene.frame("0 0; 0 0.02", "0 1").circle("rod", 5e-4, {70e9, 1500});
   scene.support("pin", "0", "pin")
@@ -196,7 +198,7 @@ TEST(DenseOutput, ForcesOfStiffStrutsAreThoseOfTheSteps)
                                 balance = history.column("balance");
       for (std::size_t i = 1; i < x.size(); ++i)
         {
-          // The rod starts without strains and rings about its mean stretch.
+          // The rod starts without strain and vibrates about its mean stretch.
           EXPECT_LE(std::hypot(x[i], y[i]), 2.1 * force) << scheme << ' ' << i;
           EXPECT_LE(stored[i], 4.5 * strain) << scheme << ' ' << i;
           EXPECT_NEAR(balance[i], 0, 1e-3 * kinetic[0]) << scheme << ' ' << i;

@@ -48,13 +48,13 @@ namespace
                                      .mesh(1)
                                      .time(1, 0.1, "static");
 
-  /** Its force at bars inclined by @p angle (rad). */
+  /** Apex force with bars inclined by @p angle (rad). */
   double apex_force(const double angle)
   {
     return 6 * std::sin(angle) * (1 - 1 / std::sqrt(1.09) / std::cos(angle));
   }
 
-  /** A frame of eight joints whose equilibria lie close to each other. */
+  /** A frame of eight joints with equilibria close to each other. */
   SceneText random_frame()
   {
     SceneText scene;
@@ -101,9 +101,8 @@ namespace
 
 TEST(EquilibriumJumps, NewtonsMethodStaysOnTheConnectedPath)
 {
-  // By shooting with Reissner beams 2.0 mm; Newton's method goes to an
-  // equilibrium at 76 mm in steps of 0.05 s. Longer ones begin with a large
-  // step.
+  // Shooting with Reissner beams yields 2.0 mm. Newton's method reaches an
+  // equilibrium at 76 mm in steps of 0.05 s.
   for (const char *step : {"0.05", "0.1", "0.35", "0.7"})
     {
       const JumpingRun run =
@@ -114,12 +113,12 @@ TEST(EquilibriumJumps, NewtonsMethodStaysOnTheConnectedPath)
     }
 }
 
-TEST(EquilibriumJumps, ASnapIsToldWithItsTimeAndJoint)
+TEST(EquilibriumJumps, ASnapThroughIsReportedWithTimeAndJoint)
 {
   const JumpingRun run   = jumping_run_of(snapping_truss, {});
   const auto       jumps = jumps_of(run.result);
   ASSERT_EQ(jumps.size(), 1u) << verdict_text(run.result.findings);
-  // The energy that a snap sets free is no error.
+  // The energy released by a snap-through is no error.
   EXPECT_EQ(verdict_of(run.result.findings), Verdict::doubtful)
     << verdict_text(run.result.findings);
   EXPECT_EQ(jumps[0].verdict, Verdict::doubtful);
@@ -129,7 +128,7 @@ TEST(EquilibriumJumps, ASnapIsToldWithItsTimeAndJoint)
     apex_force(std::acos(std::cbrt(1 / std::sqrt(1.09)))) / 0.04;
   EXPECT_LE(jumps[0].time, limit);
   EXPECT_GE(jumps[0].time, limit - 0.1 / 64);
-  // It ends hanging, in tension.
+  // At the end it hangs, in tension.
   double low = std::atan(0.3), high = 1;
   while (high - low > 1e-12)
     {
@@ -139,9 +138,9 @@ TEST(EquilibriumJumps, ASnapIsToldWithItsTimeAndJoint)
   EXPECT_NEAR(run.history.column("apex.uy").back(), -0.3 - std::tan(low), 1e-6);
 }
 
-TEST(EquilibriumJumps, LoadsThatJumpAreNoJumpOfTheEquilibrium)
+TEST(EquilibriumJumps, JumpingLoadsAreNoJumpOfTheEquilibrium)
 {
-  // 0.7 of the limit load at once, twice as soft as at rest.
+  // 0.7 of the limit load in one step, with half the stiffness at rest.
   const JumpingRun at_once =
     jumping_run_of(snapping_truss, {"Loads/apex/Force y=-0.02 * (t >= 0.5)"});
   EXPECT_TRUE(jumps_of(at_once.result).empty())

@@ -11,7 +11,7 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  /** A free strut in space that flies and turns. */
+  /** A free strut in space with translation and rotation. */
   const SceneText flying_strut =
     SceneText()
       .dimension(3)
@@ -22,8 +22,10 @@ namespace
       .mesh(2)
       .time(1, 1e-3, "energy-momentum");
 
-  /** The guess for a step of length @p dt (s) with acceleration @p change of
-   * velocities in a second, over themselves. */
+  /**
+   * Predictor of a step of length @p dt (s); acceleration is the @p change of
+   * velocities per second, over themselves.
+   */
   struct Guess
   {
     Guess(const double change, const double dt)
@@ -45,7 +47,7 @@ namespace
   };
 } // namespace
 
-TEST(GuessAhead, MovesOnByUnchangedAccelerations)
+TEST(GuessAhead, UsesConstantAcceleration)
 {
   const double dt = 0.01, change = 5;
   const Guess  guess(change, dt);
@@ -55,14 +57,14 @@ TEST(GuessAhead, MovesOnByUnchangedAccelerations)
                 1e-16);
 }
 
-TEST(GuessAhead, IsAMotionOfTheScheme)
+TEST(GuessAhead, ObeysTheScheme)
 {
   const double dt = 0.01;
   const Guess  guess(5, dt);
   const auto  &numbering = guess.on_ranks.model.numbering;
   for (std::size_t i = 0; i < guess.to.displacement.size(); ++i)
     {
-      // Turns about z alone.
+      // Rotates about z only.
       const double way = numbering.unknowns().is_rotation[i]
         ? cayley_rotation(guess.to.displacement[i])
         : guess.to.displacement[i];
@@ -75,14 +77,14 @@ TEST(GuessAhead, IsAMotionOfTheScheme)
     }
 }
 
-TEST(GuessAhead, LongStepsBeginWithTheStart)
+TEST(GuessAhead, LongStepsAreNotExtrapolated)
 {
   const Guess guess(/*change=*/11, /*dt=*/0.01);
   for (const double value : guess.to.displacement)
     EXPECT_EQ(value, 0.);
 }
 
-TEST(GuessAhead, OfAFallIsTheSolution)
+TEST(GuessAhead, IsExactForFreeFall)
 {
   SceneRun run(SceneText(flying_strut)
                  .remove("Initial velocities/throw/Angular velocity z")

@@ -70,21 +70,21 @@ TEST(Newton, ConvergesQuadraticallyWithAFreshFactorization)
       parameters.maximum_iterations = n;
       parameters.tolerance          = 1e-11;
       StaticStep           step(cantilever("0.5", in_statics), parameters);
-      const Newton::Result at_n = step.solve();
-      residuals.push_back(at_n.relative_residual);
-      EXPECT_EQ(step.work.factorizations, at_n.iterations);
-      if (at_n.converged)
+      const Newton::Result result_at_n = step.solve();
+      residuals.push_back(result_at_n.relative_residual);
+      EXPECT_EQ(step.work.factorizations, result_at_n.iterations);
+      if (result_at_n.converged)
         break;
     }
   std::printf("iteration  relative residual  over square of the last\n");
   unsigned int n_checked = 0;
-  // The first residual has no force to be compared with.
+  // The first residual has no reference force.
   for (unsigned int n = 2; n < residuals.size(); ++n)
     {
       const double ratio = residuals[n] / (residuals[n - 1] * residuals[n - 1]);
       std::printf("%9u  %17.3e  %23.2f\n", n, residuals[n], ratio);
-      // Bounded where convergence has set in and round-off (1e-15) is far; a
-      // wrong tangent leaves a fixed fraction of each residual.
+      // Only where convergence has begun and round-off (1e-15) is far. A wrong
+      // tangent leaves a fixed fraction of each residual.
       if (residuals[n - 1] < 0.1 && residuals[n] > 1e-14)
         {
           EXPECT_LT(ratio, 5.);
@@ -97,7 +97,7 @@ TEST(Newton, ConvergesQuadraticallyWithAFreshFactorization)
 
 namespace
 {
-  /** Lee's frame, the beam of which is pushed down by @p v (cm) at once. */
+  /** Lee's frame, whose beam is pushed down by @p v (cm) in one step. */
   SceneText pushed_frame(const double v)
   {
     SceneText scene =
@@ -110,7 +110,7 @@ namespace
     return scene;
   }
 
-  /** Whether Newton's method converges with whole increments alone. */
+  /** Whether Newton's method converges with full increments. */
   bool converges_with_whole_increments(StaticStep &step)
   {
     step.to.time             = 1;
@@ -132,7 +132,7 @@ namespace
           return false;
         step.scheme.correct(step.from, increment, 1., step.to);
         step.solver.residual(instant, results);
-        // Far above round-off, within reach of quadratic convergence.
+        // Far above round-off, within quadratic convergence.
         if (results.force <= 1e-6 * results.force_scale)
           return true;
       }
@@ -140,7 +140,7 @@ namespace
   }
 } // namespace
 
-TEST(Newton, ShortenedIncrementsFindWhatWholeOnesMiss)
+TEST(Newton, LineSearchConvergesWhereFullIncrementsFail)
 {
   unsigned int n_whole = 0, n_shortened = 0, n_found_by_them = 0;
   for (double v = 0.25; v <= 3; v += 0.125)
@@ -152,7 +152,7 @@ TEST(Newton, ShortenedIncrementsFindWhatWholeOnesMiss)
       n_whole += by_whole;
       n_shortened += is_found;
       n_found_by_them += is_found && step.work.shortened > 0;
-      // Where increments need not be shortened both are one method.
+      // Without line search both methods are equal.
       if (step.work.shortened == 0)
         {
           EXPECT_EQ(is_found, by_whole) << v;
@@ -162,18 +162,18 @@ TEST(Newton, ShortenedIncrementsFindWhatWholeOnesMiss)
   EXPECT_GE(n_found_by_them, 5u);
 }
 
-TEST(Newton, KeptFactorizationFindsTheSameWithFewerFactorizations)
+TEST(Newton, JacobianReuseSavesFactorizations)
 {
   NewtonParameters kept;
-  StaticStep       with_kept(cantilever("0.1", in_statics), kept),
+  StaticStep       with_reuse(cantilever("0.1", in_statics), kept),
     with_fresh(cantilever("0.1", in_statics), full_newton());
-  const Newton::Result result = with_kept.solve(), fresh = with_fresh.solve();
+  const Newton::Result result = with_reuse.solve(), fresh = with_fresh.solve();
   ASSERT_TRUE(result.converged);
   ASSERT_TRUE(fresh.converged);
-  EXPECT_LT(with_kept.work.factorizations, with_fresh.work.factorizations);
+  EXPECT_LT(with_reuse.work.factorizations, with_fresh.work.factorizations);
   for (const unsigned int c : {0u, 1u, rotation_z})
     // Both have residuals below 1e-8 of the force.
-    EXPECT_NEAR(with_kept.tip(c), with_fresh.tip(c), 1e-8);
+    EXPECT_NEAR(with_reuse.tip(c), with_fresh.tip(c), 1e-8);
 }
 
 TEST(Newton, ALinearSceneNeedsOneFactorizationInAll)
@@ -204,10 +204,9 @@ TEST(Newton, NoLoadNeedsNoForceScale)
   EXPECT_EQ(unloaded.tip(1), 0.);
 }
 
-TEST(Newton, LoadsOfWhichNoDigitsAreLeftAreSolved)
+TEST(Newton, DenormalLoadsAreSolved)
 {
-  // As a Gaussian has them far from its middle; below 2e-308 numbers lose
-  // digits.
+  // As in the tails of a Gaussian; below 2e-308 numbers lose digits.
   for (int exponent = -315; exponent <= -295; ++exponent)
     {
       const std::string force = "1e" + std::to_string(exponent);
@@ -216,7 +215,7 @@ TEST(Newton, LoadsOfWhichNoDigitsAreLeftAreSolved)
     }
 }
 
-TEST(Newton, PrescribedUnknownsMoveToTheirPlaceInOneIteration)
+TEST(Newton, PrescribedUnknownsMoveInOneIteration)
 {
   StaticStep moved(
     frame_scene("0 0; 1 0", "0 1")
@@ -227,7 +226,7 @@ TEST(Newton, PrescribedUnknownsMoveToTheirPlaceInOneIteration)
       .set("Time/Scheme", "static"),
     {});
   EXPECT_TRUE(moved.solve().converged);
-  // Increments are exact but for the solution's round-off.
+  // Increments are exact except for the solution's round-off.
   EXPECT_NEAR(moved.tip(0), 0.01, 1e-15);
   EXPECT_NEAR(moved.tip(1), 0.2, 1e-15);
   EXPECT_NEAR(moved.tip(rotation_z), -0.3, 1e-15);
@@ -248,8 +247,8 @@ TEST(Newton, GivesUpAfterTheLargestNumberOfIterations)
 
 TEST(Newton, AStructureWithoutResistanceIsReported)
 {
-  // The joint in the middle of two hinged struts in
-  // line has no resistance across.
+  // The middle joint of two hinged struts in line has no transverse
+  // resistance.
   StaticStep           hinged(frame_scene("0 0; 1 0; 2 0", "0 1; 1 2")
                       .hinge("all of them", "all")
                       .add("Loads/push", "Joints = 1 | Force y = 1")
@@ -258,7 +257,7 @@ TEST(Newton, AStructureWithoutResistanceIsReported)
                     {});
   const Newton::Result result = hinged.solve();
   EXPECT_FALSE(result.converged);
-  // Which of the two is found depends on a rounding.
+  // Rounding decides which of the two occurs.
   EXPECT_TRUE(result.reason == "the matrix is singular" ||
               result.reason ==
                 "an iteration turned a section by more than half a turn")
@@ -267,11 +266,13 @@ TEST(Newton, AStructureWithoutResistanceIsReported)
 
 namespace
 {
-  /** Of a cantilever in motion under 0.1 t N, stages of which each is solved
-   * from the one before, from rest at first. */
-  struct StagesInTurn
+  /**
+   * Stages of a moving cantilever under 0.1 t N, each solved from the previous
+   * one, the first from rest.
+   */
+  struct ConsecutiveStages
   {
-    explicit StagesInTurn(const SceneText &and_this = {})
+    explicit ConsecutiveStages(const SceneText &and_this = {})
       : setup(testing_support::cantilever("0.1 * t", "Scheme = esdirk")
                 .add(and_this),
               {},
@@ -320,8 +321,10 @@ namespace
 
   const double tolerance_of_stages = NewtonParameters().tolerance;
 
-  /** Of a result that is solved in one iteration: whether it tells the residual
-   * before that, as the one after it was not computed. */
+  /**
+   * Whether the result of one iteration has the residual before it, because
+   * the one after it was not computed.
+   */
   bool is_estimated(const Newton::Result &result)
   {
     EXPECT_TRUE(result.converged);
@@ -335,14 +338,14 @@ namespace
   }
 } // namespace
 
-TEST(Newton, TheResidualOfAStageIsEstimatedOnceIterationsAreKnown)
+TEST(Newton, TheResidualOfAStageIsPredictedFromEarlierIterations)
 {
   for (const SceneText &scene : {large_rotation("on"), large_rotation("off")})
     {
-      StagesInTurn stages(scene);
+      ConsecutiveStages stages(scene);
       EXPECT_LT(stages.solve(1).relative_residual, tolerance_of_stages);
-      // A tangent tells how it serves elsewhere after its second stage; that of
-      // linear equations is the same everywhere.
+      // The reduction by a reused tangent is known after its second stage;
+      // linear equations always have the same tangent.
       EXPECT_EQ(is_estimated(stages.solve(1.00001)),
                 stages.setup.equations.is_linear());
       EXPECT_TRUE(is_estimated(stages.solve(1.00002)));
@@ -352,15 +355,15 @@ TEST(Newton, TheResidualOfAStageIsEstimatedOnceIterationsAreKnown)
 
 TEST(Newton, TheResidualAtTheEndOfAStepIsComputed)
 {
-  StagesInTurn stages;
+  ConsecutiveStages stages;
   stages.solve(1);
   stages.solve(1.00001);
   EXPECT_FALSE(is_estimated(stages.solve(1.00002, /*ends_step=*/true)));
 }
 
-TEST(Newton, TheResidualOfAStageThatIsFarIsComputed)
+TEST(Newton, TheResidualOfADistantStageIsComputed)
 {
-  StagesInTurn stages;
+  ConsecutiveStages stages;
   stages.solve(1);
   stages.solve(1.00001);
   const Newton::Result far = stages.solve(1.5);
@@ -381,7 +384,7 @@ TEST(Newton, TheResidualOfAStageIsComputedWhereSupportsMoveAndPartsAreRigid)
                             .rigid_part("end", "1", 1);
   for (const SceneText &scene : {lifted, rigid})
     {
-      StagesInTurn stages(scene);
+      ConsecutiveStages stages(scene);
       for (const double time : {1., 1.00001, 1.00002, 1.00003})
         EXPECT_LT(stages.solve(time).relative_residual, tolerance_of_stages)
           << scene.str();

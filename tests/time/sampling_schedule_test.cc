@@ -13,8 +13,10 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  /** With steps and elements for slower motions. If displacements are small,
-   * which these are, some of the steps are sampled. */
+  /**
+   * Steps and elements are too coarse for the motion. With small displacements
+   * only some steps are sampled.
+   */
   SceneText shaken_stars(const std::string &joints,
                          const std::string &force,
                          const std::string &large_rotation = "off")
@@ -33,7 +35,7 @@ namespace
   const std::string vibration = "1e-5 * sin(2 * pi * t / 150e-6)",
                     blow      = "1e-5 * exp(-((t - 200e-6) / 50e-6)^2)";
 
-  /** Without that of bending, which is sampled in single steps. */
+  /** Removes findings about bending, which samples single steps. */
   std::vector<Finding> without_rates(std::vector<Finding> findings)
   {
     findings.erase(std::remove_if(findings.begin(),
@@ -47,7 +49,7 @@ namespace
     return findings;
   }
 
-  /** In the order of the findings, per cent. */
+  /** Percentages in the order of the findings. */
   std::vector<double> percentages(const std::vector<Finding> &findings)
   {
     std::vector<double> parts;
@@ -61,7 +63,7 @@ namespace
   }
 } // namespace
 
-TEST(SamplingSchedule, TakesBurstsOfLinearMotions)
+TEST(SamplingSchedule, SamplesLinearMotionsInBursts)
 {
   using Steps        = std::vector<unsigned long>;
   const auto sampled = [](const SamplingRate rate,
@@ -93,16 +95,16 @@ TEST(SamplingSchedule, TakesBurstsOfLinearMotions)
   EXPECT_EQ(Steps(alone.begin(), alone.begin() + 3), (Steps{0, 13, 26}));
   EXPECT_EQ(alone.back(), 299u);
   EXPECT_EQ(sampled(single, "off", of_300), alone);
-  // Twenty bursts at least.
+  // At least twenty bursts.
   EXPECT_EQ(sampled(bursts, "off", of_100).size(), 62u);
   EXPECT_EQ(sampled(bursts, "off", of_8).size(), 8u);
-  // All that is nonlinear, costs nothing, or has no inertia.
+  // Nonlinear scenes, cheap checks and statics sample every step.
   EXPECT_EQ(sampled(bursts, "on", of_300).size(), 300u);
   EXPECT_EQ(sampled(SamplingRate::every_step, "off", of_300).size(), 300u);
   EXPECT_EQ(sampled(single, "off", of_300, "static").size(), 300u);
 }
 
-TEST(SamplingSchedule, FindsInSamplesWhatAllStepsTell)
+TEST(SamplingSchedule, SamplesGiveTheFindingsOfAllSteps)
 {
   for (const std::string &force : {vibration, blow})
     {
@@ -124,7 +126,7 @@ TEST(SamplingSchedule, FindsInSamplesWhatAllStepsTell)
     }
 }
 
-TEST(SamplingSchedule, FindsWhatHappensToOneJoint)
+TEST(SamplingSchedule, FindsEventsAtASingleJoint)
 {
   const auto joint_findings = [](const std::string &large_rotation) {
     return without_rates(

@@ -24,7 +24,7 @@ namespace
     std::vector<double>    displacement; ///< of joints, x and y in turn (m)
   };
 
-  /** What small displacements, or exact kinematics, make of a scene. */
+  /** Outcome of a scene by small displacements or exact kinematics. */
   SmallOutcome small_outcome_of(const std::string &text,
                                 const bool         is_exact,
                                 const MPI_Comm     communicator = MPI_COMM_SELF)
@@ -49,7 +49,7 @@ namespace
     return outcome;
   }
 
-  /** Of the displacements of all joints. */
+  /** Difference of the displacements of all joints. */
   double relative_difference(const SmallOutcome &one, const SmallOutcome &other)
   {
     double difference = 0, size = 0;
@@ -76,7 +76,7 @@ namespace
 
 TEST(SmallDisplacementEstimate, HasTheAxialForcesOfTheStruts)
 {
-  // Straight struts are judged by their chords, arcs by what they bear.
+  // Straight struts are judged by their chords, arcs by their forces.
   for (const unsigned int dimension : {2u, 3u})
     for (const bool is_arc : {false, true})
       for (const unsigned int order : {1u, 3u})
@@ -134,8 +134,8 @@ TEST(SmallDisplacementEstimate, KnowsTheSlopeOfACantilever)
 
 TEST(SmallDisplacementEstimate, KnowsHowAxialForcesChangeTheStiffness)
 {
-  // All struts together buckle at pi^2 EI / 4 L^2, one of them at 64 times
-  // that. Pressed by a fifth of it, and pulled.
+  // All struts together buckle at pi^2 EI / 4 L^2, a single one at 64 times
+  // that. A fifth of it, in compression and in tension.
   const double load = 0.2 * pi * pi / 4;
   for (const double sign : {-1., 1.})
     {
@@ -143,7 +143,7 @@ TEST(SmallDisplacementEstimate, KnowsHowAxialForcesChangeTheStiffness)
       const SmallOutcome small = small_outcome_of(pressed, false),
                          exact = small_outcome_of(pressed, true);
       EXPECT_NEAR(small.estimate.second_order, 0.2, 0.01);
-      // The true one is 1 / (1 -+ 0.2) - 1.
+      // The exact error is 1 / (1 -+ 0.2) - 1.
       EXPECT_NEAR(relative_difference(small, exact),
                   1 / (1 / 0.2 + sign),
                   0.01);
@@ -162,7 +162,7 @@ TEST(SmallDisplacementEstimate, BoundsTheErrorOfABendingLattice)
       .mesh(3)
       .time(1, 0.25, "static");
   };
-  // To first order while it is small.
+  // To first order in small loads.
   const auto ratio = [&star](const double load) {
     const SmallOutcome small = small_outcome_of(star(load), false),
                        exact = small_outcome_of(star(load), true);
@@ -173,7 +173,7 @@ TEST(SmallDisplacementEstimate, BoundsTheErrorOfABendingLattice)
       EXPECT_GT(ratio(load), 1);
       EXPECT_LT(ratio(load), 2);
     }
-  // At about a tenth.
+  // At an error of about a tenth.
   for (const double load : {-1., 1.})
     {
       EXPECT_GT(ratio(load), 0.4);
@@ -183,7 +183,7 @@ TEST(SmallDisplacementEstimate, BoundsTheErrorOfABendingLattice)
 
 TEST(SmallDisplacementEstimate, SeesRigidPartsAndConnectors)
 {
-  // A lever of 0.1 m turns by 0.05 rad, a spring by 5 mm over its length.
+  // A lever of 0.1 m rotates by 0.05 rad, a spring by 5 mm over its length.
   const auto with_spring = [](const std::string &length) {
     return small_outcome_of(
              SceneText()
@@ -207,7 +207,7 @@ TEST(SmallDisplacementEstimate, SeesRigidPartsAndConnectors)
   EXPECT_NEAR(spring_error.rotation, 0.1, 1e-12);
   EXPECT_EQ(spring_error.location, "connector spring of joint 1");
 }
-TEST(SmallDisplacementWatch, TellsDisplacementsThatAreNotSmall)
+TEST(SmallDisplacementWatch, ReportsLargeDisplacements)
 {
   const auto with = [](const double load) {
     return findings_of(
@@ -233,10 +233,10 @@ TEST(SmallDisplacementWatchOnRanks, FindsTheSame)
   EXPECT_EQ(together[0].text, alone[0].text);
 }
 
-TEST(SmallDisplacementWatch, KnowsThatFramesOfStretchedBarsAreNotSoftened)
+TEST(SmallDisplacementWatch, AcceptsFramesOfStretchedBars)
 {
-  // Exact kinematics differ by 2e-5; axial forces of the order of the buckling
-  // loads change the slight bending at stiff joints, not what is carried.
+  // Exact kinematics differ by 2e-5. Axial forces near the buckling loads
+  // change the slight bending at stiff joints, but not the forces.
   const auto tripod = [](const SpaceTexts &force) {
     return SceneText()
       .dimension(3)
@@ -247,7 +247,8 @@ TEST(SmallDisplacementWatch, KnowsThatFramesOfStretchedBarsAreNotSoftened)
       .time(1, 1, "static");
   };
   for (const SpaceTexts &force : {SpaceTexts{"1e3*t", "0", "-2e3*t"},
-                                  // One bar beyond its load with hinged ends.
+                                  // One bar above its Euler load with hinged
+                                  // ends.
                                   SpaceTexts{"2e3*t", "0", "-4e3*t"},
                                   SpaceTexts{"0", "0", "2e3*t"},
                                   SpaceTexts{"1e3*t", "0", "4e3*t"}})
@@ -260,7 +261,7 @@ TEST(SmallDisplacementWatch, KnowsThatFramesOfStretchedBarsAreNotSoftened)
         findings_of(text.str(), {"Effects/Large rotation=off"});
       EXPECT_TRUE(found.empty()) << verdict_text(found);
     }
-  // There it buckles.
+  // The structure buckles.
   EXPECT_EQ(verdict_of(findings_of(tripod({"6e3*t", "0", "-12e3*t"}).str(),
                                    {"Effects/Large rotation=off"})),
             Verdict::doubtful);
@@ -268,8 +269,8 @@ TEST(SmallDisplacementWatch, KnowsThatFramesOfStretchedBarsAreNotSoftened)
 
 TEST(SmallDisplacementWatchOnRanks, ReportsATrussBeyondItsCriticalLoad)
 {
-  // Linear statics is what was asked for: bars that bear 6.32 times their Euler
-  // load leave its numbers as they are.
+  // The scene asks for linear statics: bars at 6.32 times their Euler load do
+  // not change its results.
   const SceneText truss =
     SceneText()
       .dimension(3)
@@ -297,8 +298,8 @@ TEST(SmallDisplacementWatchOnRanks, ReportsATrussBeyondItsCriticalLoad)
 
 TEST(SmallDisplacementWatch, RefusesBendingBeyondTheCriticalLoad)
 {
-  // A column bent across under 1.2 times its critical load: linear deflections
-  // are not those of any equilibrium nearby.
+  // A column bent laterally under 1.2 times its critical load: linear
+  // deflections match no equilibrium nearby.
   const auto found =
     findings_of(chain(text(-1.2 * pi * pi / 4) + " * t", "1e-3 * t")
                   .set("Effects/Large rotation", "off"));
@@ -307,10 +308,9 @@ TEST(SmallDisplacementWatch, RefusesBendingBeyondTheCriticalLoad)
   EXPECT_TRUE(contains(found[1].text, "beyond its critical load"));
 }
 
-TEST(SmallDisplacementWatch, TellsLoadsThatCarryTransversely)
+TEST(SmallDisplacementWatch, ReportsAxialForcesThatCarryTransverseLoads)
 {
-  // A pulled, slightly loaded strut of four elements: tension halves the
-  // deflection of a long one.
+  // A slender strut of four elements in tension, which halves its deflection.
   const SceneText pulled =
     SceneText()
       .frame("0 0; 0.25 0; 0.5 0; 0.75 0; 1 0", "0 1; 1 2; 2 3; 3 4")

@@ -8,12 +8,15 @@
 using namespace auxfem;
 using namespace auxfem::testing_support;
 
-// Runge-Kutta steps where supports prescribe rotations in space. The orders of
-// what moves freely: tests/verification/runge_kutta_order_test.cc.
+// Runge-Kutta steps with prescribed rotations in space. The orders of free
+// motions: tests/verification/runge_kutta_order_test.cc.
 
 namespace
 {
-  /** A soft angle in space that a heavy push turns; its foot is not held. */
+  /**
+   * A soft angle in space, rotated by a strong load; its foot is free to
+   * rotate.
+   */
   SceneText pushed_angle()
   {
     SceneText scene;

@@ -11,9 +11,8 @@
 using namespace auxfem;
 using namespace auxfem::testing_support;
 
-// A free mass on a spring, u = sin(omega t), of three periods: errors of all
-// steps add up to one of the phase. An arm that is turned at a joint that
-// cannot be displaced: what counts are rotations.
+// A free mass on a spring, u = sin(omega t), of three periods: step errors add
+// up to a phase error. An arm rotated at a fixed joint: only rotations count.
 
 namespace
 {
@@ -35,7 +34,7 @@ namespace
     RunResult result;
   };
 
-  /** Turned by a moment about @p axis at its end, with a kink. */
+  /** Rotated by an end moment about @p axis that has a kink. */
   SceneText turned_arm(const unsigned int dimension,
                        const std::string &axis,
                        const std::string &scheme)
@@ -52,7 +51,7 @@ namespace
     return scene.mesh(2).time(0.1, 0.0125, scheme).probe("arm", "1");
   }
 
-  /** Rotations over time, at steps. */
+  /** Rotations at steps. */
   std::vector<double> rotations(const SceneText                &scene,
                                 const std::string              &column,
                                 const std::vector<std::string> &overrides)
@@ -65,7 +64,7 @@ namespace
 
   constexpr unsigned int parts = 128;
 
-  /** Those of turned_arm() with steps of 1/128: to ten digits. */
+  /** Rotations of turned_arm() with steps of 1/128, to ten digits. */
   std::vector<double> fine_rotations(const unsigned int dimension,
                                      const std::string &axis,
                                      const std::string &column)
@@ -106,7 +105,7 @@ namespace
     return outcome;
   }
 
-  /** Of @p n steps of the scene. */
+  /** Numbers of parts in @p n steps of the scene. */
   std::vector<double> parts_of_steps(SceneRun &run, const unsigned int n)
   {
     std::vector<double> parts;
@@ -115,16 +114,17 @@ namespace
     return parts;
   }
 
-  /** Of an oscillator. */
+  /** Expects an oscillator to meet the tolerance. */
   void expect_met(const SceneText &scene, const double tolerance)
   {
     const Outcome outcome = run(scene.str(),
                                 {"Time/Relative tolerance=" + text(tolerance),
                                  "Time/Smallest time step=2e-6"});
-    // Without damping nothing of the error is lost, the worst case; steps
-    // become longer at moments when it hardly grows.
+    // Without damping no error decays, the worst case. Steps become longer
+    // where the error hardly grows.
     EXPECT_LT(outcome.error, 2.2 * tolerance) << scene.str() << tolerance;
-    // Halves have a quarter of the error; a little is kept in hand.
+    // Half the step has a quarter of the error; the controller has a safety
+    // margin.
     EXPECT_GT(outcome.error, tolerance / 25) << scene.str() << tolerance;
     EXPECT_EQ(verdict_of(outcome.result.findings), Verdict::sound);
   }
@@ -139,14 +139,14 @@ TEST(StepError, TolerancesAreMetByAnUndampedOscillator)
 
 TEST(StepError, TolerancesAreMetByLongStepsOfAnUndampedOscillator)
 {
-  // Steps begin with half an oscillation.
+  // The first step is half an oscillation.
   for (const char *const order : {"3", "4"})
     for (const double tolerance : {1e-1, 3e-2, 1e-2, 1e-3, 1e-4, 1e-5})
       expect_met(oscillator("esdirk").set("Time/Order of esdirk", order),
                  tolerance);
 }
 
-TEST(StepError, StepsOfAFreeOscillationAreAlike)
+TEST(StepError, StepsOfAFreeOscillationAreEqual)
 {
   SceneRun run(oscillator("newmark")
                  .set("Time/Relative tolerance", "1e-5")
@@ -161,7 +161,7 @@ TEST(StepError, StepsOfAFreeOscillationAreAlike)
     }
 }
 
-TEST(StepError, EstimateIsThatOfTheErrorThatIsMade)
+TEST(StepError, EstimateMatchesTheError)
 {
   for (const char *const scheme : {"newmark", "hht", "generalized-alpha"})
     {
@@ -192,7 +192,7 @@ TEST(StepError, ToleranceThatCannotBeMetMakesResultsDoubtful)
   EXPECT_GT(outcome.error, 1e-3);
 }
 
-TEST(StepError, DisplacementsBelowTheAbsoluteToleranceAreWarnedOf)
+TEST(StepError, WarnsOfDisplacementsBelowTheAbsoluteTolerance)
 {
   const Outcome outcome =
     run(oscillator("newmark"),
@@ -225,14 +225,15 @@ TEST(StepError, TolerancesAreMetByRotationsInThePlane)
   for (const char *const scheme : {"newmark", "esdirk"})
     for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-5})
       {
-        // No error of displacements is too large.
+        // Displacements have no tolerance that matters.
         const std::vector<std::string> overrides = {
           "Time/Relative tolerance=" + text(tolerance),
           "Time/Absolute tolerance=1 m",
           "Time/Smallest time step=1e-7"};
-        const auto error = [&](const std::string &of_rotations) {
+        const auto error = [&](const std::string &rotation_tolerance) {
           std::vector<std::string> all = overrides;
-          all.push_back("Time/Absolute tolerance of rotations=" + of_rotations);
+          all.push_back("Time/Absolute tolerance of rotations=" +
+                        rotation_tolerance);
           return error_of_rotations(rotations(turned_arm(2, "z", scheme),
                                               "phi",
                                               all),
@@ -241,7 +242,7 @@ TEST(StepError, TolerancesAreMetByRotationsInThePlane)
         const double met = error(text(tolerance / 100));
         EXPECT_LT(met, tolerance) << scheme;
         EXPECT_GT(met, tolerance / 500) << scheme << ' ' << tolerance;
-        // With rotations that may err as well steps are whole ones.
+        // With a loose tolerance of rotations steps are not divided.
         EXPECT_GT(error("1"), 1.5 * met) << scheme << ' ' << tolerance;
       }
 }

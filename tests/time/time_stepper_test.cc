@@ -50,14 +50,14 @@ TEST(TimeStepper, TimesAreMultiplesOfTheStep)
                           "Scheme = newmark | End time = 1 | Time step = 0.1"));
   EXPECT_EQ(run.scene.time.n_steps(), 10u);
   run.run([&run] {
-    // Sums of ten times 0.1 would differ in the last digits.
+    // A sum of ten times 0.1 would differ in the last digits.
     EXPECT_EQ(run.state.time, run.state.step * 0.1);
   });
   EXPECT_EQ(run.state.step, 10u);
   EXPECT_EQ(run.state.time, 1.);
 }
 
-TEST(TimeStepper, TheLastStepIsShorterIfTheEndTimeAsksForIt)
+TEST(TimeStepper, TheLastStepEndsAtTheEndTime)
 {
   SceneRun run(
     cantilever("0.01 * t",
@@ -72,7 +72,7 @@ TEST(TimeStepper, TheLastStepIsShorterIfTheEndTimeAsksForIt)
   EXPECT_NEAR(lengths[10], 0.05, 1e-15);
 }
 
-TEST(TimeStepper, RoundOffInTheNumberOfStepsAddsNone)
+TEST(TimeStepper, RoundOffAddsNoStep)
 {
   // 0.3 / 0.1 is a little below 3, 0.7 / 0.1 a little below 7, 0.6 / 0.2
   // below 3.
@@ -91,7 +91,7 @@ TEST(TimeStepper, RoundOffInTheNumberOfStepsAddsNone)
 
 TEST(TimeStepper, ALinearSceneWithAConstantStepIsFactorizedOnce)
 {
-  // By motions too small to be compared with exact ones.
+  // Motions too small for a comparison with exact ones.
   SceneRun run(
     cantilever("3e-5 * t",
                "Scheme = generalized-alpha | End time = 3 | Time step = 0.1"),
@@ -101,9 +101,9 @@ TEST(TimeStepper, ALinearSceneWithAConstantStepIsFactorizedOnce)
   EXPECT_EQ(run.work().iterations, 30u);
 }
 
-TEST(TimeStepper, LinearEquilibriaGoOnWithTheirLoadsByOneSolutionEach)
+TEST(TimeStepper, LinearEquilibriaNeedOneSolutionPerStep)
 {
-  // Many rows have no forces, which the round-off of those beside them hides.
+  // Many rows have no forces, only the round-off of neighbouring rows.
   SceneRun run(
     SceneText()
       .cells("star", 3, 3)
@@ -119,14 +119,14 @@ TEST(TimeStepper, LinearEquilibriaGoOnWithTheirLoadsByOneSolutionEach)
       .set("Effects/Large rotation", "off")
       .time(0.02, 1e-4, "static"));
   run.run();
-  // The dashpots begin to yield with the load and its kink.
+  // The dashpots begin to yield under the load and its kink.
   EXPECT_LE(run.work().iterations, 240u);
   EXPECT_GE(run.work().iterations, 200u);
   EXPECT_LT(std::abs(run.state.energies.balance(0.)),
             1e-13 * run.state.largest_energy);
 }
 
-TEST(TimeStepper, AStepThatFailsIsUndoneAndDoneInParts)
+TEST(TimeStepper, AFailedStepIsRepeatedInParts)
 {
   const std::string time = "Scheme = static | End time = 1 | Time step = 1";
   SceneRun          coarse(cantilever("2 * t", time),
@@ -147,10 +147,10 @@ TEST(TimeStepper, AStepThatFailsIsUndoneAndDoneInParts)
     EXPECT_NEAR(coarse.motion(1, c), fine.motion(1, c), 1e-7);
 }
 
-TEST(TimeStepper, WorkOfAStepInPartsIsTheSumOfItsParts)
+TEST(TimeStepper, WorkOfADividedStepIsTheSumOfItsParts)
 {
-  // With few iterations some steps are divided; the balance of a linear path
-  // in the load does not notice.
+  // Few iterations divide some steps; the balance of a path linear in the load
+  // stays exact.
   SceneRun run(
     cantilever("2 * t", "Scheme = static | End time = 1 | Time step = 0.25"),
     {"Newton/Maximum iterations=3", "Newton/Factorization=every iteration"});
@@ -159,7 +159,7 @@ TEST(TimeStepper, WorkOfAStepInPartsIsTheSumOfItsParts)
     substeps += run.advance().substeps;
   EXPECT_GT(substeps, 4u);
   const Energies &energies = run.state.energies;
-  // The trapezoidal rule for the work over some ten steps of a smooth path.
+  // The work is integrated by the trapezoidal rule over some ten steps.
   EXPECT_NEAR(energies.strain(),
               energies.external(),
               0.01 * energies.external());
@@ -167,9 +167,9 @@ TEST(TimeStepper, WorkOfAStepInPartsIsTheSumOfItsParts)
 
 TEST(TimeStepper, AToggleIsFollowedToItsLimitLoadInEverSmallerSteps)
 {
-  // Von Mises truss: the largest force lies where the bars are inclined by
-  // cos^3 = cos(at rest); beyond, equilibrium exists after the snap only, which
-  // a few iterations do not reach.
+  // Von Mises truss: the largest force occurs at an inclination with cos^3 =
+  // cos(at rest). Beyond it equilibrium exists only after the snap-through,
+  // which a few iterations do not reach.
   const double cosine = 1 / std::sqrt(1.09), c = std::cbrt(cosine);
   const double limit = 2 * 3 * std::sqrt(1 - c * c) * (1 - cosine / c);
   SceneRun     run(toggle(std::to_string(2 * limit) + " * t",
@@ -183,7 +183,7 @@ TEST(TimeStepper, AToggleIsFollowedToItsLimitLoadInEverSmallerSteps)
   const std::string error = error_of(run);
   EXPECT_NE(error.find("Smallest time step"), std::string::npos) << error;
   EXPECT_NE(error.find("joint 1"), std::string::npos) << error;
-  // Up to the limit, and no further; the smallest step is 2e-4 of it.
+  // It stops at the limit; the smallest step is 2e-4 of it.
   EXPECT_LE(run.state.time, 0.5);
   EXPECT_GE(run.state.time, 0.5 - 1e-3);
   EXPECT_GT(retries, 0u);
@@ -192,8 +192,8 @@ TEST(TimeStepper, AToggleIsFollowedToItsLimitLoadInEverSmallerSteps)
 
 TEST(TimeStepper, AfterAFailureTheStateIsTheLastAcceptedOne)
 {
-  // From t = 0.16 on the force is far beyond what five iterations reach. It is
-  // smooth: at a jump a step would end.
+  // After t = 0.16 the force exceeds what five iterations reach. It is smooth,
+  // as steps would end at a jump.
   const std::string text =
     cantilever("0.1 * t + 25 * (1 + tanh((t - 0.16) / "
                "1e-3))",
@@ -206,7 +206,7 @@ TEST(TimeStepper, AfterAFailureTheStateIsTheLastAcceptedOne)
   EXPECT_NE(error.find("did not converge"), std::string::npos) << error;
   EXPECT_NE(error.find("joint 1"), std::string::npos) << error;
 
-  // 0.2 fails, 0.15 succeeds, 0.2 and 0.175 from there fail.
+  // 0.2 fails, 0.15 succeeds, then 0.2 and 0.175 fail.
   EXPECT_EQ(run.state.step, 1u);
   EXPECT_NEAR(run.state.time, 0.15, 1e-15);
   SceneRun until_there(text,
@@ -255,7 +255,7 @@ TEST(TimeStepper, AStaticStartIsAnEquilibriumAtRest)
   EXPECT_EQ(run.state.energies.external(), 0.);
   EXPECT_GT(run.state.energies.strain(), 0.);
   run.run([&] {
-    // Out of balance by 1e-8 of the force, with flexibilities of about one.
+    // Residuals of 1e-8 of the force, with flexibilities of about one.
     EXPECT_NEAR(run.motion(1, 1), tip, 1e-7);
     EXPECT_NEAR(run.balance(), 0., 1e-8);
   });
@@ -263,8 +263,8 @@ TEST(TimeStepper, AStaticStartIsAnEquilibriumAtRest)
 
 TEST(TimeStepper, ASmoothMotionKeepsItsEnergy)
 {
-  // Average acceleration with small steps on a swinging cantilever under large
-  // rotations and a viscous connector: work = energy + losses to second order.
+  // Average acceleration with small steps, large rotations and a viscous
+  // connector: work = energy + losses to second order.
   const auto largest_error = [](const std::string &step) {
     SceneRun run(
       cantilever("0.4 * sin(t)^2",
@@ -288,8 +288,10 @@ TEST(TimeStepper, ASmoothMotionKeepsItsEnergy)
 
 namespace
 {
-  /** Runs the scene with all residuals of stages computed and with estimates,
-   * and calls take(estimates, recorder) for each. */
+  /**
+   * Runs the scene with computed and with predicted residuals of stages, and
+   * calls take(estimates, recorder) for each.
+   */
   template <class Take>
   void run_with_and_without_estimates(const SceneText &text,
                                       const MPI_Comm   communicator,
@@ -309,7 +311,7 @@ namespace
 
 TEST(TimeStepper, ResidualsOfStagesAreComputedInContact)
 {
-  // A cantilever that is pressed on a plate all the time.
+  // A cantilever permanently pressed on a plate.
   const SceneText text =
     SceneText()
       .frame("0 0; 1 0", "0 1")
@@ -323,7 +325,7 @@ TEST(TimeStepper, ResidualsOfStagesAreComputedInContact)
       .time(1, 0.02, "esdirk")
       .set("Time/Start from", "static equilibrium")
       .set("Time/Relative tolerance", 1e-4)
-      // From above the plate to its face takes about thirty.
+      // About thirty iterations lead from above the plate to its face.
       .set("Newton/Maximum iterations", 60)
       .set("Newton/Tolerance", 1e-4);
   std::array<std::vector<std::vector<double>>, 2> rows;
@@ -337,7 +339,7 @@ TEST(TimeStepper, ResidualsOfStagesAreComputedInContact)
   EXPECT_EQ(rows[false], rows[true]);
 }
 
-TEST(TimeStepper, EstimatedResidualsOfStagesChangeNothingThatCounts)
+TEST(TimeStepper, PredictedStageResidualsDoNotChangeResults)
 {
   const SceneText text =
     cantilever("0.4 * sin(t)^2",

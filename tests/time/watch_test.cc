@@ -10,8 +10,10 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  /** A clamped column of EI = 2 N m2 and 1 m, pressed: it buckles at
-   * (pi / 2)^2 EI = 4.93 N, which is reached at t = 0.123 s. */
+  /**
+   * A clamped column of EI = 2 N m2 and 1 m in compression. It buckles at (pi
+   * / 2)^2 EI = 4.93 N, reached at t = 0.123 s.
+   */
   const SceneText column =
     SceneText()
       .frame("0 0; 1 0", "0 1")
@@ -29,8 +31,10 @@ namespace
 
 namespace
 {
-  /** A cantilever of EI = 2 N m2, EA = 1e4 N and 1 m of 2^n elements of order
-   * 1; shear adds 1e-3 of its compliance. */
+  /**
+   * A cantilever of EI = 2 N m2, EA = 1e4 N and 1 m with 2^n elements of order
+   * 1; shear adds 1e-3 of its compliance.
+   */
   std::vector<Finding>
   findings_of_cantilever(const std::string              &load,
                          const unsigned int              n,
@@ -48,7 +52,7 @@ namespace
   }
 } // namespace
 
-TEST(BendingWatch, KnowsWhatLinearElementsMiss)
+TEST(BendingWatch, KnowsTheErrorOfLinearElements)
 {
   // Reduced integration misses 1 / (4 n^2) of a cantilever's deflection (T. J.
   // R. Hughes, R. L. Taylor, W. Kanoknukulchai, Int. J. Numer. Meth. Eng. 11
@@ -64,7 +68,7 @@ TEST(BendingWatch, KnowsWhatLinearElementsMiss)
   EXPECT_TRUE(findings_of_cantilever(across, 2).empty());
 }
 
-TEST(BendingWatch, TakesEachBendingWithItsShear)
+TEST(BendingWatch, RelatesBendingToItsOwnShear)
 {
   for (const auto &[along_y, along_z] : {std::pair("t", "0"), {"0", "t"}})
     {
@@ -86,9 +90,9 @@ TEST(BendingWatch, TakesEachBendingWithItsShear)
     }
 }
 
-TEST(BendingWatch, IsSilentWhereNothingIsMissed)
+TEST(BendingWatch, IsSilentWithoutBendingError)
 {
-  // Nothing bends, or elements bend as they should.
+  // There is no bending, or elements represent it.
   EXPECT_TRUE(findings_of_cantilever("Force x = 1e-3", 0).empty());
   EXPECT_TRUE(findings_of_cantilever("Moment z = 1e-3", 0).empty());
   const std::string across = "Force y = 1e-3";
@@ -99,7 +103,7 @@ TEST(BendingWatch, IsSilentWhereNothingIsMissed)
     findings_of_cantilever(across, 0, {"Discretization/Order=2"}).empty());
 }
 
-TEST(BendingWatch, GoesOnWhereARunIsResumed)
+TEST(BendingWatch, ContinuesInResumedRuns)
 {
   const RecordedRun run =
     expect_same_when_resumed(static_scene()
@@ -125,7 +129,7 @@ TEST(StepWatch, KnowsTheErrorOfAVibration)
     << verdict_text(ruinous);
 }
 
-TEST(StepWatch, TellsThatTooFewStepsAreNotJudged)
+TEST(StepWatch, ReportsTooFewSteps)
 {
   for (const char *n_steps : {"1", "2"})
     {
@@ -134,7 +138,7 @@ TEST(StepWatch, TellsThatTooFewStepsAreNotJudged)
       ASSERT_EQ(found.size(), 1u) << verdict_text(found);
       EXPECT_EQ(found[0].verdict, Verdict::doubtful);
       expect_contains(found[0].text, {"three consecutive"});
-      // Steps that follow a tolerance are judged each by itself.
+      // Error-controlled steps are judged one by one.
       const auto by_tolerance = findings_of(swinging_mass,
                                             {end,
                                              "Time/Time step=1",
@@ -142,22 +146,22 @@ TEST(StepWatch, TellsThatTooFewStepsAreNotJudged)
                                              "Time/Scheme=esdirk"});
       expect_without(verdict_text(by_tolerance), {"three consecutive"});
     }
-  // What rests, rests in any step.
+  // A mass at rest stays at rest in any step.
   EXPECT_TRUE(findings_of(one_mass_scene("Law = spring | Spring stiffness = 4",
                                          "End time = 2 | Time step = 1",
                                          mass_and_velocity(1, 0)),
                           {})
                 .empty());
-  // Of three it is known that they are too long.
+  // Three steps reveal that they are too long.
   const auto known =
     findings_of(swinging_mass, {"Time/End time=3", "Time/Time step=1"});
   ASSERT_EQ(known.size(), 1u) << verdict_text(known);
   expect_contains(known[0].text, {"each misses about"});
 }
 
-TEST(StepWatch, AllowsRungeKuttaStepsWhatTheyResolve)
+TEST(StepWatch, AllowsLongerRungeKuttaSteps)
 {
-  // 6 steps a period are many for order 4; 2 are few for any scheme.
+  // Order 4 needs few steps: 6 a period suffice, 2 are too few for any scheme.
   const std::vector<std::string> sound    = {"Time/Scheme=esdirk",
                                              "Time/Time step=0.5"},
                                  doubtful = {"Time/Scheme=esdirk",
@@ -172,8 +176,7 @@ namespace
   /** Half a sine. */
   const std::string three_steps = "sin(pi * t / 0.3) * (t < 0.3)";
 
-  /** A mass that hardly anything holds under a force along x, in steps of
-   * 0.1 s. */
+  /** A weakly supported mass under a force along x, in steps of 0.1 s. */
   std::string pushed_mass(const std::string &force)
   {
     return one_mass_scene("Law = spring | Spring stiffness = 1e-3",
@@ -184,7 +187,7 @@ namespace
   }
 } // namespace
 
-TEST(LoadStepWatch, KnowsWhatStepsMissOfAPulse)
+TEST(LoadStepWatch, KnowsTheStepErrorOfAPulse)
 {
   // The trapezoidal rule of half a sine in n steps: pi / 2n * cot(pi / 2n).
   const auto found = findings_of(pushed_mass(three_steps));
@@ -201,7 +204,7 @@ TEST(LoadStepWatch, KnowsWhatStepsMissOfAPulse)
 
 TEST(LoadStepWatch, KnowsWholePeriodsWithinSteps)
 {
-  // Zero at all ends of steps, as its impulse over each.
+  // Zero at all ends of steps, like its impulse over each step.
   for (const char *load : {"sin(20 * pi * t)", "sin(60 * pi * t)"})
     for (const char *scheme : {"newmark", "esdirk", "energy-momentum"})
       {
@@ -214,7 +217,7 @@ TEST(LoadStepWatch, KnowsWholePeriodsWithinSteps)
 }
 
 // Steps end at kinks and jumps.
-TEST(LoadStepWatch, PassesLoadsOfStraightLines)
+TEST(LoadStepWatch, AcceptsPiecewiseLinearLoads)
 {
   EXPECT_TRUE(
     findings_of(pushed_mass("min(t / 0.17, 1) * (t < 0.33)")).empty());
@@ -225,7 +228,7 @@ TEST(StabilityWatch, SaysWhenAndWhereAColumnBucklesInStatics)
   const auto straight = findings_of(column, {});
   ASSERT_EQ(straight.size(), 1u) << verdict_text(straight);
   EXPECT_EQ(straight[0].verdict, Verdict::doubtful);
-  // The first step beyond, or the one after: factorizations may be kept.
+  // The first step beyond it or the next one, as factorizations are reused.
   EXPECT_GE(straight[0].time, 0.123);
   EXPECT_LE(straight[0].time, 0.15);
   EXPECT_NE(straight[0].location.find("joint 1"), std::string::npos)
@@ -235,7 +238,7 @@ TEST(StabilityWatch, SaysWhenAndWhereAColumnBucklesInStatics)
 
   const auto below = findings_of(column, {"Time/End time=0.12"});
   EXPECT_TRUE(below.empty()) << verdict_text(below);
-  // An uneven load bends it, and that is stable.
+  // A lateral load bends it, and the bent column is stable.
   const auto bent = findings_of(column, {"Loads/press/Force y=0.5*t"});
   EXPECT_TRUE(bent.empty()) << verdict_text(bent);
 }
@@ -259,7 +262,7 @@ TEST(StabilityWatch, SaysWhenAColumnBucklesInMotion)
   EXPECT_TRUE(below.empty()) << verdict_text(below);
 }
 
-TEST(StabilityWatch, LooksAtMotionsOfFewStepsToo)
+TEST(StabilityWatch, ChecksMotionsOfFewSteps)
 {
   // A disturbance grows as exp(13 t / s), here over 2 s in 40 iterations.
   const std::vector<std::string> few   = {"Time/Scheme=newmark",
@@ -272,10 +275,11 @@ TEST(StabilityWatch, LooksAtMotionsOfFewStepsToo)
   expect_contains(found[0].text, {"Stability is lost", "disturbance"});
 }
 
-TEST(StabilityWatch, LooksAtLoadsThatFollowTheJointToo)
+TEST(StabilityWatch, ChecksFollowerLoads)
 {
-  // Of a load of which the part n turns with the tip: cos(k l) = -n / (1 - n)
-  // (Ziegler, Principles of Structural Stability); of n = 1/4 7.3 N.
+  // Follower load, of which the part n rotates with the tip: cos(k l) = -n /
+  // (1 - n) (Ziegler, Principles of Structural Stability); n = 1/4 yields 7.3
+  // N.
   const std::vector<std::string> partly_following = {
     "Loads/press/Force x=-30 * t",
     "Loads/press along the tip/Joints=1",
@@ -294,7 +298,7 @@ TEST(StabilityWatch, LooksAtLoadsThatFollowTheJointToo)
   EXPECT_TRUE(findings_of(column, below).empty());
 }
 
-TEST(StabilityWatch, LooksAtWhatIsSolvedByIterationToo)
+TEST(StabilityWatch, ChecksIterativelySolvedScenes)
 {
   const std::vector<std::string> motion = {
     "Time/Scheme=newmark",
@@ -315,7 +319,7 @@ TEST(StabilityWatch, LooksAtWhatIsSolvedByIterationToo)
     }
 }
 
-TEST(Watches, FindTheSameInRunsThatAreResumed)
+TEST(Watches, AgreeInResumedRuns)
 {
   const auto findings = [](const std::string              &text,
                            const std::vector<std::string> &overrides) {
@@ -368,8 +372,8 @@ TEST(StrainWatch, KnowsTheStrainOfABarAndItsOuterFibres)
   EXPECT_EQ(verdict_of(findings("2.4 * t", "0")), Verdict::sound);
   EXPECT_EQ(verdict_of(findings("6 * t", "0")), Verdict::not_to_be_used);
 
-  // Without a force on its end the curve is a circle, and not stretched; with a
-  // fifth of its length as radius of the section it does not close.
+  // Without an end force the curve is a circle without stretch. A section
+  // radius of a fifth of its length prevents closing.
   const auto bent = [](const double strain) {
     const double curvature = strain / 0.2,
                  stiffness = 1e6 * std::acos(-1.) / 4 * std::pow(0.2, 4);
@@ -385,8 +389,8 @@ TEST(StrainWatch, KnowsTheStrainOfABarAndItsOuterFibres)
 
 TEST(SpinWatch, KnowsAxesAboutWhichDisturbancesGrow)
 {
-  // A T that spins about its axis of the middle moment of inertia (x) and of
-  // the largest (z): bars of 2 m along y and of 1 m along x.
+  // A T that spins about its middle (x) or largest (z) principal axis: bars of
+  // 2 m along y and of 1 m along x.
   const auto spin = [](const std::string &axis) {
     return findings_of(
       SceneText()

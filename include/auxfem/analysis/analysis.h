@@ -9,7 +9,7 @@
 
 namespace auxfem
 {
-  /** One line of the table of analyses: a kind of question to a scene. */
+  /** A line of the table of analyses: one kind of question about a scene. */
   struct AnalysisEntry
   {
     std::string name;
@@ -17,38 +17,37 @@ namespace auxfem
     /** One sentence for users. */
     std::string description;
 
-    /** Whether it is what @p scene asks for. */
+    /** Whether @p scene requests it. */
     bool (*serves)(const Scene &scene);
 
     /**
-     * Computes @p scene and writes its results into the folder that the scene
-     * names. Throws InputError and ComputationError; what was computed until
-     * then is on disk. Collective.
+     * Computes @p scene and writes results into the folder that the scene
+     * names. Throws InputError and ComputationError; results so far are then
+     * on disk. Collective.
      */
     RunResult (*run)(const Scene         &scene,
                      MPI_Comm             communicator,
                      const FolderOptions &options);
 
     /**
-     * Computes @p scene for a recorder, without a folder; nullptr for an
-     * analysis that has no rows to record. Throws as run(). Collective.
+     * Computes @p scene for a recorder, without a folder; nullptr for analyses
+     * without rows to record. Throws as run(). Collective.
      */
     RunResult (*observe)(const Scene &scene,
                          MPI_Comm     communicator,
                          Recorder    &recorder);
 
-    /** The dry run: builds everything, prints counts and effects. Collective.
-     */
+    /** Dry run: builds everything, prints counts and effects. Collective. */
     void (*check)(const Scene &scene, MPI_Comm communicator);
 
     /** Files that only this analysis writes into its folder. */
     std::vector<std::string> files;
   };
 
-  /** All analyses the program knows (analysis/register.cc). */
+  /** All analyses of the program (analysis/register.cc). */
   const std::vector<AnalysisEntry> &analysis_registry();
 
-  /** The analysis that @p scene asks for. */
+  /** The analysis that @p scene requests. */
   const AnalysisEntry &analysis_of(const Scene &scene);
 
   /** @name Entries of the table; only register.cc needs them. */

@@ -265,7 +265,7 @@ namespace auxfem
       {
         const double interval = end_time /
           (last_rate > 0 ? n_while_unstable
-                         : double(SamplingSchedule::least_number));
+                         : double(SamplingSchedule::min_samples));
         if (step.to.time < last_time + interval && step.to.time < end_time)
           return;
         const double rate = growth_rate(step);

@@ -279,10 +279,11 @@ namespace auxfem
         find_run_to_resume(definition.folder, communicator);
       if (numbering_text(other.parameters, definition.folder) !=
           numbering_text(run.scene.all_parameters, run.scene.file))
-        throw InputError(definition.path + "/Folder = " + definition.folder +
-                         ": that run has another lattice, joints, rigid parts or "
-                         "another mesh. Compute it again with those of this "
-                         "scene");
+        throw InputError(
+          definition.path + "/Folder = " + definition.folder +
+          ": that run has another lattice, joints, rigid parts or "
+          "another mesh. Compute it again with those of this "
+          "scene");
       const GeometryOffsets displacements =
         offsets_of(saved_displacement(run.equations, other.records), run);
       const double largest = displacements.largest();

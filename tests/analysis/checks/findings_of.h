@@ -17,8 +17,9 @@ namespace auxfem
 {
   namespace testing_support
   {
-    /** Runs the scene of @p text; analyses without rows write into a folder for
-     * temporary files. */
+    /**
+     * Runs the scene of @p text; analyses without rows use a temporary folder.
+     */
     inline RunResult result_of(const std::string              &text,
                                const std::vector<std::string> &overrides = {},
                                const MPI_Comm communicator = MPI_COMM_SELF)
@@ -40,7 +41,7 @@ namespace auxfem
       return run(scene, communicator, recorder);
     }
 
-    /** What that makes of its own results. */
+    /** Findings of the run. */
     inline std::vector<Finding>
     findings_of(const std::string              &text,
                 const std::vector<std::string> &overrides    = {},

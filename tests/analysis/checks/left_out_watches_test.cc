@@ -12,7 +12,8 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  /** A strut of 1 m and EI = 1 N m2 between clamps, pressed by 70 N at t = 1.
+  /**
+   * A clamped strut of 1 m and EI = 1 N m2 under 70 N of compression at t = 1.
    */
   SceneText pressed_strut(const unsigned int order,
                           const unsigned int refinements)
@@ -27,7 +28,7 @@ namespace
       .time(1, 0.0025, "static");
   }
 
-  /** The finding with these words; nullptr if there is none. */
+  /** The finding that contains these words; nullptr if there is none. */
   const Finding *with_words(const std::vector<Finding> &findings,
                             const std::string          &words)
   {
@@ -37,7 +38,7 @@ namespace
     return nullptr;
   }
 
-  /** A spring of 1 m from the ground, on whose end a joint is moved. */
+  /** A spring of 1 m from the ground, whose end joint is moved. */
   SceneText shortened_spring(const std::string &motion)
   {
     return SceneText()
@@ -52,8 +53,10 @@ namespace
       .time(1, 0.05, "static");
   }
 
-  /** Without inertia: 1 kg on a spring of (2 pi)^2 N/m, of 1 s a period, and a
-   * dashpot, pressed by a force that is raised in a time (s). */
+  /**
+   * Without inertia: 1 kg on a spring of (2 pi)^2 N/m, with a period of 1 s,
+   * and a dashpot, under a force with a rise time (s).
+   */
   SceneText loaded_mass(const double      rise,
                         const std::string law = "kelvin-voigt")
   {
@@ -66,8 +69,10 @@ namespace
       .load("push", "0", {"min(1, t / " + text(rise) + ")", "0", "0"});
   }
 
-  /** Two struts in line between clamps, one longer than the other, EI = rho A =
-   * 1, their joint moved across at a frequency (rad/s) for some periods. */
+  /**
+   * Two clamped struts in line, of different lengths, EI = rho A = 1. Their
+   * joint moves laterally at a frequency (rad/s) for some periods.
+   */
   SceneText shaken_struts(const double omega, const unsigned int refinements)
   {
     const double period = 2 * pi / omega;
@@ -87,7 +92,7 @@ namespace
   }
 } // namespace
 
-TEST(LocalBucklingWatch, TellsWhereTheMeshDoesNot)
+TEST(LocalBucklingWatch, ReportsBucklingThatTheMeshCannotShow)
 {
   // Euler: 4 pi^2 EI / L^2 between clamps.
   const auto lost_at = [](const std::vector<Finding> &findings) {
@@ -117,9 +122,9 @@ TEST(LocalBucklingWatch, TellsWhereTheMeshDoesNot)
     findings_of(pressed_strut(2, 0).set("Time/End time", 0.14)).empty());
 }
 
-TEST(YieldWatch, TellsTheFirstStrutThatYields)
+TEST(YieldWatch, ReportsTheFirstYieldingStrut)
 {
-  // Pulled by strains of 1 and 2 % a second.
+  // Stretched by 1 and 2 % a second.
   const auto pulled = [](const std::string &yield_strain) {
     return findings_of(SceneText()
                          .frame("0 0; 1 0; 1.5 0", "0 1; 1 2")
@@ -155,7 +160,7 @@ namespace
       .time(1, 0.5, "static");
   }
 
-  /** The same by its stiffnesses. */
+  /** The same strip, given by its stiffnesses. */
   SceneText bent_strip_of_given_section(const std::string &yield_strain)
   {
     return bent_strip(yield_strain)
@@ -201,7 +206,8 @@ TEST(YieldWatch, KnowsTheFibresOfGivenSections)
   };
   EXPECT_EQ(with_fibre("2.13e-4").size(), 1u);
   EXPECT_TRUE(with_fibre("2.16e-4").empty());
-  // Not known, it is at the radius of gyration, 2 mm / 12^1/2, at least.
+  // Without a fibre distance it is at least the radius of gyration, 2 mm /
+  // 12^1/2.
   const auto without = [](const std::string &yield_strain) {
     return findings_of(bent_strip_of_given_section(yield_strain));
   };
@@ -209,7 +215,7 @@ TEST(YieldWatch, KnowsTheFibresOfGivenSections)
   EXPECT_TRUE(without("1.25e-4").empty());
 }
 
-TEST(ConnectorWatch, TellsConnectorsWithoutLength)
+TEST(ConnectorWatch, ReportsConnectorsWithoutLength)
 {
   EXPECT_TRUE(findings_of(shortened_spring("-0.9 * t")).empty());
   const auto shortened = findings_of(shortened_spring("-0.99 * t"));
@@ -217,7 +223,7 @@ TEST(ConnectorWatch, TellsConnectorsWithoutLength)
   EXPECT_EQ(shortened[0].verdict, Verdict::doubtful);
   EXPECT_NEAR(shortened[0].time, 0.96, 0.051);
   EXPECT_EQ(shortened[0].location, "connector spring of joint 2");
-  // From a tenth before its end to a tenth behind it in a step.
+  // Moves from a tenth before the end to a tenth behind it in one step.
   const auto jumped =
     findings_of(shortened_spring("-0.9 * min(1, t / 0.9) - 2 * max(0, t - 0.9)")
                   .set("Time/Time step", 0.1));
@@ -237,14 +243,14 @@ TEST(LoadSpeedWatch, KnowsTheKineticEnergyOfARamp)
   EXPECT_TRUE(findings_of(loaded_mass(1.7)).empty());
 }
 
-TEST(LoadSpeedWatch, TimeOfElasticStaticsIsAParameter)
+TEST(LoadSpeedWatch, IsSilentInElasticStatics)
 {
   EXPECT_TRUE(findings_of(loaded_mass(0.1, "spring")).empty());
 }
 
-TEST(LoadSpeedWatch, ALoadThatIsThereAtOnceIsMeantToBe)
+TEST(LoadSpeedWatch, AcceptsSuddenLoads)
 {
-  // A spring and a Maxwell element at its side: it goes on at once, and creeps.
+  // A spring and a parallel Maxwell element: they respond at once, and creep.
   const SceneText sudden =
     loaded_mass(1)
       .set("Connectors/link/Law", "standard-linear-solid")
@@ -257,7 +263,7 @@ TEST(LoadSpeedWatch, ALoadThatIsThereAtOnceIsMeantToBe)
   EXPECT_TRUE(findings_of(sudden).empty());
 }
 
-TEST(LeftOutWatches, FindTheSameInRunsThatAreResumed)
+TEST(LeftOutWatches, AgreeInResumedRuns)
 {
   for (const std::string &scene : {std::string(pressed_strut(2, 0)),
                                    std::string(pressed_strut(3, 0)),

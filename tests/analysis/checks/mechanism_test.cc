@@ -26,8 +26,8 @@ namespace
   }
 
   /**
-   * What refuse_mechanism() has against a scene; empty if nothing. An iterative
-   * solver must come to the same verdict, be it by another of several modes.
+   * Message of refuse_mechanism() for a scene; empty if it accepts it. An
+   * iterative solver must reach the same verdict, possibly by another mode.
    */
   std::string
   mechanism_of(const std::string              &text,
@@ -81,7 +81,7 @@ TEST(Mechanism, ASoftBraceHoldsASquareToo)
   EXPECT_EQ(mechanism_of(square(hinges + two_pins + brace("1e-6"))), "");
 }
 
-TEST(Mechanism, ADashpotHoldsASquareForAStepButNotForEver)
+TEST(Mechanism, ADashpotHoldsASquareInAStepOnly)
 {
   const std::string text = square(SceneText(hinges).add(two_pins).add(
     "Connectors/brace",
@@ -117,9 +117,9 @@ TEST(Mechanism, OnePinLeavesARotation)
             "");
 }
 
-TEST(Mechanism, APieceOfItsOwnIsFound)
+TEST(Mechanism, AnUnconnectedPartIsFound)
 {
-  // The second strut touches nothing.
+  // The second strut is unconnected.
   const std::string message = mechanism_of(
     frame_scene("0 0; 1 0; 3 0; 4 0", "0 1; 2 3").support("wall", "0", "clamp"),
     {"Time/Scheme=static"});
@@ -167,9 +167,9 @@ TEST(Mechanism, ABodyInSpaceThatTurnsAboutItsHingeIsRefused)
       .rigid_part("door", "all", 1)
       .support("pivot", "0", "pin")
       .add("Joints/hinge", "Joints = 0 | Type = revolute | Axis = 0 1 0");
-  // Its constraints need a direct solver.
+  // The constraints need a direct solver.
   EXPECT_NE(refusal_with("auto", door, {}, std::nullopt), "");
-  // A spring to the ground holds it.
+  // A spring to the ground supports it.
   EXPECT_EQ(refusal_with("auto",
                          SceneText(door)
                            .remove("Joints/hinge/Axis")
@@ -180,7 +180,7 @@ TEST(Mechanism, ABodyInSpaceThatTurnsAboutItsHingeIsRefused)
             "");
 }
 
-TEST(Mechanism, IsNotTakenForStiffnessesTooFarApart)
+TEST(Mechanism, IsDistinctFromAStiffnessRatioTooLarge)
 {
   // A cantilever of two struts, the outer one 1e12 times as stiff.
   const auto cantilever_of = [](const std::string &modulus) {

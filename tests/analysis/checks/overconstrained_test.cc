@@ -10,7 +10,9 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  /** What refuse_overconstrained() has against a scene; empty if nothing. */
+  /**
+   * Message of refuse_overconstrained() for a scene; empty if it accepts it.
+   */
   std::string overconstraint_of(const std::string              &text,
                                 const std::vector<std::string> &overrides = {},
                                 const MPI_Comm communicator = MPI_COMM_WORLD)
@@ -97,7 +99,7 @@ TEST(Overconstrained, TheSecondPinOfADeterminateSquareIsRefused)
   EXPECT_NE(overconstraint_of(
               braced_square(rigid("0, 1, 2, 3, 4") + pins("0, 2"))),
             "");
-  // A roller across the diagonal's direction leaves it free.
+  // A roller along the diagonal leaves it free.
   EXPECT_EQ(
     overconstraint_of(braced_square(
       rigid("0, 1, 2, 3, 4").add(pins("0")).support("slide", "1", "roller x"))),
@@ -125,7 +127,7 @@ TEST(Overconstrained, TwoPartsThatShareTwoJointsAreRefused)
     << message;
 }
 
-TEST(Overconstrained, SmallCellsAreJudgedAsLargeOnes)
+TEST(Overconstrained, CellSizeDoesNotMatter)
 {
   const auto square = [](const std::string &struts, const std::string &size) {
     const std::string &a = size;
@@ -189,7 +191,7 @@ TEST(Overconstrained, ASecondPinOnTheAxisIsRefused)
 
 TEST(Overconstrained, ARevoluteHingeInAHeldBodyIsRefused)
 {
-  // Three joints held against all that is left.
+  // Three joints are supported in all remaining directions.
   EXPECT_NE(overconstraint_of(rigid_l(pins("0").add(revolute).add(
               "Supports/slide",
               "Joints = 2 | Type = prescribed | Displacement z = 0"))),

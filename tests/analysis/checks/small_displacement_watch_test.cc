@@ -14,7 +14,7 @@ namespace
 {
   constexpr double rod_modulus = 70e9, rod_radius = 2e-3, rod_span = 0.5;
 
-  /** A rod that is pushed across in its middle. */
+  /** A rod with a transverse load in its middle. */
   SceneText pushed_rod(const std::string &held_joints, const double force)
   {
     return SceneText()
@@ -27,13 +27,13 @@ namespace
   }
 
   /**
-   * Part of the linear deflection by which a rod between clamps bends less, as
-   * it is stretched: with the shape of a cosine
+   * Relative decrease of the linear deflection of a clamped rod by its
+   * stretch, with a cosine shape:
    *
    *     P = 192 EI / L^3 (w + A / (16 I) w^3)
    *
    * (S. Timoshenko, S. Woinowsky-Krieger, Theory of Plates and Shells, 1959,
-   * chapter 1, by the energy method).
+   * chapter 1, energy method).
    */
   double error_by_stretching(const double force)
   {
@@ -46,7 +46,7 @@ namespace
     return 1 - w / linear;
   }
 
-  /** The number before ` %`, as a part. */
+  /** The number before ` %`, as a fraction. */
   double percentage_in(const std::string &text)
   {
     const std::size_t end = text.find(" %"), begin = text.rfind(' ', end - 1);
@@ -54,7 +54,7 @@ namespace
   }
 } // namespace
 
-TEST(ComparisonWithLargeRotation, KnowsTheStretchOfStrutsThatAreHeld)
+TEST(ComparisonWithLargeRotation, KnowsTheStretchOfClampedStruts)
 {
   for (const double force : {2., 4., 8., 16.})
     {
@@ -68,9 +68,9 @@ TEST(ComparisonWithLargeRotation, KnowsTheStretchOfStrutsThatAreHeld)
     }
 }
 
-TEST(ComparisonWithLargeRotation, IsSilentWhereTheStretchIsSmall)
+TEST(ComparisonWithLargeRotation, IsSilentIfTheStretchIsSmall)
 {
-  // By a stretch of less than 1 %, and where an end can move.
+  // Either a stretch effect below 1 %, or one end free to move.
   EXPECT_LT(error_by_stretching(0.5), 0.01);
   EXPECT_TRUE(findings_of(pushed_rod("0, 2", 0.5)).empty());
   EXPECT_TRUE(findings_of(pushed_rod("0", 2)).empty());

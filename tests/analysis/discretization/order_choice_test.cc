@@ -15,8 +15,7 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  /** A bent knee of three struts, the last one an arc, each shorter than the
-   * one before. */
+  /** A bent knee of three struts of decreasing length, the last one an arc. */
   SceneText knee()
   {
     return static_frame("0 0; 0 0.4; 0.2 0.4; 0.25 0.4", "0 1; 1 2; 2 3 0.005")
@@ -27,7 +26,9 @@ namespace
       .probe("tip", "3");
   }
 
-  /** The same with masses at its joints, hit: struts follow as springs. */
+  /**
+   * The knee with masses at its joints after an impact: struts act as springs.
+   */
   SceneText hit_knee()
   {
     return knee()
@@ -49,8 +50,10 @@ namespace
       .probe("tip", "3");
   }
 
-  /** A slender strut with two short ones behind it, under @p load (N/m) along
-   * the first one. */
+  /**
+   * A slender strut followed by two short ones, under @p load (N/m) along the
+   * first.
+   */
   SceneText pushed_strut(const double load)
   {
     return static_frame("0 0; 1 0; 1.1 0; 1.2 0", "0 1; 1 2; 2 3")
@@ -63,7 +66,7 @@ namespace
       .probe("tip", "3");
   }
 
-  /** The first one wound up to three quarters of a circle. */
+  /** The first strut is bent to three quarters of a circle. */
   SceneText wound_strut()
   {
     return pushed_strut(6).load("coil", "1", {"0", "0", "5 * t"});
@@ -102,7 +105,7 @@ namespace
                                 "test.prm");
   }
 
-  /** Of the tip's displacement by component, at all times. */
+  /** Displacement of the tip by component, at all times. */
   std::vector<double> tip_motion(const MemoryRecorder &recorder)
   {
     std::vector<double> values;
@@ -126,7 +129,7 @@ namespace
     return difference / largest;
   }
 
-  /** Motion of the tip on elements no result depends on any more. */
+  /** Motion of the tip on converged elements. */
   std::vector<double> exact_motion(const SceneText   &text,
                                    const unsigned int order,
                                    const unsigned int refinements = 2)
@@ -137,7 +140,7 @@ namespace
     return tip_motion(recorder);
   }
 
-  /** Takes down the elements of the run, too. */
+  /** Also records the elements of the run. */
   class DivisionRecorder : public MemoryRecorder
   {
   public:
@@ -152,8 +155,10 @@ namespace
     std::vector<StrutDivision> divisions;
   };
 
-  /** Expects the error, and what is said of it, to be below the tolerance.
-   * Returns the elements that were chosen. */
+  /**
+   * Expects error and estimate below the tolerance. Returns the chosen
+   * elements.
+   */
   std::vector<StrutDivision> expect_met(const SceneText           &text,
                                         const double               tolerance,
                                         const std::vector<double> &exact,
@@ -180,9 +185,9 @@ TEST(OrderChoice, StaticsMeetTheTolerance)
     expect_met(knee(), tolerance, exact);
 }
 
-TEST(OrderChoice, OneStrutThatIsBentFarMeetsTheTolerance)
+TEST(OrderChoice, AStronglyBentStrutMeetsTheTolerance)
 {
-  // The search run's elements of low order are far from its arc.
+  // The low-order elements of the search run are far from the arc.
   const std::vector<double> exact = exact_motion(pushed_strut(6), 6);
   for (const double tolerance : {1e-2, 1e-3, 1e-4})
     expect_met(pushed_strut(6), tolerance, exact);
@@ -220,7 +225,7 @@ TEST(OrderChoice, ElementsAreMultiplesOfThoseThatAllStrutsHave)
 
 TEST(OrderChoiceOnRanks, DynamicsMeetTheTolerance)
 {
-  // The search run takes longer steps: its motion is not quite that of the run.
+  // The search run has longer steps and a slightly different motion.
   const std::vector<double> exact = exact_motion(hit_knee(), 6);
   for (const double tolerance : {1e-2, 1e-3, 1e-4})
     expect_met(hit_knee(), tolerance, exact, 3);
@@ -244,9 +249,9 @@ TEST(OrderChoice, LongStrutsGetHigherOrders)
   EXPECT_GT(chosen.report.steps, 0u);
 }
 
-TEST(OrderChoice, StrutsThatAreAlikeGetEqualElements)
+TEST(OrderChoice, EqualStrutsGetEqualElements)
 {
-  // Else a symmetric lattice would buckle to one side.
+  // A symmetric lattice would buckle to one side.
   const SceneText arcade =
     static_frame("0.1 0; 0.1 1; 0.8 1.2; 1.5 1; 1.5 0; 2.2 1.2; 2.9 1; 2.9 0",
                  "0 1; 1 2; 2 3; 3 4; 3 5; 5 6; 6 7")
@@ -276,15 +281,16 @@ TEST(OrderChoiceOnRanks, EstimateIsNoLessThanTheErrorOfTheJoints)
       run.run(memory);
       const double error    = relative_difference(tip_motion(memory), exact),
                    estimate = run.mesh_error()->relative();
-      // In the energy norm it is; that of one displacement is about the same.
+      // The bound holds in the energy norm; a single displacement has about
+      // the same error.
       EXPECT_GE(estimate, 0.5 * error) << order;
       EXPECT_LE(estimate, 100 * error) << order;
     }
 }
 
-TEST(OrderChoice, WhatIsNotMetIsAFinding)
+TEST(OrderChoice, ReportsAMissedTolerance)
 {
-  // No order is good enough; 6 is chosen for all that need it.
+  // No order suffices; all struts that need more get 6.
   const Scene     scene = scene_of(knee(), 1e-14);
   MemoryRecorder  recorder(scene, MPI_COMM_WORLD);
   const RunResult result = run_lattice(scene, MPI_COMM_WORLD, recorder);
@@ -297,7 +303,7 @@ TEST(OrderChoice, WhatIsNotMetIsAFinding)
                           }));
 }
 
-TEST(OrderChoice, SearchTellsHowFarItHasCome)
+TEST(OrderChoice, SearchReportsItsProgress)
 {
   struct : public Recorder
   {
@@ -340,7 +346,7 @@ TEST(OrderChoice, MistypedProbeIsFoundBeforeTheSearch)
                InputError);
 }
 
-TEST(OrderChoice, StrutsThatVibrateAreAFinding)
+TEST(OrderChoice, ReportsVibratingStruts)
 {
   const SceneText heavy = hit_knee().set("Sections/section 0/Density", 0.01);
   const auto      finds = [](const SceneText &text) {
@@ -355,16 +361,16 @@ TEST(OrderChoice, StrutsThatVibrateAreAFinding)
                        });
   };
   EXPECT_TRUE(finds(heavy));
-  // Shorter elements do not tell of them either.
+  // Shorter elements do not reveal the vibrations either.
   EXPECT_TRUE(
     finds(SceneText(heavy).set("Discretization/Global refinements", 1)));
-  // Steps of the scene are too long for them, what they are divided into is
-  // not.
+  // Steps of the scene are too long for them, but not the parts of divided
+  // steps.
   const SceneText long_steps = hit_knee();
   EXPECT_FALSE(finds(long_steps));
   EXPECT_TRUE(
     finds(SceneText(long_steps).set("Time/Relative tolerance", "1e-6")));
-  // Nor are stages.
+  // The same holds for stages.
   EXPECT_TRUE(finds(SceneText(long_steps).set("Time/Scheme", "esdirk")));
 }
 
@@ -376,7 +382,7 @@ TEST(OrderChoiceOnRanks, IsTheSame)
               elements_of(scene_of(text, 1e-4), MPI_COMM_SELF).divisions);
 }
 
-TEST(OrderChoiceOnRanks, RunThatIsResumedGoesOnAlike)
+TEST(OrderChoiceOnRanks, ResumesExactly)
 {
   for (const SceneText &text : {hit_knee(), space_knee().time(1, 0.1)})
     {
@@ -412,7 +418,7 @@ TEST(OrderChoiceOnRanks, RunThatIsResumedGoesOnAlike)
     }
 }
 
-TEST(OrderChoice, ARunThatIsResumedKeepsItsElements)
+TEST(OrderChoice, ResumedRunsKeepTheirElements)
 {
   const std::string text = SceneText(wound_strut())
                              .set("Discretization/Order", "auto")

@@ -19,8 +19,8 @@
 using namespace auxfem;
 using namespace auxfem::testing_support;
 
-// Runs that are interrupted: of the first half no more is handed on than a
-// checkpoint; model, equations, solvers and recorder are made anew.
+// Interrupted runs: only a checkpoint passes from the first half to the
+// second; model, equations, solvers and recorder are new.
 
 namespace
 {
@@ -34,9 +34,9 @@ namespace
   template <typename RecorderType>
   struct Recorded
   {
-    Recorded(const Scene &scene, std::unique_ptr<RecorderType> chosen_solver)
+    Recorded(const Scene &scene, std::unique_ptr<RecorderType> new_recorder)
       : run(scene, MPI_COMM_WORLD)
-      , owned(std::move(chosen_solver))
+      , owned(std::move(new_recorder))
       , recorder(*owned)
     {
       recorder.begin(run.equations);
@@ -48,7 +48,7 @@ namespace
       recorder.start(run.solution);
     }
 
-    /** Returns how many steps were rejected. */
+    /** Returns the number of rejected steps. */
     unsigned int steps(const unsigned int n)
     {
       unsigned int retries = 0;
@@ -90,16 +90,16 @@ namespace
     {}
   };
 
-  /** What a test asks of a whole run. */
-  struct Course
+  /** Values that tests check in a run. */
+  struct RunValues
   {
     /** Values of columns at the checkpoint and at the end. */
     std::map<std::string, std::array<double, 2>> columns;
-    /** How often steps had to be repeated before the checkpoint and after. */
+    /** Rejected steps before the checkpoint and after. */
     std::array<unsigned int, 2> retries;
   };
 
-  /** To the last digit. */
+  /** Expects equality to the last digit. */
   void expect_same(const std::vector<Column>              &columns,
                    const std::vector<std::vector<double>> &rows,
                    const unsigned int                      first,
@@ -113,18 +113,18 @@ namespace
   }
 
   /**
-   * Runs a scene as a whole, with a checkpoint in the middle, and from that
-   * checkpoint on. All values are the same to the last digit.
+   * Compares a whole run, one with a checkpoint in the middle, and the run
+   * resumed from it. All values are equal to the last digit.
    */
-  Course compare_halves(const std::string              &text,
-                        const std::vector<std::string> &overrides)
+  RunValues compare_halves(const std::string              &text,
+                           const std::vector<std::string> &overrides)
   {
     const Scene        scene   = scene_of(text, overrides);
     const unsigned int n_steps = scene.time.n_steps(), n_first = n_steps / 2;
 
     InMemory whole(scene);
     whole.start();
-    Course course;
+    RunValues course;
     course.retries[0]               = whole.steps(n_first);
     const CheckpointData checkpoint = whole.run.checkpoint(whole.recorder);
     course.retries[1]               = whole.steps(n_steps - n_first);
@@ -147,12 +147,12 @@ namespace
   }
 } // namespace
 
-TEST(Checkpoint, APlaneLatticeWithConnectorsGoesOnFromIt)
+TEST(Checkpoint, ResumesAPlaneLatticeWithConnectors)
 {
   for (const char *scheme :
        {"newmark", "generalized-alpha", "esdirk", "static"})
     {
-      const Course course =
+      const RunValues course =
         compare_halves(star_with_everything(2, 2).probe("top", "top"),
                        {std::string("Time/Scheme=") + scheme,
                         "Solver/Type=klu",
@@ -163,8 +163,8 @@ TEST(Checkpoint, APlaneLatticeWithConnectorsGoesOnFromIt)
 
 TEST(Checkpoint, FactorizationsAreThoseOfTheWholeRun)
 {
-  // KLU keeps pivots of another matrix, and the symmetric part of a tangent
-  // may have been factorized in its place.
+  // KLU reuses pivots of another matrix, and the symmetric part of a tangent
+  // may have replaced it.
   for (const std::string solver : {"auto", "klu", "mumps", "gmres"})
     for (const char *scheme : {"newmark", "energy-momentum"})
       {
@@ -175,7 +175,7 @@ TEST(Checkpoint, FactorizationsAreThoseOfTheWholeRun)
       }
 }
 
-TEST(Checkpoint, ALatticeInSpaceWithEverythingGoesOnFromIt)
+TEST(Checkpoint, ResumesALatticeInSpaceWithEveryEffect)
 {
   for (const char *scheme : {"generalized-alpha", "esdirk", "energy-momentum"})
     compare_halves(space_star_with_everything(),
@@ -184,7 +184,7 @@ TEST(Checkpoint, ALatticeInSpaceWithEverythingGoesOnFromIt)
                     "Solver/Type=klu"});
 }
 
-TEST(Checkpoint, DampedIncrementsOfStrainsGoOnFromIt)
+TEST(Checkpoint, ResumesDampedIncrementsOfStrains)
 {
   for (const SceneText &scene :
        {star_with_everything(2, 2), space_star_with_everything()})
@@ -198,7 +198,7 @@ TEST(Checkpoint, DampedIncrementsOfStrainsGoOnFromIt)
 
 namespace
 {
-  /** Two struts in free space that turn by 40 rad in 2 s. */
+  /** Two free struts in space that rotate by 40 rad in 2 s. */
   const SceneText spinning_struts =
     frame_scene("0 0 0; 1 0 0; 2 0.5 0", "0 1; 1 2")
       .dimension(3)
@@ -207,9 +207,9 @@ namespace
       .probe("end", "2");
 } // namespace
 
-TEST(Checkpoint, TurnsInSpaceAreCountedOn)
+TEST(Checkpoint, ContinuesToCountTurnsInSpace)
 {
-  const Course course =
+  const RunValues course =
     compare_halves(spinning_struts,
                    {"Sections/band/Young's modulus=1e4", "Solver/Type=klu"});
   EXPECT_GT(std::abs(course.columns.at("end.phi_z")[0]), 2 * pi);
@@ -218,7 +218,7 @@ TEST(Checkpoint, TurnsInSpaceAreCountedOn)
 
 namespace
 {
-  /** Two bars that are thrown round a pivot, by 12 rad each second. */
+  /** Two bars that rotate about a pivot at 12 rad/s. */
   const SceneText rigid_bars =
     SceneText()
       .frame("0 0; 1 0; 1.5 0", "0 1; 1 2")
@@ -231,7 +231,7 @@ namespace
       .time(1, 0.01)
       .probe("bar", "rigid: 0 @ 1");
 
-  /** A body of three joints and a bar in free space, turning about z. */
+  /** A body of three joints and a free bar in space, rotating about z. */
   const SceneText rigid_body_in_space =
     SceneText()
       .dimension(3)
@@ -243,26 +243,26 @@ namespace
       .probe("body", "rigid: 0 @ 1");
 } // namespace
 
-TEST(Checkpoint, TurnsOfRigidPartsAreCountedOn)
+TEST(Checkpoint, ContinuesToCountTurnsOfRigidParts)
 {
   for (const char *scheme : {"newmark", "generalized-alpha", "esdirk"})
     {
       const std::string set_scheme = std::string("Time/Scheme=") + scheme;
-      const Course      plane =
+      const RunValues   plane =
         compare_halves(rigid_bars, {set_scheme, "Solver/Type=klu"});
       EXPECT_GT(std::abs(plane.columns.at("bar.phi")[0]), pi);
       EXPECT_GT(std::abs(plane.columns.at("bar.phi")[1]), 2 * pi);
-      const Course space =
+      const RunValues space =
         compare_halves(rigid_body_in_space, {set_scheme, "Solver/Type=klu"});
       EXPECT_GT(std::abs(space.columns.at("body.phi_z")[0]), pi);
       EXPECT_GT(std::abs(space.columns.at("body.phi_z")[1]), 2 * pi);
     }
 }
 
-TEST(Checkpoint, StepsThatAreRepeatedAreThoseOfTheWholeRun)
+TEST(Checkpoint, RepeatedStepsAreThoseOfTheWholeRun)
 {
-  // With so few iterations every step is divided.
-  const Course course =
+  // So few iterations divide every step.
+  const RunValues course =
     compare_halves(frame_scene("0 0; 1 0; 2 0", "0 1; 1 2")
                      .support("wall", "0", "clamp")
                      .add("Loads/tip", "Joints = 2 | Force y = 0.5 * t")
@@ -275,7 +275,7 @@ TEST(Checkpoint, StepsThatAreRepeatedAreThoseOfTheWholeRun)
   EXPECT_GT(course.retries[1], 0u);
 }
 
-TEST(Checkpoint, ItMayBeTakenAtTheTimeOfAJump)
+TEST(Checkpoint, MayCoincideWithAJump)
 {
   const SceneText text =
     frame_scene("0 0; 1 0; 2 0", "0 1; 1 2")
@@ -302,7 +302,7 @@ namespace
     return rows;
   }
 
-  /** Times in solution.pvd with the files that are there. */
+  /** Times in solution.pvd with their files. */
   std::map<std::string, std::string> frames_in(const std::string &folder)
   {
     const std::string text = read_text(folder + "/solution.pvd");
@@ -337,7 +337,7 @@ TEST(Checkpoint, AFolderIsContinuedByRowsFilesAndLargestValues)
   const std::string folder = std::string(AUXFEM_TEST_OUTPUT_DIRECTORY) +
     "/checkpoint_" +
     std::to_string(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD));
-  // Neither rows nor frames fall on the checkpoint after step 5.
+  // No rows or frames coincide with the checkpoint after step 5.
   const std::vector<std::string> settings = {"Output/Effective strains=true",
                                              "Output/Time between rows=0.27",
                                              "Output/Graphics interval=0.13",
@@ -359,7 +359,7 @@ TEST(Checkpoint, AFolderIsContinuedByRowsFilesAndLargestValues)
   whole.finish();
   CheckpointData checkpoint;
   {
-    // What is written after the checkpoint is lost.
+    // Output after the checkpoint is lost.
     InFolder first(first_scene);
     first.start();
     first.steps(5);

@@ -7,7 +7,7 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  /** A frame that falls on a table, and a disc that falls on it. */
+  /** A frame that falls on a table, and a disc that falls on the frame. */
   SceneText impact()
   {
     return SceneText()
@@ -26,15 +26,15 @@ namespace
   }
 } // namespace
 
-// On several ranks too: what comes near lies on other ones, whose unknowns then
-// are ghosts.
+// Also on several ranks, where contact candidates belong to other ranks and
+// become ghosts.
 
-TEST(ContactResume, AnImpactGoesOnToTheLastDigit)
+TEST(ContactResume, ResumesAnImpactExactly)
 {
   for (const char *scheme : {"newmark", "esdirk", "energy-momentum"})
     {
       SCOPED_TRACE(scheme);
-      // Before anything touches, in the impact, and after it.
+      // Before contact, in the impact, and after it.
       const RecordedRun run =
         expect_same_when_resumed(impact().set("Time/Scheme", scheme).str(),
                                  {},
@@ -43,9 +43,9 @@ TEST(ContactResume, AnImpactGoesOnToTheLastDigit)
     }
 }
 
-TEST(ContactResume, StrutsThatFallOnEachOtherGoOnToTheLastDigit)
+TEST(ContactResume, ResumesCollidingStrutsExactly)
 {
-  // Each of them with another one only, and with the next one later.
+  // Each strut hits only one other, and later the next one.
   std::string joints, struts;
   for (unsigned int i = 0; i < 4; ++i)
     {
@@ -69,7 +69,7 @@ TEST(ContactResume, StrutsThatFallOnEachOtherGoOnToTheLastDigit)
   EXPECT_EQ(run.rows.size(), 121u);
 }
 
-TEST(ContactResume, ALatticeThatFoldsGoesOnToTheLastDigit)
+TEST(ContactResume, ResumesAFoldingLatticeExactly)
 {
   expect_same_when_resumed(prm_text("crush.prm"),
                            {"Lattice/Cells x=2",
@@ -81,7 +81,7 @@ TEST(ContactResume, ALatticeThatFoldsGoesOnToTheLastDigit)
                            MPI_COMM_WORLD);
 }
 
-TEST(ContactResume, PressedWithoutInertiaItGoesOnToTheLastDigit)
+TEST(ContactResume, ResumesStaticContactExactly)
 {
   expect_same_when_resumed(impact()
                              .remove("Initial velocities")

@@ -48,7 +48,7 @@ TEST(DrivenShaft, TurnsByMoreThanAWholeTurn)
 
 TEST(DrivenShaft, TwistsAgainstAClampByItsTorque)
 {
-  // The arm is held: GJ / L on 0.01 rad.
+  // The arm is clamped: GJ / L on 0.01 rad.
   SceneRun run(driven_shaft("0.01 * t")
                  .support("bearing", "0", "clamp")
                  .time(1, 1, "static"));
@@ -59,7 +59,7 @@ TEST(DrivenShaft, TwistsAgainstAClampByItsTorque)
 
 TEST(DrivenShaft, MovesTheSameByEveryScheme)
 {
-  // Brought to 0.3 rad so slowly that the arm hardly bends.
+  // Rotated to 0.3 rad so slowly that the arm hardly bends.
   for (const std::string scheme :
        {"newmark", "generalized-alpha", "esdirk", "energy-momentum"})
     {

@@ -15,9 +15,9 @@ using namespace auxfem::testing_support;
 namespace
 {
   /**
-   * A small frame that holds every effect there is: struts with damping, every
-   * law of connectors, springs, hinges, a rigid part, plates with friction,
-   * contact of struts, follower loads, masses, weight, moved supports.
+   * A small frame with every effect: damped struts, every connector law,
+   * springs, hinges, a rigid part, plates with friction, contact of struts,
+   * follower loads, masses, weight, moved supports.
    */
   SceneText with_every_effect(const unsigned int dimension)
   {
@@ -100,14 +100,14 @@ namespace
     return text;
   }
 
-  /** Sums over all ranks of what an evaluation gives. */
+  /** Sums of the results of an evaluation over all ranks. */
   struct Answer
   {
     double              force, moment, constraint, force_scale, tangent;
     std::vector<double> energies;
   };
 
-  /** Every question that there is to effects, at one evaluation. */
+  /** Evaluates every query of the equations. */
   Answer ask_all(EquationsOnRanks &setup, const Evaluation &evaluation)
   {
     const Equations         &equations = setup.equations;
@@ -154,7 +154,7 @@ namespace
              equations.find_internal_rates(evaluation.to, results))
           EXPECT_TRUE(std::isfinite(rate));
       }
-    // Instants have energies, and no way that lies behind them.
+    // Instants have energies, but no increments.
     if (evaluation.dt > 0)
       equations.accept(evaluation, results);
 
@@ -210,7 +210,7 @@ namespace
     return Evaluation::consistent_rates(from, to);
   }
 
-  /** At a state where everything moves, turns and touches. */
+  /** Answer at a state in which everything moves, rotates and touches. */
   Answer answer_of(const std::string              &text,
                    const std::vector<std::string> &overrides,
                    const Kind                      kind,
@@ -231,7 +231,7 @@ namespace
     return ask_all(setup, evaluation_of(kind, from, to));
   }
 
-  /** The kinds that a scheme brings about. */
+  /** Kinds of evaluations that a scheme uses. */
   std::vector<Kind> kinds_of(const std::string &scheme)
   {
     std::vector<Kind> kinds = {Kind::equilibrium, Kind::consistent_rates};
@@ -280,7 +280,7 @@ TEST(EveryEffectOnRanks, AnswersAtEveryKindOfEvaluation)
           }
 }
 
-TEST(EveryEffectOnRanks, HasAnAnswerOrAWordInEveryAnalysis)
+TEST(EveryEffectOnRanks, WorksOrIsRefusedInEveryAnalysis)
 {
   const std::vector<std::vector<std::string>> analyses = {
     {"Time/Scheme=static"},
@@ -298,8 +298,8 @@ TEST(EveryEffectOnRanks, HasAnAnswerOrAWordInEveryAnalysis)
   unsigned int n_answers = 0;
   for (const unsigned int dimension : {2u, 3u})
     {
-      // With everything; what analyses of small motions leave to others; and
-      // small displacements that the program may choose itself.
+      // Every effect, then those that analyses of small motions accept, then
+      // small displacements that the program may choose.
       SceneText small = with_every_effect(dimension);
       small.remove("Plates/ball").remove("Contact").remove("Rigid parts/bar");
       small.set("Supports/mover/Displacement x", 0);

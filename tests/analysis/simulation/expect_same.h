@@ -8,7 +8,7 @@
 
 namespace auxfem::testing_support
 {
-  /** To the last bit. */
+  /** Expects equality to the last bit. */
   inline void expect_same(const Vector &a, const Vector &b)
   {
     ASSERT_EQ(a.size(), b.size());
@@ -16,8 +16,10 @@ namespace auxfem::testing_support
       EXPECT_EQ(a[i], b[i]);
   }
 
-  /** Of a run as a whole, and resumed: what linear equations keep in the one is
-   * factorized again in the other. */
+  /**
+   * Compares the work of a whole run and a resumed one, which factorizes again
+   * what linear equations reuse.
+   */
   inline void expect_same_work(const Work &a, const Work &b)
   {
     EXPECT_EQ(a.steps, b.steps);

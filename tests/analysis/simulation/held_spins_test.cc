@@ -16,8 +16,7 @@
 using namespace auxfem;
 using namespace auxfem::testing_support;
 
-// Bars between ball hinges, which nothing holds against turning about
-// themselves.
+// Bars between ball hinges, which are free to spin about their axes.
 namespace
 {
   constexpr double E = 210e9, radius = 12.6157e-3;
@@ -36,7 +35,7 @@ namespace
       .time(1, 1);
   }
 
-  /** Of the top: K = sum of EA / L n n^T, which is diagonal (N/m). */
+  /** Stiffness of the top: K = sum of EA / L n n^T, which is diagonal (N/m). */
   struct TripodStiffness
   {
     double length    = std::sqrt(13.);
@@ -88,19 +87,19 @@ TEST(HeldSpins, TrussOfBallHingesMovesAsItsBarsStretch)
       SCOPED_TRACE(rotation);
       SceneRun run(loaded(tripod()).set("Effects/Large rotation", rotation));
       run.run();
-      // By turning it differs by the strain, 2e-4.
+      // Rotations differ by the strain, 2e-4.
       const double error = rotation == "off" ? 1e-9 : 1e-3;
       EXPECT_NEAR(run.motion(3, 0), 1e4 / K.across, error * 1e4 / K.across);
       EXPECT_NEAR(run.motion(3, 1), 0, 1e-12);
       EXPECT_NEAR(run.motion(3, 2), -2e4 / K.up, error * 2e4 / K.up);
     }
-  // Feet that turn in their supports need no hinges.
+  // Feet with free rotations need no hinges.
   SceneRun run(loaded(tripod()).hinge("pins", "3").linear());
   run.run();
   EXPECT_NEAR(run.motion(3, 0), 1e4 / K.across, 1e-9 * 1e4 / K.across);
 }
 
-TEST(HeldSpins, AreToldOnce)
+TEST(HeldSpins, AreReportedOnce)
 {
   const Scene scene = read_scene_from_text(loaded(tripod()).str(), "t.prm");
   const LatticeRun run(scene, MPI_COMM_SELF);
@@ -114,9 +113,9 @@ TEST(HeldSpins, AreToldOnce)
   EXPECT_TRUE(findings_of(loaded(tripod(), 0.1)).empty());
 }
 
-TEST(HeldSpins, BarThatTurnsFarBearsItsStretch)
+TEST(HeldSpins, BarBearsItsStretchAtLargeRotations)
 {
-  // An end goes round by 3 rad while the bar is stretched by 10 %: EA 0.1.
+  // An end rotates by 3 rad while the bar is stretched by 10 %: EA 0.1.
   for (const unsigned int n : {1u, 2u})
     {
       SceneRun run(straight_bar(n)
@@ -185,7 +184,7 @@ TEST(HeldSpins, BarsBuckleAsEulersDo)
 
 TEST(HeldSpins, MotionBeginsFromStaticEquilibrium)
 {
-  // The load stays: so does the truss.
+  // The load is constant, and so is the position of the truss.
   const TripodStiffness K;
   SceneRun              run(tripod()
                  .load("P", "3", {"1e4", "0", "-2e4"}, {"0", "0", "0"})
@@ -202,7 +201,7 @@ TEST(HeldSpins, AreThoseOfStraightBarsThatNothingTurns)
   EXPECT_EQ(n_free_spins(tripod()), 3u);
   EXPECT_EQ(n_free_spins(straight_bar(1)), 1u);
   EXPECT_EQ(n_free_spins(straight_bar(3)), 1u);
-  // A moment turns it, a clamp or an arm holds it; a bow swings.
+  // A moment spins it, a clamp or an arm restrains it; a curved bar swings.
   EXPECT_EQ(
     n_free_spins(
       straight_bar(2).load("turn", "1", {"0", "0", "0"}, {"1", "0", "0"})),
@@ -216,7 +215,7 @@ TEST(HeldSpins, AreThoseOfStraightBarsThatNothingTurns)
   EXPECT_EQ(n_free_spins(
               straight_bar(2).set("Lattice/Joints", "0 0 0; 0.5 0.1 0; 1 0 0")),
             0u);
-  // One end is released, the other turns in its support.
+  // One end is released, the other rotates in its support.
   const SceneText on_pin =
     straight_bar(1).hinge("pins", "0").support("end", "1", "pin");
   EXPECT_EQ(n_free_spins(on_pin), 1u);

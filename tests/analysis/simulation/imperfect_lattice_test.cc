@@ -14,8 +14,7 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  /** Pinned at both ends, 1 m long, of four struts, pressed by half of Euler's
-   * load pi^2. */
+  /** A pinned column of 1 m and four struts under half of Euler's load pi^2. */
   SceneText pinned_column()
   {
     return static_frame("0 0; 0.25 0; 0.5 0; 0.75 0; 1 0", "0 1; 1 2; 2 3; 3 4")
@@ -67,14 +66,14 @@ TEST(ImperfectLattice, AColumnHasTheShapeOfItsMode)
                   sign * std::abs(amplitude) * std::sin(pi * (2. * i + 1) / 8),
                   1e-6);
     }
-  // The other sign is the other side.
+  // The opposite sign bows to the opposite side.
   EXPECT_NEAR(imperfect_one(bent_by_mode(-amplitude)).joints[2][1],
               -lattice.joints[2][1],
               1e-12);
 }
 
-// A bow a sin(pi x) grows by a P / (P_E - P) (e.g. Timoshenko & Gere 1961, sec.
-// 1.12): by a under half of Euler's load.
+// A bow a sin(pi x) grows by a P / (P_E - P) (e.g. Timoshenko & Gere 1961,
+// sec. 1.12), which is a under half of Euler's load.
 TEST(ImperfectLattice, ABowGrowsAsThatOfAColumn)
 {
   const double amplitude = 1e-4;
@@ -86,7 +85,7 @@ TEST(ImperfectLattice, ABowGrowsAsThatOfAColumn)
   by_expression.set("Imperfections/bow/Displacement y",
                     text(amplitude) + " * sin(pi * x)");
   EXPECT_NEAR(middle_deflection(by_expression), amplitude, 2e-3 * amplitude);
-  // Two of them: twice as much.
+  // Two imperfections double the bow.
   SceneText twice = bent_by_mode(amplitude);
   twice.set("Imperfections/more/Type", "buckling mode");
   twice.set("Imperfections/more/Amplitude", amplitude);
@@ -103,7 +102,7 @@ TEST(ImperfectLatticeOnRanks, IsTheSame)
     EXPECT_LT(alone.joints[i].distance(together.joints[i]), 1e-10);
 }
 
-TEST(ImperfectLattice, WhatCannotBuckleIsRefusedInItsName)
+TEST(ImperfectLattice, RefusesModesOfAStructureThatCannotBuckle)
 {
   const std::string message = input_error_of(
     [] { imperfect_one(bent_by_mode(1e-3).set("Loads/press/Force x", "0")); });
@@ -111,7 +110,7 @@ TEST(ImperfectLattice, WhatCannotBuckleIsRefusedInItsName)
   EXPECT_FALSE(contains(message, "Analysis"));
 }
 
-TEST(ImperfectLattice, ModesThatAreNotThereAreRefused)
+TEST(ImperfectLattice, RefusesMissingModes)
 {
   expect_parts(input_error_of([] {
                  imperfect_one(

@@ -14,7 +14,7 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  /** A history with what was decided about the run that is in it. */
+  /** A history with the decision about its run. */
   class DecidedHistory : public MemoryRecorder
   {
   public:
@@ -46,9 +46,9 @@ namespace
     unsigned long         n_factorizations = 0;
   };
 
-  struct Decided
+  struct DecidedRun
   {
-    Decided(SceneText scene, const std::string &large_rotation)
+    DecidedRun(SceneText scene, const std::string &large_rotation)
       : scene(read_scene_from_text(
           scene.set("Effects/Large rotation", large_rotation).str(),
           "test.prm"))
@@ -62,7 +62,7 @@ namespace
   };
 
   /** Largest distance of the probe `tip` over its largest displacement. */
-  double change(const Decided &one, const Decided &exact)
+  double change(const DecidedRun &one, const DecidedRun &exact)
   {
     double largest = 0, distance = 0;
     for (std::size_t i = 0; i < exact.history.rows().size(); ++i)
@@ -98,7 +98,7 @@ namespace
     return scene.mesh(3, 1).time(0.2, 0.001, "newmark");
   }
 
-  /** Stocky struts that are loaded along most of them. */
+  /** Stocky struts, most of them under axial loads. */
   SceneText portal(const double force)
   {
     SceneText scene;
@@ -111,12 +111,14 @@ namespace
     return scene.mesh(3).time(0.2, 0.001, "generalized-alpha");
   }
 
-  /** Euler's load (N) of the cantilever, a quarter of that with hinged ends. */
+  /** Euler load (N) of the cantilever, a quarter of that with hinged ends. */
   const double critical =
     std::pow(pi / 2, 2) * 70e9 * pi * std::pow(0.005, 4) / 4;
 
-  /** In resonance with its first bending mode, whose amplitude comes to more
-   * than four times the static answer to @p force (N). */
+  /**
+   * In resonance with its first bending mode. The amplitude exceeds four times
+   * the static response to @p force (N).
+   */
   SceneText swung(const double force)
   {
     const double frequency =
@@ -134,13 +136,13 @@ namespace
 
 TEST(KinematicsChoice, SmallLoadsNeedOneIterationAStep)
 {
-  const SceneText scene = cantilever(3, {0, 0.03, 0.02});
-  const Decided   chosen(scene, "auto"), exact(scene, "on");
+  const SceneText  scene = cantilever(3, {0, 0.03, 0.02});
+  const DecidedRun chosen(scene, "auto"), exact(scene, "on");
   EXPECT_FALSE(chosen.history.is_exact);
   EXPECT_EQ(chosen.history.n_beginnings, 1u);
   EXPECT_EQ(chosen.result.work.iterations, 200u);
-  // That of the steps, and of exact kinematics, at rest, ahead of the answer to
-  // the loads and at rest again.
+  // Factorizations of the steps, and of exact kinematics: at rest, at the
+  // predicted response, and at rest again.
   EXPECT_EQ(chosen.history.n_factorizations, 4u);
   EXPECT_GT(exact.result.work.iterations, 380u);
   EXPECT_LT(change(chosen, exact), 1e-3);
@@ -148,10 +150,10 @@ TEST(KinematicsChoice, SmallLoadsNeedOneIterationAStep)
             std::string::npos);
 }
 
-TEST(KinematicsChoice, ALoadThatGrowsMakesTheRunStartAnew)
+TEST(KinematicsChoice, AGrowingLoadRestartsTheRun)
 {
-  const SceneText scene = swung(0.05);
-  const Decided   chosen(scene, "auto"), exact(scene, "on");
+  const SceneText  scene = swung(0.05);
+  const DecidedRun chosen(scene, "auto"), exact(scene, "on");
   EXPECT_EQ(chosen.history.n_beginnings, 2u);
   EXPECT_TRUE(chosen.history.is_exact);
   EXPECT_EQ(chosen.history.rows(), exact.history.rows());
@@ -163,10 +165,10 @@ TEST(KinematicsChoice, ALoadThatGrowsMakesTheRunStartAnew)
   EXPECT_EQ(chosen.result.work.steps, exact.result.work.steps);
 }
 
-TEST(KinematicsChoice, LoadsThatPressWithoutMovingAreSeen)
+TEST(KinematicsChoice, DetectsCompressionWithoutMotion)
 {
-  // A column that a load across it has bent at half the time, by small
-  // displacements most of all; then twice its buckling load comes on it.
+  // A transverse load bends a column until half the time, with the largest
+  // error of small displacements; then twice its buckling load acts.
   const auto pressed = [](const double part) {
     SceneText scene = statics(cantilever(2, {0, 0}));
     scene.set("Loads/push/Force x",
@@ -175,7 +177,7 @@ TEST(KinematicsChoice, LoadsThatPressWithoutMovingAreSeen)
               "0.1 * min(t / 0.1, 1) * (1 - 0.01 * max(0, t / 0.1 - 1))");
     return scene.set("Time/Time step", 0.001);
   };
-  const Decided relieved(pressed(0), "auto"), chosen(pressed(2), "auto"),
+  const DecidedRun relieved(pressed(0), "auto"), chosen(pressed(2), "auto"),
     exact(pressed(2), "on");
   EXPECT_FALSE(relieved.history.is_exact);
   EXPECT_TRUE(chosen.history.is_exact);
@@ -183,9 +185,9 @@ TEST(KinematicsChoice, LoadsThatPressWithoutMovingAreSeen)
   EXPECT_EQ(chosen.history.rows(), exact.history.rows());
 }
 
-TEST(KinematicsChoice, AShortPressureOnAStraightColumnIsSeen)
+TEST(KinematicsChoice, DetectsABriefLoadOnAStraightColumn)
 {
-  // Nothing bends; before the first look, and between two.
+  // No bending; the load acts before the first check, and between two checks.
   const auto pressed =
     [&](const double part, const double time, const std::string &scheme) {
       return cantilever(2, {0, 0})
@@ -199,7 +201,7 @@ TEST(KinematicsChoice, AShortPressureOnAStraightColumnIsSeen)
     for (const double time : {0.005, 0.105})
       {
         SCOPED_TRACE(scheme + ", " + text(time));
-        const Decided little(pressed(0.5, time, scheme), "auto"),
+        const DecidedRun little(pressed(0.5, time, scheme), "auto"),
           much(pressed(1.5, time, scheme), "auto");
         EXPECT_FALSE(little.history.is_exact) << little.history.reason;
         EXPECT_TRUE(much.history.is_exact);
@@ -208,51 +210,51 @@ TEST(KinematicsChoice, AShortPressureOnAStraightColumnIsSeen)
       }
 }
 
-TEST(KinematicsChoice, APulseBetweenTwoLooksIsSeen)
+TEST(KinematicsChoice, DetectsAPulseBetweenTwoChecks)
 {
-  // A tenth of the way from one look to the next long; loads are known at
-  // quarters of the time.
+  // The pulse lasts a tenth of the interval between checks; loads are sampled
+  // at quarters of the time.
   const auto pulse = [](const double force) {
     return statics(cantilever(2, {0, 0}))
       .set("Loads/push/Force y",
            text(force) + " * exp(-((t - 0.105) / 0.001)^2)")
       .set("Time/Time step", 0.0002);
   };
-  const Decided small(pulse(0.01), "auto"), chosen(pulse(10), "auto"),
+  const DecidedRun small(pulse(0.01), "auto"), chosen(pulse(10), "auto"),
     exact(pulse(10), "on");
   EXPECT_FALSE(small.history.is_exact);
   EXPECT_TRUE(chosen.history.is_exact);
   EXPECT_EQ(chosen.history.rows(), exact.history.rows());
-  // Three and a half times what is still within the tolerance.
+  // Three and a half times the load within the tolerance.
   const auto raised = [](const double part) {
     return statics(cantilever(2, {0, 0}))
       .set("Loads/push/Force y",
            "0.25 * (1 + " + text(part) + " * exp(-((t - 0.105) / 0.001)^2))")
       .set("Time/Time step", 0.0002);
   };
-  const Decided level(raised(0), "auto");
+  const DecidedRun level(raised(0), "auto");
   EXPECT_FALSE(level.history.is_exact) << level.history.reason;
-  EXPECT_TRUE(Decided(raised(3), "auto").history.is_exact);
+  EXPECT_TRUE(DecidedRun(raised(3), "auto").history.is_exact);
 }
 
-TEST(KinematicsChoice, StrutsMayTouchOnlyWhereTheyMoveFar)
+TEST(KinematicsChoice, ContactNeedsLargeMotions)
 {
-  const Decided small(cantilever(2, {0, 0.03}), "auto");
+  const DecidedRun small(cantilever(2, {0, 0.03}), "auto");
   EXPECT_FALSE(small.history.is_exact);
   EXPECT_FALSE(small.history.contact.on);
   EXPECT_NE(small.history.contact.reason.find("small displacements"),
             std::string::npos);
-  // Small displacements first, then exact ones.
-  const Decided grown(swung(0.05), "auto");
+  // Starts with small displacements, then uses exact ones.
+  const DecidedRun grown(swung(0.05), "auto");
   EXPECT_EQ(grown.history.n_beginnings, 2u);
   EXPECT_TRUE(grown.history.contact.on);
   EXPECT_NE(grown.history.contact.reason.find("may touch"), std::string::npos);
 }
 
-TEST(KinematicsChoice, StrutsThatAreMovedOntoEachOtherTouch)
+TEST(KinematicsChoice, DetectsContactOfPrescribedMotions)
 {
-  // Nothing turns; small displacements alone know of no contact, and at the end
-  // one would have passed through the other.
+  // No rotations. Small displacements know no contact, and one strut would end
+  // up beyond the other.
   const auto pushed = [](const std::string &way) {
     SceneText scene;
     scene.frame("0 0; 1 0; 0.3 0.1; 0.7 0.1", "0 1; 2 3")
@@ -261,16 +263,16 @@ TEST(KinematicsChoice, StrutsThatAreMovedOntoEachOtherTouch)
       .probe("tip", "1");
     return scene.mesh(3, 2).time(1, 0.002, "generalized-alpha");
   };
-  const Decided apart(pushed("0.08 * t"), "auto");
+  const DecidedRun apart(pushed("0.08 * t"), "auto");
   EXPECT_FALSE(apart.history.is_exact);
-  // On the way to the end, and for a short time: at 90 mm of the way, the axes
-  // 10 mm from each other.
+  // Moves to the end, or briefly: at 90 mm of the way the axes are 10 mm
+  // apart.
   const std::array<std::pair<std::string, double>, 2> ways = {
     {{"0.3 * t", 0.3}, {"0.0901 * exp(-((t - 0.525) / 0.01)^2)", 0.525}}};
   for (const auto &[way, time] : ways)
     {
       SCOPED_TRACE(way);
-      const Decided touching(pushed(way), "auto"), exact(pushed(way), "on");
+      const DecidedRun touching(pushed(way), "auto"), exact(pushed(way), "on");
       EXPECT_TRUE(touching.history.is_exact);
       EXPECT_EQ(touching.history.n_beginnings, 2u);
       const std::string &reason = touching.history.reason,
@@ -283,7 +285,7 @@ TEST(KinematicsChoice, StrutsThatAreMovedOntoEachOtherTouch)
     }
 }
 
-TEST(KinematicsChoice, ARunThatIsResumedKeepsToWhatWasDecided)
+TEST(KinematicsChoice, ResumedRunsKeepTheDecision)
 {
   // Small displacements; exact ones from the start; small ones first.
   for (SceneText scene : {cantilever(2, {0, 0.03}),
@@ -293,15 +295,15 @@ TEST(KinematicsChoice, ARunThatIsResumedKeepsToWhatWasDecided)
     expect_same_when_resumed(scene.set("Effects/Large rotation", "auto"));
 }
 
-TEST(KinematicsChoice, LargeLoadsAreNotTried)
+TEST(KinematicsChoice, LargeLoadsStartWithExactKinematics)
 {
-  const Decided chosen(cantilever(2, {0, 100}), "auto");
+  const DecidedRun chosen(cantilever(2, {0, 100}), "auto");
   EXPECT_EQ(chosen.history.n_beginnings, 1u);
   EXPECT_TRUE(chosen.history.is_exact);
   EXPECT_NE(chosen.history.reason.find("rotations reach"), std::string::npos);
 }
 
-TEST(KinematicsChoice, TurnsWhereItMatters)
+TEST(KinematicsChoice, DetectsRotationsInResonance)
 {
   struct Family
   {
@@ -327,10 +329,10 @@ TEST(KinematicsChoice, TurnsWhereItMatters)
   for (const Family &family : families)
     for (double force = 1e-3; force < 10; force *= 4)
       {
-        // Steps need not resolve motions, which are compared with each other.
+        // Steps need not resolve motions, which are only compared.
         const SceneText scene =
           family.scene(force).set("Time/Time step", 0.004);
-        const Decided chosen(scene, "auto"), exact(scene, "on"),
+        const DecidedRun chosen(scene, "auto"), exact(scene, "on"),
           small(scene, "off");
         const double error = change(small, exact);
         if (error < 1e-3 / 3)
@@ -350,11 +352,11 @@ TEST(KinematicsChoice, TurnsWhereItMatters)
 
 TEST(KinematicsChoice, ABuckledColumnIsExact)
 {
-  // Straight, so that nothing but its stiffness tells.
+  // Straight columns, which only their stiffness reveals as unstable.
   for (const double part : {0.7, 1.1})
     {
-      const Decided chosen(statics(cantilever(2, {-part * critical, 0})),
-                           "auto");
+      const DecidedRun chosen(statics(cantilever(2, {-part * critical, 0})),
+                              "auto");
       EXPECT_EQ(chosen.history.is_exact, part > 1) << chosen.history.reason;
       EXPECT_EQ(chosen.result.findings.empty(), part < 1);
     }
@@ -362,20 +364,20 @@ TEST(KinematicsChoice, ABuckledColumnIsExact)
 
 TEST(KinematicsChoice, LoadsThatFollowTheJointAreExact)
 {
-  // Their stiffness is that of the load of the moment: a pull that turns with
-  // the end of a straight rod makes it unstable.
-  const Decided chosen(statics(cantilever(2, {critical, 0}))
-                         .mesh(3)
-                         .set("Loads/push/Direction", "follows the joint"),
-                       "auto");
+  // The stiffness includes the current load: a pull that rotates with the end
+  // of a straight rod destabilizes it.
+  const DecidedRun chosen(statics(cantilever(2, {critical, 0}))
+                            .mesh(3)
+                            .set("Loads/push/Direction", "follows the joint"),
+                          "auto");
   EXPECT_TRUE(chosen.history.is_exact) << chosen.history.reason;
   EXPECT_EQ(chosen.history.n_beginnings, 1u);
 }
 
-TEST(KinematicsChoice, AStretchOfHeldStrutsIsSeen)
+TEST(KinematicsChoice, DetectsTheStretchOfClampedStruts)
 {
-  // Between clamps 1 m apart: pushed across by a millimetre, a rod bears a
-  // quarter of its thickness by membrane forces that small displacements lack.
+  // A clamped rod of 1 m under 1 mm of deflection carries a quarter of its
+  // thickness by membrane forces, which small displacements lack.
   const auto held = [](const double force, const std::string &scheme) {
     SceneText scene;
     scene.frame("0 0; 0.5 0; 1 0", "0 1; 1 2");
@@ -389,10 +391,10 @@ TEST(KinematicsChoice, AStretchOfHeldStrutsIsSeen)
     for (double force = 1e-3; force < 2; force *= 2)
       {
         SCOPED_TRACE(scheme + ", " + text(force));
-        const SceneText scene = held(force, scheme);
-        const Decided   chosen(scene, "auto");
-        const double    error =
-          change(Decided(scene, "off"), Decided(scene, "on"));
+        const SceneText  scene = held(force, scheme);
+        const DecidedRun chosen(scene, "auto");
+        const double     error =
+          change(DecidedRun(scene, "off"), DecidedRun(scene, "on"));
         if (error < 1e-4)
           {
             EXPECT_FALSE(chosen.history.is_exact) << error;
@@ -404,11 +406,11 @@ TEST(KinematicsChoice, AStretchOfHeldStrutsIsSeen)
       }
 }
 
-TEST(KinematicsChoice, WhatBucklesUnseenByTheErrorIsLookedAt)
+TEST(KinematicsChoice, DetectsBucklingThatTheErrorDoesNotShow)
 {
-  // For a short time: a strip that turns over under a load across it (Prandtl:
-  // 4.013 sqrt(EI GJ) / L^2), which presses no strut, and a straight column
-  // beside a rod that bends more than anything that presses the column.
+  // Brief loads: a strip that buckles laterally (Prandtl: 4.013 sqrt(EI GJ) /
+  // L^2) without strut compression, and a straight column beside a rod that
+  // bends more than the column's load.
   const auto raised = [](const double part) {
     return "(0.3 + " + text(part) + " * exp(-((t - 0.105) / 0.002)^2))";
   };
@@ -442,8 +444,8 @@ TEST(KinematicsChoice, WhatBucklesUnseenByTheErrorIsLookedAt)
       .mesh(3, 1)
       .time(0.2, 0.0002, "static");
   };
-  // Nor does what presses it exceed what presses another, which that does not
-  // bend: a strut with both ends held that has a third of pi^2 EI / L^2.
+  // A strut whose compression stays below that of a neighbour: both ends
+  // clamped, with a third of pi^2 EI / L^2.
   const auto beside = [&](const double part) {
     SceneText scene = column(part);
     scene.set("Lattice/Joints", "0 0; 1 0; 0 1; 1 1; 0 -1; 1 -1")
@@ -454,8 +456,8 @@ TEST(KinematicsChoice, WhatBucklesUnseenByTheErrorIsLookedAt)
       .set("Supports/guide/Rotation z", "0");
     return scene.load("hold", "5", {text(-4 * critical / 3), "0", "0"});
   };
-  // Nor need it be pressed much: of a row of twelve struts each by 0.003
-  // pi^2 EI / L^2.
+  // Low compression suffices: a row of twelve struts buckles at 0.003 pi^2 EI
+  // / L^2 each.
   const auto row = [&](const double part) {
     std::string joints = "0 0", struts;
     for (unsigned int i = 1; i <= 12; ++i)
@@ -477,33 +479,33 @@ TEST(KinematicsChoice, WhatBucklesUnseenByTheErrorIsLookedAt)
       for (const SceneText &scene :
            {strip(part), column(part), beside(part), row(part)})
         {
-          const Decided chosen(scene, "auto");
+          const DecidedRun chosen(scene, "auto");
           EXPECT_EQ(chosen.history.is_exact, part > 1) << chosen.history.reason;
         }
     }
   expect_same_when_resumed(beside(1.2).set("Effects/Large rotation", "auto"));
 }
 
-TEST(KinematicsChoice, StrainsAreWatched)
+TEST(KinematicsChoice, ChecksStrains)
 {
   SceneText scene;
   scene.frame("0 0; 1 0", "0 1").circle("rod", 0.02, {4e6, 1000, 0.3});
   scene.support("clamp", "0", "clamp");
   scene.set("Loads/pull/Joints", "1").set("Loads/pull/Force x", "4000 * t");
-  const Decided chosen(scene.mesh(1).time(1, 0.1, "static"), "auto");
+  const DecidedRun chosen(scene.mesh(1).time(1, 0.1, "static"), "auto");
   EXPECT_TRUE(chosen.history.is_exact) << chosen.history.reason;
   EXPECT_FALSE(chosen.result.findings.empty());
 }
 
-TEST(KinematicsChoice, NoLoadsLeaveItToTheWatch)
+TEST(KinematicsChoice, WithoutLoadsTheWatchDecides)
 {
   SceneText scene = cantilever(2, {0, 0});
   scene.set("Initial velocities/throw/Joints", "1")
     .set("Initial velocities/throw/Velocity y", "1e-4");
-  const Decided slow(scene, "auto");
+  const DecidedRun slow(scene, "auto");
   EXPECT_FALSE(slow.history.is_exact) << slow.history.reason;
   scene.set("Initial velocities/throw/Velocity y", "10");
-  const Decided fast(scene, "auto");
+  const DecidedRun fast(scene, "auto");
   EXPECT_TRUE(fast.history.is_exact);
   EXPECT_EQ(fast.history.n_beginnings, 2u);
 }

@@ -13,8 +13,8 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  /** Writes down what it is told. */
-  struct Diary : public Recorder
+  /** Records the calls that it receives. */
+  struct CallRecorder : public Recorder
   {
     void begin(const Equations &equations) override
     {
@@ -65,13 +65,13 @@ namespace
   /** The message of the ComputationError of a run; empty if there is none. */
   std::string failure_of(const std::string              &text,
                          const std::vector<std::string> &overrides,
-                         Diary                          &diary)
+                         CallRecorder                   &call_recorder)
   {
     const Scene scene = read_scene_from_text(text, "test.prm", overrides);
     LatticeRun  run(scene, MPI_COMM_SELF);
     try
       {
-        run.run(diary);
+        run.run(call_recorder);
       }
     catch (const ComputationError &error)
       {
@@ -84,34 +84,35 @@ namespace
     "Scheme = newmark | End time = 1 | Time step = 0.1";
 } // namespace
 
-TEST(LatticeRun, TellsItsRecorderInOrder)
+TEST(LatticeRun, CallsItsRecorderInOrder)
 {
   const Scene scene =
     read_scene_from_text(cantilever("0.3 * t", ten_steps), "test.prm", {});
   LatticeRun      run(scene, MPI_COMM_SELF);
-  Diary           diary;
-  const RunResult result = run.run(diary);
+  CallRecorder    call_recorder;
+  const RunResult result = run.run(call_recorder);
 
-  EXPECT_EQ(diary.calls, calls_of(10));
-  EXPECT_EQ(diary.n_unknowns, run.model.numbering.layout().n_global());
-  ASSERT_EQ(diary.times.size(), 12u);
+  EXPECT_EQ(call_recorder.calls, calls_of(10));
+  EXPECT_EQ(call_recorder.n_unknowns, run.model.numbering.layout().n_global());
+  ASSERT_EQ(call_recorder.times.size(), 12u);
   for (unsigned int i = 0; i <= 10; ++i)
-    EXPECT_EQ(diary.times[i], i * 0.1);
-  EXPECT_EQ(diary.times.back(), 1.);
-  ASSERT_TRUE(diary.latest && diary.final);
-  expect_same(*diary.latest, *diary.final);
+    EXPECT_EQ(call_recorder.times[i], i * 0.1);
+  EXPECT_EQ(call_recorder.times.back(), 1.);
+  ASSERT_TRUE(call_recorder.latest && call_recorder.final);
+  expect_same(*call_recorder.latest, *call_recorder.final);
 
   EXPECT_TRUE(result.completed());
   EXPECT_EQ(result.exit_state, "completed");
   EXPECT_EQ(result.time, 1.);
   EXPECT_EQ(result.work.steps, 10u);
-  EXPECT_EQ(result.work.iterations, diary.iterations);
+  EXPECT_EQ(result.work.iterations, call_recorder.iterations);
   EXPECT_GE(result.work.factorizations, 1u);
-  // The recorder is told the same.
-  EXPECT_EQ(diary.result.exit_state, result.exit_state);
-  EXPECT_EQ(diary.result.time, result.time);
-  EXPECT_EQ(diary.result.work.iterations, result.work.iterations);
-  EXPECT_EQ(diary.result.work.factorizations, result.work.factorizations);
+  // The recorder receives the same result.
+  EXPECT_EQ(call_recorder.result.exit_state, result.exit_state);
+  EXPECT_EQ(call_recorder.result.time, result.time);
+  EXPECT_EQ(call_recorder.result.work.iterations, result.work.iterations);
+  EXPECT_EQ(call_recorder.result.work.factorizations,
+            result.work.factorizations);
 }
 
 TEST(LatticeRun, WorkOfTheStartCounts)
@@ -133,7 +134,7 @@ TEST(LatticeRun, WorkOfTheStartCounts)
   // One matrix for the equilibrium of a linear scene.
   EXPECT_EQ(work({linear, equilibrium}).factorizations, 1u);
   EXPECT_EQ(work({linear, equilibrium}).iterations, 1u);
-  // And one for what stands in for a singular mass matrix.
+  // A second one for the substitute of a singular mass matrix.
   EXPECT_EQ(work({linear, no_rotary_inertia}).factorizations, 1u);
   EXPECT_EQ(work({linear, equilibrium, no_rotary_inertia}).factorizations, 2u);
 }
@@ -141,74 +142,77 @@ TEST(LatticeRun, WorkOfTheStartCounts)
 TEST(LatticeRun, AWholeRunCountsTheStartsWorkToo)
 {
   const auto factorizations = [](const std::string &start_from) {
-    // Too little for its motion to be compared with the exact one.
+    // Motions too small for a comparison with exact ones.
     const Scene scene =
       read_scene_from_text(cantilever("3e-5 + 1e-4 * t", ten_steps),
                            "test.prm",
                            {"Effects/Large rotation=off",
                             "Time/Start from=" + start_from});
-    Diary diary;
-    return LatticeRun(scene, MPI_COMM_SELF).run(diary).work.factorizations;
+    CallRecorder call_recorder;
+    return LatticeRun(scene, MPI_COMM_SELF)
+      .run(call_recorder)
+      .work.factorizations;
   };
   EXPECT_EQ(factorizations("rest"), 1u) << "all steps share one";
-  // The check for mechanisms has another, with which the equilibrium is found.
+  // The check for mechanisms uses its own, and equilibrium reuses it.
   EXPECT_EQ(factorizations("static equilibrium"), 2u);
 }
 
 TEST(LatticeRun, AFailureLeavesTheLastAcceptedSolutionAndTheReason)
 {
-  Diary             diary;
-  const std::string failure = failure_of(data_text("overload.prm"), {}, diary);
+  CallRecorder      call_recorder;
+  const std::string failure =
+    failure_of(data_text("overload.prm"), {}, call_recorder);
   EXPECT_TRUE(contains(failure, "did not converge")) << failure;
-  EXPECT_EQ(diary.result.exit_state, failure);
-  EXPECT_FALSE(diary.result.completed());
+  EXPECT_EQ(call_recorder.result.exit_state, failure);
+  EXPECT_FALSE(call_recorder.result.completed());
 
-  const unsigned int n_steps = diary.result.work.steps;
+  const unsigned int n_steps = call_recorder.result.work.steps;
   EXPECT_GT(n_steps, 5u);
-  EXPECT_EQ(diary.calls, calls_of(n_steps));
-  // Parts of the step that failed were accepted.
-  EXPECT_GE(diary.times.back(), diary.times[n_steps]);
-  EXPECT_LT(diary.times.back(), diary.times[n_steps] + 0.02);
-  EXPECT_EQ(diary.result.time, diary.times.back());
-  EXPECT_GE(diary.result.work.iterations, diary.iterations);
+  EXPECT_EQ(call_recorder.calls, calls_of(n_steps));
+  // Parts of the failed step were accepted.
+  EXPECT_GE(call_recorder.times.back(), call_recorder.times[n_steps]);
+  EXPECT_LT(call_recorder.times.back(), call_recorder.times[n_steps] + 0.02);
+  EXPECT_EQ(call_recorder.result.time, call_recorder.times.back());
+  EXPECT_GE(call_recorder.result.work.iterations, call_recorder.iterations);
 
-  // The last solution is that of a run that ends there.
-  Diary until_there;
+  // The last solution equals that of a run that ends there.
+  CallRecorder until_there;
   ASSERT_EQ(failure_of(data_text("overload.prm"),
-                       {"Time/End time=" + std::to_string(diary.times.back()) +
-                        " s"},
+                       {"Time/End time=" +
+                        std::to_string(call_recorder.times.back()) + " s"},
                        until_there),
             "");
-  ASSERT_TRUE(diary.final && until_there.final);
-  for (unsigned int i = 0; i < diary.final->size(); ++i)
+  ASSERT_TRUE(call_recorder.final && until_there.final);
+  for (unsigned int i = 0; i < call_recorder.final->size(); ++i)
     // Residuals of 1e-8 near a limit point.
-    EXPECT_NEAR((*diary.final)[i], (*until_there.final)[i], 1e-5);
+    EXPECT_NEAR((*call_recorder.final)[i], (*until_there.final)[i], 1e-5);
 }
 
-TEST(LatticeRun, AStartThatFailsIsBegunAndFinishedWithoutSolutions)
+TEST(LatticeRun, AFailedStartHasNoSolutions)
 {
-  // Beyond the largest moment the spring can hold there is no equilibrium.
-  Diary             diary;
+  // Beyond the largest moment of the spring there is no equilibrium.
+  CallRecorder      call_recorder;
   const std::string failure = failure_of(data_text("overload.prm"),
                                          {"Loads/winch/Moment z=5",
                                           "Time/Scheme=newmark",
                                           "Time/Start from=static equilibrium"},
-                                         diary);
+                                         call_recorder);
   EXPECT_TRUE(contains(failure, "No static equilibrium was found")) << failure;
-  EXPECT_EQ(diary.calls, (std::vector<std::string>{"begin", "finish"}));
-  EXPECT_EQ(diary.result.exit_state, failure);
-  EXPECT_EQ(diary.result.time, 0.);
+  EXPECT_EQ(call_recorder.calls, (std::vector<std::string>{"begin", "finish"}));
+  EXPECT_EQ(call_recorder.result.exit_state, failure);
+  EXPECT_EQ(call_recorder.result.time, 0.);
 }
 
-TEST(LatticeRun, AMistakeInTheSceneIsNoRun)
+TEST(LatticeRun, AMistakeInTheSceneMakesNoRun)
 {
-  // A hinged strut that nothing holds.
+  // A hinged strut without other supports.
   const Scene scene = read_scene_from_text(cantilever("0.3", "Scheme = static"),
                                            "test.prm",
                                            {"Supports/wall/Type=pin"});
   LatticeRun  run(scene, MPI_COMM_SELF);
-  Diary       diary;
-  const std::string message = input_error_of([&] { run.run(diary); });
+  CallRecorder      call_recorder;
+  const std::string message = input_error_of([&] { run.run(call_recorder); });
   EXPECT_TRUE(contains(message, "not supported")) << message;
-  EXPECT_TRUE(diary.calls.empty());
+  EXPECT_TRUE(call_recorder.calls.empty());
 }

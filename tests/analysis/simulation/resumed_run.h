@@ -16,11 +16,11 @@ namespace auxfem
 {
   namespace testing_support
   {
-    /** Keeps the checkpoints of a run, and lets a run go on from one. */
+    /** Stores the checkpoints of a run, and can resume one. */
     class CheckpointRecorder : public MemoryRecorder
     {
     public:
-      /** @param former checkpoint that the run goes on from; nullptr: none */
+      /** @param former checkpoint to resume from; nullptr: none */
       CheckpointRecorder(const Scene                &scene,
                          const MPI_Comm              communicator,
                          const CheckpointData *const former)
@@ -30,7 +30,7 @@ namespace auxfem
 
       void begin(const Equations &equations) override
       {
-        // A run may be done again from its start.
+        // A run may restart from its beginning.
         checkpoints.clear();
         MemoryRecorder::begin(equations);
       }
@@ -65,14 +65,17 @@ namespace auxfem
       const CheckpointData *former;
     };
 
-    /** A result with all rows from the first step on. */
+    /** A result with all rows since the first step. */
     struct RecordedRun
     {
       RunResult                        result;
       std::vector<std::vector<double>> rows;
     };
 
-    /** A run from its start, or from a checkpoint with the rows before it. */
+    /**
+     * A run from its start, or resumed from a checkpoint with the rows before
+     * it.
+     */
     inline RecordedRun recorded_run(CheckpointRecorder &recorder,
                                     const Scene        &scene,
                                     const MPI_Comm      communicator,
@@ -102,9 +105,9 @@ namespace auxfem
     }
 
     /**
-     * That a run of @p text, on this rank or those of @p communicator, and one
-     * that goes on from an early, a middle, or a late checkpoint have equal
-     * digits. Returns the former, and the last of the others.
+     * Expects equal digits in a run of @p text and in runs resumed from an
+     * early, a middle and a late checkpoint, on this rank or those of @p
+     * communicator. Returns the whole run and the last resumed one.
      */
     inline std::array<RecordedRun, 2>
     runs_that_are_same(const std::string              &text,

@@ -10,7 +10,7 @@
 using namespace auxfem;
 using namespace auxfem::testing_support;
 
-// Straight cables, which resist loads across them by tension only.
+// Straight cables, which resist transverse loads by tension only.
 
 namespace
 {
@@ -101,7 +101,7 @@ TEST(SlackCable, CarriesALineLoad)
   const SceneText scene =
     cable().add("Loads/line",
                 "Type = line | Struts = all | Force per length y = -49.05 * t");
-  // Of a line load by the unstretched length, as weight.
+  // The same line load per unstretched length as the weight.
   const MemoryRecorder history =
     sound_history_of(SceneText(scene).time(1, 0.05, "static"));
   for (const std::size_t row : {1, 10, 20})
@@ -129,7 +129,7 @@ TEST(SlackCable, StartsMotionsFromItsEquilibrium)
   EXPECT_NEAR(run.motion(1, 1), -right.sag, 1e-3 * right.sag);
 }
 
-TEST(GravityInTime, AMassFallsAsItSays)
+TEST(GravityInTime, AMassFallsAccordingly)
 {
   SceneText scene;
   scene.frame("0 0; 1 0", "0 1").circle("rod", 0.05, {1e9, 1000});

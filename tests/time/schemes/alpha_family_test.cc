@@ -21,8 +21,7 @@ namespace
     AlphaFamily::generalized_alpha(0.8),
     AlphaFamily::generalized_alpha(1.)};
 
-  /** States with as many unknowns as a strut has; no equations belong to them.
-   */
+  /** States with the unknowns of a strut, without equations. */
   struct BareStates
   {
     BareStates()
@@ -156,7 +155,7 @@ TEST(AlphaFamily, PredictionKeepsTheAcceleration)
     }
 }
 
-TEST(AlphaFamily, FactorsTellWhatACorrectionDoes)
+TEST(AlphaFamily, FactorsMatchTheCorrection)
 {
   const double dt = 0.07;
   for (const Coefficients &c : members)
@@ -186,8 +185,8 @@ TEST(AlphaFamily, FactorsTellWhatACorrectionDoes)
 namespace
 {
   /**
-   * One step of v' = -frequency^2 u with dt = 1 from u, v, a given: the class
-   * as a whole acts on one number.
+   * One step of v' = -frequency^2 u with dt = 1 from u, v, a; the scheme acts
+   * on one unknown.
    */
   std::array<double, 3> oscillator_step(const AlphaFamily           &scheme,
                                         const double                 frequency,
@@ -213,10 +212,10 @@ namespace
   }
 } // namespace
 
-TEST(AlphaFamily, SpectralRadiusAtInfinityIsTheOneAskedFor)
+TEST(AlphaFamily, SpectralRadiusAtInfinityIsAsGiven)
 {
   // All three eigenvalues tend to -r (Chung & Hulbert 1993, section 4): the
-  // characteristic polynomial to (x + r)^3.
+  // characteristic polynomial tends to (x + r)^3.
   for (const double r : {0.2, 0.5, 0.8, 1.})
     {
       const AlphaFamily scheme("member", AlphaFamily::generalized_alpha(r));

@@ -13,7 +13,7 @@ namespace
 {
   constexpr double dt = 0.3;
 
-  /** A strut of which the rotations are large. */
+  /** Two states of a strut with large rotations. */
   struct TwoStates
   {
     TwoStates()
@@ -58,7 +58,7 @@ namespace
   };
 } // namespace
 
-TEST(EnergyMomentum, MeanVelocityIsTheTravelOverTheStep)
+TEST(EnergyMomentum, MeanVelocityIsTheIncrementOverTheStep)
 {
   TwoStates states;
   // Rotations of all nodes.
@@ -73,7 +73,7 @@ TEST(EnergyMomentum, MeanVelocityIsTheTravelOverTheStep)
   states.expect_mean_rates();
 }
 
-TEST(EnergyMomentum, AStepIsSoughtFromThePlacesAtItsStart)
+TEST(EnergyMomentum, PredictorIsThePositionAtTheStart)
 {
   TwoStates states;
   states.scheme.predict(states.from, dt, states.to);
@@ -81,7 +81,7 @@ TEST(EnergyMomentum, AStepIsSoughtFromThePlacesAtItsStart)
     EXPECT_EQ(states.to.displacement[i], states.from.displacement[i]);
 }
 
-TEST(EnergyMomentum, SmallRotationsAreNotTurns)
+TEST(EnergyMomentum, SmallRotationsAreNotLargeOnes)
 {
   const EquationsOnRanks setup(frame_scene("0 0; 1 0", "0 1"),
                                {"Time/Scheme=energy-momentum",
@@ -91,7 +91,7 @@ TEST(EnergyMomentum, SmallRotationsAreNotTurns)
   EXPECT_TRUE(setup.equations.is_linear());
 }
 
-TEST(EnergyMomentum, BalancesMeansAndNeedsNoRatesRestored)
+TEST(EnergyMomentum, BalancesMeansWithoutRestoredRates)
 {
   const TwoStates states;
   EXPECT_TRUE(states.scheme.balances_means());

@@ -11,8 +11,10 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  /** Steps to @p end in intervals of length 1, of which one has the relative
-   * error (dt / @p right)^order, where @p right may depend on time (s). */
+  /**
+   * Steps to @p end in intervals of length 1. A step has the relative error
+   * (dt / @p right)^order, where @p right may depend on time (s).
+   */
   template <typename Length>
   struct StepsTo
   {
@@ -53,7 +55,7 @@ namespace
   };
 } // namespace
 
-TEST(ErrorControlledSteps, FindTheLengthThatTheErrorAsksForAndKeepIt)
+TEST(ErrorControlledSteps, FindTheLengthForTheErrorAndKeepIt)
 {
   for (const unsigned int order : {2, 3, 4})
     for (const double right : {0.9, 0.3, 0.1, 0.01})
@@ -61,7 +63,7 @@ TEST(ErrorControlledSteps, FindTheLengthThatTheErrorAsksForAndKeepIt)
         const StepsTo run(order, 1e-5, 20, always(right));
         const double  last = run.lengths.back();
         EXPECT_LE(last, 1.25 * right) << order;
-        // Numbers of pieces are a factor of up to 3 / 2 apart.
+        // Successive numbers of pieces differ by a factor of up to 3 / 2.
         EXPECT_GE(last, right / 1.5 / 1.25) << order;
         EXPECT_LE(run.rejected, 3u);
         EXPECT_LE(run.changes, 3u) << order << ' ' << right;
@@ -75,7 +77,7 @@ TEST(ErrorControlledSteps, BecomeMoreThanTwiceAsLongAtOnce)
   });
   EXPECT_LT(run.lengths.front(), 0.011);
   EXPECT_GE(run.lengths.back(), 1. / 6);
-  // As the mean of errors falls over some steps, and never back.
+  // The mean error decreases over some steps and never grows again.
   EXPECT_LE(run.changes, 12u);
 }
 
@@ -110,7 +112,7 @@ TEST(ErrorControlledSteps, NoneIsShorterThanTheSmallest)
   EXPECT_FALSE(control->rejected(0));
 }
 
-TEST(ErrorControlledSteps, OneOfWhichTheErrorIsLargeIsUndoneOnlyIfItIsVeryLarge)
+TEST(ErrorControlledSteps, OnlyVeryLargeErrorsRepeatAStep)
 {
   const auto control = make_error_controlled_steps(1, 1e-3, 2);
   control->plan(0, 1);
@@ -118,7 +120,7 @@ TEST(ErrorControlledSteps, OneOfWhichTheErrorIsLargeIsUndoneOnlyIfItIsVeryLarge)
   EXPECT_FALSE(control->may_be_accepted(3.1));
 }
 
-TEST(ErrorControlledSteps, OneThatIsNotSolvedIsHalved)
+TEST(ErrorControlledSteps, AFailedStepIsHalved)
 {
   const auto control = make_error_controlled_steps(1, 1e-3, 2);
   control->plan(0, 1);
@@ -128,7 +130,7 @@ TEST(ErrorControlledSteps, OneThatIsNotSolvedIsHalved)
   EXPECT_EQ(control->plan(0, 1).dt, 0.25);
 }
 
-TEST(ErrorControlledSteps, ThatAreResumedKeepTheirLength)
+TEST(ErrorControlledSteps, KeepTheirLengthInResumedRuns)
 {
   const auto control = make_error_controlled_steps(1, 1e-4, 2),
              resumed = make_error_controlled_steps(1, 1e-4, 2);

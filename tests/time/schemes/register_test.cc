@@ -13,9 +13,9 @@ using namespace auxfem;
 
 namespace
 {
-  /** The scheme @p name made from parameter lines as a user writes them. */
-  std::unique_ptr<TimeScheme> made_of(const std::string &name,
-                                      const std::string &text = "")
+  /** The scheme @p name with the parameter lines of a user. */
+  std::unique_ptr<TimeScheme> make_scheme(const std::string &name,
+                                          const std::string &text = "")
   {
     const TimeSchemeEntry &entry = time_scheme_entry(name);
     SceneContext           context;
@@ -46,14 +46,14 @@ TEST(TimeSchemes, EachIsNamedAsInTheTableAndFitsItsModels)
     {
       EXPECT_TRUE(names.insert(entry.name).second) << entry.name << " twice";
       EXPECT_FALSE(entry.models.empty()) << entry.name;
-      const std::unique_ptr<TimeScheme> scheme = made_of(entry.name);
+      const std::unique_ptr<TimeScheme> scheme = make_scheme(entry.name);
       EXPECT_EQ(scheme->name(), entry.name);
       if (entry.serves(Model::lattice))
         {
           EXPECT_NE(dynamic_cast<ImplicitScheme *>(scheme.get()), nullptr)
             << entry.name;
         }
-      // Without inertia the cell's angle is not determined.
+      // Without inertia the angle of the cell is undetermined.
       if (!scheme->is_dynamic())
         {
           EXPECT_FALSE(entry.serves(Model::reduced_cell)) << entry.name;
@@ -70,24 +70,24 @@ TEST(TimeSchemes, TheDefaultIsAverageAcceleration)
 
 TEST(TimeSchemes, ParametersBecomeCoefficients)
 {
-  expect_equal(coefficients(*made_of("newmark",
-                                     "set Newmark beta = 0.36\n"
-                                     "set Newmark gamma = 0.7")),
+  expect_equal(coefficients(*make_scheme("newmark",
+                                         "set Newmark beta = 0.36\n"
+                                         "set Newmark gamma = 0.7")),
                AlphaFamily::newmark(0.36, 0.7));
-  expect_equal(coefficients(*made_of("hht")), AlphaFamily::hht(-0.05));
-  expect_equal(coefficients(*made_of("hht", "set HHT alpha = -0.1")),
+  expect_equal(coefficients(*make_scheme("hht")), AlphaFamily::hht(-0.05));
+  expect_equal(coefficients(*make_scheme("hht", "set HHT alpha = -0.1")),
                AlphaFamily::hht(-0.1));
-  expect_equal(coefficients(*made_of("generalized-alpha")),
+  expect_equal(coefficients(*make_scheme("generalized-alpha")),
                AlphaFamily::generalized_alpha(0.8));
-  expect_equal(coefficients(
-                 *made_of("generalized-alpha", "set Spectral radius = 0.5")),
+  expect_equal(coefficients(*make_scheme("generalized-alpha",
+                                         "set Spectral radius = 0.5")),
                AlphaFamily::generalized_alpha(0.5));
 }
 
 TEST(TimeSchemes, UnstableParametersOfNewmarkAreRefused)
 {
   const std::string message =
-    input_error_of([] { made_of("newmark", "set Newmark beta = 0.2"); });
+    input_error_of([] { make_scheme("newmark", "set Newmark beta = 0.2"); });
   EXPECT_EQ(message,
             "Time/Newmark beta = 0.2 and Time/Newmark gamma = 0.5 are not "
             "unconditionally stable, which needs 2 beta >= gamma >= 1/2. Use "
@@ -98,11 +98,11 @@ TEST(TimeSchemes,
      RungeKuttaAndWeaklyDampedGeneralizedAlphaAreNotedForRigidParts)
 {
   for (const TimeSchemeEntry &entry : time_scheme_registry())
-    EXPECT_EQ(made_of(entry.name)->note_on_rigid_parts().has_value(),
+    EXPECT_EQ(make_scheme(entry.name)->note_on_rigid_parts().has_value(),
               entry.name == "esdirk")
       << entry.name;
-  EXPECT_FALSE(made_of("generalized-alpha", "set Spectral radius = 0.9")
+  EXPECT_FALSE(make_scheme("generalized-alpha", "set Spectral radius = 0.9")
                  ->note_on_rigid_parts());
-  EXPECT_TRUE(made_of("generalized-alpha", "set Spectral radius = 0.91")
+  EXPECT_TRUE(make_scheme("generalized-alpha", "set Spectral radius = 0.91")
                 ->note_on_rigid_parts());
 }

@@ -112,7 +112,7 @@ TEST_P(Esdirk, BeginsAtTheStartAndEndsWithTheSolution)
     }
 }
 
-TEST_P(Esdirk, DampsWhatNoStepCanFollow)
+TEST_P(Esdirk, DampsUnresolvedMotions)
 {
   const RungeKutta scheme("esdirk", tableau);
   EXPECT_NEAR(scheme.amplification(0), 1, 1e-15);
@@ -128,8 +128,8 @@ TEST_P(Esdirk, ErrorsAreEstimatedUpToOrderFour)
 
 TEST_P(Esdirk, KnowsItsErrorInAnOscillation)
 {
-  // y' = i y over a step of length z: the error over what y differs by from
-  // that of the embedded scheme.
+  // One step of length z of y' = i y: its error over the difference from the
+  // embedded scheme.
   using Complex = std::complex<double>;
   for (const double z : {0.05, 0.1, 1., 2., 6., 30.})
     {
@@ -151,9 +151,9 @@ TEST_P(Esdirk, KnowsItsErrorInAnOscillation)
     }
 }
 
-TEST_P(Esdirk, KnowsByHowMuchItMissesTheGrowthOfASquare)
+TEST_P(Esdirk, KnowsItsErrorInQuadraticForms)
 {
-  // y' = -z y over a step of length one, y_0 = 1, which no step can follow.
+  // y' = -z y over a step of length one, y_0 = 1; no step resolves it.
   const double z = 30;
   Values       y(tableau.n_stages(), 1.);
   double       growth = 0, missed = 0;
@@ -207,16 +207,16 @@ TEST(Extrapolation, IsExactForParabolas)
     }
 }
 
-TEST(Extrapolation, TakesTheNearestValueWhereMoreWouldEnlargeErrors)
+TEST(Extrapolation, UsesOneValueWhereMoreWouldAmplifyErrors)
 {
-  // Two times are the same, and the third is near: weights of a parabola at 1
-  // would be some 1e4.
+  // Two equal times and a third nearby: weights of a parabola at 1 would be
+  // about 1e4.
   const auto weights = extrapolation({0, 0, 0.01}, 1);
   ASSERT_EQ(weights.size(), 1u);
   EXPECT_EQ(weights[0], std::make_pair(2u, 1.));
 }
 
-TEST(Extrapolation, OfNothingIsNothing)
+TEST(Extrapolation, IsEmptyWithoutValues)
 {
   EXPECT_TRUE(extrapolation({}, 1).empty());
 }

@@ -86,7 +86,7 @@ TEST(QuasiStatic, VelocityIsExactForAParabola)
   EXPECT_EQ(states.to.before->displacement, states.from.displacement);
 }
 
-TEST(QuasiStatic, FactorsTellWhatACorrectionDoes)
+TEST(QuasiStatic, FactorsMatchTheCorrection)
 {
   const TangentFactors factors =
     QuasiStatic().factors(ViscousStates().from, 0.25);
@@ -101,7 +101,7 @@ TEST(Equilibrium, MovesOnlyDisplacements)
 {
   const Equilibrium scheme;
   ViscousStates     states;
-  // There is no step: whatever is said of its length changes nothing.
+  // There is no step, so its length has no effect.
   for (const double dt : {0., 0.25})
     {
       scheme.predict(states.from, dt, states.to);

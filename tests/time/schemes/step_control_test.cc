@@ -10,15 +10,17 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  /** A control with the time it has come to. */
-  struct Walk
+  /** A step control with its current time. */
+  struct ControlledSteps
   {
-    Walk(const double step, const double smallest, const double begin = 0)
+    ControlledSteps(const double step,
+                    const double smallest,
+                    const double begin = 0)
       : control(make_halved_steps(step, smallest))
       , time(begin)
     {}
 
-    /** Plans the next step to @p target and has it solved. */
+    /** Plans the next step to @p target and accepts it. */
     PlannedStep accept(const double target)
     {
       const PlannedStep planned = control->plan(time, target);
@@ -27,7 +29,7 @@ namespace
       return planned;
     }
 
-    /** Plans the next step to @p target and has it fail. */
+    /** Plans the next step to @p target and rejects it. */
     bool reject(const double target)
     {
       control->plan(time, target);
@@ -41,10 +43,10 @@ namespace
 
 TEST(StepControl, ConstantStepsReachTheirTargetsWithExactlyEqualLengths)
 {
-  // 0.1 has no finite binary fraction: differences of multiples of it vary in
-  // their last digits.
-  Walk         walk(0.1, 0.01);
-  unsigned int n_uneven = 0;
+  // 0.1 has no finite binary fraction: differences of its multiples vary in
+  // the last digits.
+  ControlledSteps walk(0.1, 0.01);
+  unsigned int    n_uneven = 0;
   for (unsigned int i = 1; i <= 1000; ++i)
     {
       const double      target = i * 0.1, before = walk.time;
@@ -56,9 +58,9 @@ TEST(StepControl, ConstantStepsReachTheirTargetsWithExactlyEqualLengths)
   EXPECT_GT(n_uneven, 0u);
 }
 
-TEST(StepControl, AShorterLastIntervalIsTakenAsItIs)
+TEST(StepControl, AShorterLastIntervalIsOneStep)
 {
-  Walk walk(0.1, 0.01, 1);
+  ControlledSteps walk(0.1, 0.01, 1);
   EXPECT_EQ(walk.accept(1.0625).dt, 0.0625);
   EXPECT_EQ(walk.time, 1.0625);
 }
@@ -66,7 +68,7 @@ TEST(StepControl, AShorterLastIntervalIsTakenAsItIs)
 TEST(StepControl, AFailedStepIsHalvedAndTheHalvesDoubleWhereTheyAlign)
 {
   // Steps of 1: all numbers are exact.
-  Walk walk(1, 1. / 64);
+  ControlledSteps walk(1, 1. / 64);
   ASSERT_TRUE(walk.reject(1)); // a whole one
   ASSERT_TRUE(walk.reject(1)); // the first half
   ASSERT_TRUE(walk.reject(1)); // the first quarter
@@ -77,7 +79,7 @@ TEST(StepControl, AFailedStepIsHalvedAndTheHalvesDoubleWhereTheyAlign)
       ends.push_back(planned.end);
       lengths.push_back(planned.dt);
     }
-  // Two eighths make a quarter, that and another one a half.
+  // Two eighths make a quarter, two quarters a half.
   EXPECT_EQ(lengths, (std::vector<double>{0.125, 0.125, 0.25, 0.5}));
   EXPECT_EQ(ends, (std::vector<double>{0.125, 0.25, 0.5, 1}));
 
@@ -88,7 +90,7 @@ TEST(StepControl, AFailedStepIsHalvedAndTheHalvesDoubleWhereTheyAlign)
 
 TEST(StepControl, AStepThatFailsLaterIsHalvedThere)
 {
-  Walk walk(1, 1. / 64);
+  ControlledSteps walk(1, 1. / 64);
   ASSERT_TRUE(walk.reject(1));
   EXPECT_EQ(walk.accept(1).end, 0.5);
   ASSERT_TRUE(walk.reject(1)); // the second half
@@ -104,8 +106,8 @@ TEST(StepControl, PartsOfUnevenStepsEndExactlyAtTheTarget)
 {
   for (unsigned int i = 1; i <= 100; ++i)
     {
-      Walk         walk(0.1, 1e-3, (i - 1) * 0.1);
-      const double target = i * 0.1;
+      ControlledSteps walk(0.1, 1e-3, (i - 1) * 0.1);
+      const double    target = i * 0.1;
       ASSERT_TRUE(walk.reject(target));
       ASSERT_TRUE(walk.reject(target));
       for (const double part : {0.25, 0.25, 0.5})
@@ -116,24 +118,24 @@ TEST(StepControl, PartsOfUnevenStepsEndExactlyAtTheTarget)
 
 TEST(StepControl, NoStepIsShorterThanTheSmallest)
 {
-  Walk walk(1, 0.25);
+  ControlledSteps walk(1, 0.25);
   EXPECT_EQ(walk.control->shortest(), 0.25);
   EXPECT_TRUE(walk.reject(1));
   EXPECT_TRUE(walk.reject(1));
   EXPECT_EQ(walk.control->plan(walk.time, 1).dt, 0.25);
   EXPECT_FALSE(walk.control->rejected(0));
-  // Nothing is shorter than a step that is the smallest itself.
-  Walk stiff(1, 1);
+  // The first step is already the smallest one.
+  ControlledSteps stiff(1, 1);
   EXPECT_FALSE(stiff.reject(1));
 }
 
-TEST(StepControl, BetweenIntervalsThereIsNothingToRemember)
+TEST(StepControl, NoStateRemainsBetweenIntervals)
 {
-  Walk walk(1, 0.1);
+  ControlledSteps walk(1, 0.1);
   walk.reject(1);
   walk.accept(1);
   walk.accept(1);
-  Walk resumed(1, 0.1, walk.time);
+  ControlledSteps resumed(1, 0.1, walk.time);
   hand_over(*walk.control, *resumed.control);
   EXPECT_EQ(resumed.accept(2).dt, 1);
 }
