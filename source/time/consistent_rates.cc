@@ -323,7 +323,7 @@ namespace auxfem
       const std::vector<bool> &is_rotation =
         model.numbering.unknowns().is_rotation;
       const Vector &v = *step.from.velocity, &a = *step.from.acceleration;
-      // Of translations and of rotations.
+      // Norms of translations and rotations.
       std::vector<double> velocities(2, 0.), changes(2, 0.);
       for (unsigned int i = 0; i < layout.n_owned(); ++i)
         {

@@ -146,10 +146,10 @@ namespace auxfem
                        rates(to, event_at_to)};
         Solution between{from.state, equations.make_results()};
         between.state.time = *next;
-        Evaluation way =
+        Evaluation partial_step =
           Evaluation::step(from.state, between.state, *next - begin);
-        way.event_at_from = event_at_from;
-        interpolate_motion(way, to.state);
+        partial_step.event_at_from = event_at_from;
+        interpolate_motion(partial_step, to.state);
         interpolate_integrals(from.state,
                               to.state,
                               end_rates ? &*end_rates : nullptr,

@@ -33,7 +33,7 @@ namespace auxfem
                         static_cast<unsigned int>(values[4])};
     }
 
-    /** Of all ranks, the event that precedes all others in this order. */
+    /** First event over all ranks in this order. */
     template <class ComesBefore>
     std::optional<Occurrence>
     extreme_over_ranks(const std::optional<Occurrence> &mine,

@@ -65,11 +65,11 @@ TEST(GuessAhead, ObeysTheScheme)
   for (std::size_t i = 0; i < guess.to.displacement.size(); ++i)
     {
       // Rotates about z only.
-      const double way = numbering.unknowns().is_rotation[i]
+      const double motion = numbering.unknowns().is_rotation[i]
         ? cayley_rotation(guess.to.displacement[i])
         : guess.to.displacement[i];
       EXPECT_NEAR(((*guess.from.velocity)[i] + (*guess.to.velocity)[i]) / 2,
-                  way / dt,
+                  motion / dt,
                   1e-13);
       EXPECT_NEAR((*guess.to.acceleration)[i],
                   ((*guess.to.velocity)[i] - (*guess.from.velocity)[i]) / dt,

@@ -83,25 +83,25 @@ TEST(SamplingSchedule, SamplesLinearMotionsInBursts)
         steps.push_back(i);
     return steps;
   };
-  const std::string  of_300 = "6 ms", of_100 = "2 ms", of_8 = "160 us";
+  const std::string  steps_300 = "6 ms", steps_100 = "2 ms", steps_8 = "160 us";
   const SamplingRate bursts = SamplingRate::bursts,
                      single = SamplingRate::single_steps;
-  const Steps in_bursts     = sampled(bursts, "off", of_300);
+  const Steps in_bursts     = sampled(bursts, "off", steps_300);
   EXPECT_EQ(Steps(in_bursts.begin(), in_bursts.begin() + 7),
             (Steps{0, 1, 2, 13, 14, 15, 26}));
   EXPECT_EQ(Steps(in_bursts.end() - 4, in_bursts.end()),
             (Steps{288, 297, 298, 299}));
-  const Steps alone = sampled(single, "on", of_300);
+  const Steps alone = sampled(single, "on", steps_300);
   EXPECT_EQ(Steps(alone.begin(), alone.begin() + 3), (Steps{0, 13, 26}));
   EXPECT_EQ(alone.back(), 299u);
-  EXPECT_EQ(sampled(single, "off", of_300), alone);
+  EXPECT_EQ(sampled(single, "off", steps_300), alone);
   // At least twenty bursts.
-  EXPECT_EQ(sampled(bursts, "off", of_100).size(), 62u);
-  EXPECT_EQ(sampled(bursts, "off", of_8).size(), 8u);
+  EXPECT_EQ(sampled(bursts, "off", steps_100).size(), 62u);
+  EXPECT_EQ(sampled(bursts, "off", steps_8).size(), 8u);
   // Nonlinear scenes, cheap checks and statics sample every step.
-  EXPECT_EQ(sampled(bursts, "on", of_300).size(), 300u);
-  EXPECT_EQ(sampled(SamplingRate::every_step, "off", of_300).size(), 300u);
-  EXPECT_EQ(sampled(single, "off", of_300, "static").size(), 300u);
+  EXPECT_EQ(sampled(bursts, "on", steps_300).size(), 300u);
+  EXPECT_EQ(sampled(SamplingRate::every_step, "off", steps_300).size(), 300u);
+  EXPECT_EQ(sampled(single, "off", steps_300, "static").size(), 300u);
 }
 
 TEST(SamplingSchedule, SamplesGiveTheFindingsOfAllSteps)

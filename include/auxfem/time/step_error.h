@@ -100,7 +100,7 @@ namespace auxfem
    * Accumulated error of all steps. Local errors add up as in an undamped
    * oscillation, but an oscillation of amplitude A errs by no more than 2 A.
    * Errors are therefore summed by octaves of frequency, each up to that
-   * bound, so that small fast vibrations, as of a stiff contact, need not be
+   * bound, and small fast vibrations, as of a stiff contact, need not be
    * resolved.
    */
   class AccumulatedError

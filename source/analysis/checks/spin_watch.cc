@@ -76,10 +76,10 @@ namespace auxfem
 
     /**
      * Detects unstable spin of a free lattice. A small rotation theta of a
-     * rigid body with inertia J and angular momentum L obeys theta' = J^-1 (L
-     * x theta), as J rotates with the body and L is constant. Spin about the
-     * middle principal axis is unstable: errors within the step tolerance grow
-     * beyond it.
+     * rigid body with inertia J and angular momentum L obeys theta' = J^-1 (L x
+     * theta): J rotates with the body, L is constant. Spin about the middle
+     * principal axis is unstable: errors within the step tolerance grow beyond
+     * it.
      */
     class SpinWatch : public Watch
     {

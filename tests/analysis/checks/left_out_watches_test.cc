@@ -108,14 +108,14 @@ TEST(LocalBucklingWatch, ReportsBucklingThatTheMeshCannotShow)
   EXPECT_NEAR(lost_at(order_4), 1.064, 0.01);
   EXPECT_NEAR(lost_at(finer), 1.013, 0.01);
 
-  const std::string words = "buckle between their joints";
-  const Finding    *of_2  = with_words(order_2, words),
-                *of_3     = with_words(order_3, words);
-  ASSERT_NE(of_2, nullptr);
-  EXPECT_NEAR(of_2->time, pi * pi / 70, 0.011);
-  EXPECT_EQ(of_2->location, "strut 0");
-  ASSERT_NE(of_3, nullptr);
-  EXPECT_NEAR(of_3->time, 20.19 / 70, 0.011);
+  const std::string words      = "buckle between their joints";
+  const Finding    *buckling_2 = with_words(order_2, words),
+                *buckling_3    = with_words(order_3, words);
+  ASSERT_NE(buckling_2, nullptr);
+  EXPECT_NEAR(buckling_2->time, pi * pi / 70, 0.011);
+  EXPECT_EQ(buckling_2->location, "strut 0");
+  ASSERT_NE(buckling_3, nullptr);
+  EXPECT_NEAR(buckling_3->time, 20.19 / 70, 0.011);
   EXPECT_EQ(with_words(order_4, words), nullptr);
   EXPECT_EQ(with_words(finer, words), nullptr);
   EXPECT_TRUE(

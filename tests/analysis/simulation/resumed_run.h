@@ -106,8 +106,7 @@ namespace auxfem
 
     /**
      * Expects equal digits in a run of @p text and in runs resumed from an
-     * early, a middle and a late checkpoint, on this rank or those of @p
-     * communicator. Returns the whole run and the last resumed one.
+     * early, a middle and a late checkpoint. Runs on this rank or those of @p communicator. Returns the whole run and the last resumed one.
      */
     inline std::array<RecordedRun, 2>
     runs_that_are_same(const std::string              &text,

@@ -13,7 +13,7 @@ namespace auxfem
    *
    * Each strut is solved again with clamped ends and unchanged acceleration,
    * on elements of half the length and one order higher. The change r_s of its
-   * end forces is the imbalance of the joints, which move by e = K^-1 sum r_s
+   * end forces is the imbalance of the joints. They move by e = K^-1 sum r_s
    * with the stiffness K of the lattice. With the stiffness K_s of a single
    * strut,
    *
