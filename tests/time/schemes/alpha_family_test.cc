@@ -49,7 +49,7 @@ namespace
   };
 
   // Some ten products of numbers up to 1000.
-  constexpr double round_off = 1e-12;
+  constexpr double product_tolerance = 1e-12;
 } // namespace
 
 TEST(AlphaFamily, CoefficientsAreThoseOfTheLiterature)
@@ -132,14 +132,14 @@ TEST(AlphaFamily, PredictionAndCorrectionFulfilTheFormulas)
             shifted ? (*states.to.algorithmic_acceleration)[i] : dv_new;
           EXPECT_NEAR((1 - c.alpha_m) * a_new + c.alpha_m * a,
                       (1 - c.alpha_f) * dv_new + c.alpha_f * dv,
-                      round_off);
+                      product_tolerance);
           EXPECT_NEAR(states.to.displacement[i],
                       u + dt * v +
                         dt * dt * ((0.5 - c.beta) * a + c.beta * a_new),
-                      round_off);
+                      product_tolerance);
           EXPECT_NEAR((*states.to.velocity)[i],
                       v + dt * ((1 - c.gamma) * a + c.gamma * a_new),
-                      round_off);
+                      product_tolerance);
         }
     }
 }
@@ -171,13 +171,13 @@ TEST(AlphaFamily, FactorsMatchTheCorrection)
         {
           EXPECT_NEAR(states.to.displacement[i] - before.displacement[i],
                       factors.stiffness * increment[i],
-                      round_off);
+                      product_tolerance);
           EXPECT_NEAR((*states.to.velocity)[i] - (*before.velocity)[i],
                       factors.damping * increment[i],
-                      round_off);
+                      product_tolerance);
           EXPECT_NEAR((*states.to.acceleration)[i] - (*before.acceleration)[i],
                       factors.mass * increment[i],
-                      round_off);
+                      product_tolerance);
         }
     }
 }
