@@ -13,16 +13,18 @@ namespace auxfem
 {
   namespace
   {
-    /** Elastic forces below this part of the loads are round-off of the answer:
-     * rigid parts and supports bear the loads. */
+    /**
+     * Elastic forces below this fraction of the loads are round-off: rigid
+     * parts and supports carry the loads.
+     */
     constexpr double no_elastic_force = 1e-10;
 
-    [[noreturn]] void fail_to_buckle(const std::string &why)
+    [[noreturn]] void throw_buckling_error(const std::string &why)
     {
       throw ComputationError(why + '.');
     }
 
-    /** K and K' of an equilibrium, and what is done with them. */
+    /** Stiffness K and geometric stiffness K' of an equilibrium. */
     class Buckling
     {
     public:
@@ -39,7 +41,7 @@ namespace auxfem
         , change(equations.pattern())
       {
         find_tangent(state, stiffness);
-        refuse_loads_that_follow(loads.time);
+        require_no_follower_loads(loads.time);
         if (!factorize(0))
           throw InputError("the stiffness is singular: " + solver.why() + '.');
         if (const auto n_negative = space.n_negative();
@@ -49,12 +51,13 @@ namespace auxfem
             std::to_string(*n_negative) +
             " negative modes. Take smaller loads at t = 0, or Modes/About "
             "= rest.");
-        find_change(linear_answer(loads.time), loads.is_reversed ? -1. : 1.);
-        refuse_asymmetry();
+        find_change(linear_response(loads.time), loads.is_reversed ? -1. : 1.);
+        require_symmetry();
       }
 
-      /** K + factor K' becomes the matrix of the solver. Returns whether it can
-       * be factorized. */
+      /**
+       * Factorizes K + factor K' in the solver. Returns false if that fails.
+       */
       bool factorize(const double factor)
       {
         TangentMatrix &matrix = solver.matrix();
@@ -65,16 +68,18 @@ namespace auxfem
         return solver.factorize();
       }
 
-      /** How many factors there are between 0 and @p factor, after which
-       * factorize(0) is due; nothing where that is not known. */
-      std::optional<unsigned long> n_until(const double factor)
+      /**
+       * Number of factors between 0 and @p factor; empty if unknown. The caller
+       * must call factorize(0) afterwards.
+       */
+      std::optional<unsigned long> count_below(const double factor)
       {
         if (!factorize(factor))
           return std::nullopt;
         return space.n_negative();
       }
 
-      /** Those nearest to zero above it, after factorize(0). */
+      /** Smallest positive factors; requires factorize(0). */
       Eigenpairs lowest(const unsigned int n)
       {
         Eigenpairs found = nearest_eigenpairs(problem(), n);
@@ -86,7 +91,7 @@ namespace auxfem
         return improved(shapes);
       }
 
-      /** Modes that there can be at most. Collective. */
+      /** Upper bound of the number of modes. Collective. */
       unsigned int n_with_change() const
       {
         const std::vector<double> sizes   = change.row_sizes();
@@ -111,49 +116,48 @@ namespace auxfem
         return largest > 0 ? 1e-6 / largest : 1.;
       }
 
-      /** After factorize(0). */
+      /** Mode of an eigenpair; requires factorize(0). */
       BucklingMode mode(const Eigenpair &pair)
       {
-        // Once more, for the forces of constraints.
+        // One further iteration yields the constraint forces.
         std::vector<double> x(layout.n_owned());
         multiply_change(pair.vector.data(), x.data());
         if (!space.solve(x.data()))
-          fail_to_buckle(solver.why());
+          throw_buckling_error(solver.why());
         BucklingMode        mode{0., 0., space.shape(x)};
         std::vector<double> forces(layout.n_owned()), changes(layout.n_owned()),
-          of_free(layout.n_owned());
+          free_forces(layout.n_owned());
         stiffness.multiply(mode.shape.data(), forces.data());
-        space.multiply(stiffness, mode.shape.data(), of_free.data());
+        space.multiply(stiffness, mode.shape.data(), free_forces.data());
         multiply_change(mode.shape.data(), changes.data());
         std::vector<double> sums = {0., 0., 0., 0.};
         for (unsigned int i = 0; i < layout.n_owned(); ++i)
           {
-            sums[0] += mode.shape[i] * of_free[i];
+            sums[0] += mode.shape[i] * free_forces[i];
             sums[1] += mode.shape[i] * changes[i];
           }
-        sums        = layout.sum(sums);
-        mode.factor = sums[0] / sums[1];
-        double left = 0, all = 0;
+        sums                    = layout.sum(sums);
+        mode.factor             = sums[0] / sums[1];
+        double squared_residual = 0, squared_norm = 0;
         for (unsigned int i = 0; i < layout.n_owned(); ++i)
           if (!space.is_prescribed(i))
             {
-              left += std::pow(forces[i] - mode.factor * changes[i], 2);
-              all += std::pow(mode.factor * changes[i], 2);
+              squared_residual +=
+                std::pow(forces[i] - mode.factor * changes[i], 2);
+              squared_norm += std::pow(mode.factor * changes[i], 2);
             }
-        mode.residual = std::sqrt(layout.sum(left) / layout.sum(all));
+        mode.residual =
+          std::sqrt(layout.sum(squared_residual) / layout.sum(squared_norm));
         for (double &value : mode.shape)
           value /= std::sqrt(sums[0]);
         return mode;
       }
 
       /**
-       * As many pairs at most by rising factor, of shapes near those of modes,
-       * after factorize(0).
-       *
-       * Lengths by K lose digits where struts are much stiffer along their axes
-       * than across, and an iteration magnifies what shapes have of modes of
-       * the reversed loads, where these have smaller factors. Two iterates of
-       * each shape tell these apart.
+       * Improves shapes near those of modes; returns at most as many pairs, by
+       * increasing factor. Requires factorize(0). Modes of the reversed loads
+       * with smaller factors grow in an iteration; two iterates of each shape
+       * separate them.
        */
       Eigenpairs improved(const std::vector<Vector> &shapes)
       {
@@ -161,7 +165,7 @@ namespace auxfem
         const auto             products =
           iterated_products(problem(), shapes, n_iterations);
         if (!products)
-          fail_to_buckle(solver.why());
+          throw_buckling_error(solver.why());
         Eigenpairs      result;
         const RitzPairs ritz =
           ritz_pairs(products->by_mass, products->by_stiffness);
@@ -174,7 +178,7 @@ namespace auxfem
       }
 
       /** BucklingModes::motion. */
-      double motion_of_answer() const
+      double response_size() const
       {
         return motion;
       }
@@ -201,18 +205,18 @@ namespace auxfem
         equations.tangent(evaluation, results, {1, 0, 0}, matrix);
       }
 
-      State with_loads_of(const double time) const
+      State state_with_loads(const double time) const
       {
         State loaded = state;
         loaded.time  = time;
         return loaded;
       }
 
-      /** Of loads that keep their directions the tangent knows nothing. */
-      void refuse_loads_that_follow(const double time)
+      /** Loads of fixed direction do not contribute to the tangent. */
+      void require_no_follower_loads(const double time)
       {
         TangentMatrix loaded(equations.pattern());
-        find_tangent(with_loads_of(time), loaded);
+        find_tangent(state_with_loads(time), loaded);
         loaded.add_multiple(-1., stiffness);
         constexpr double round_off = 1e-13;
         if (!stiffness.is_symmetric() ||
@@ -224,19 +228,22 @@ namespace auxfem
             "directions: set Direction = fixed, or leave these loads out.");
       }
 
-      /** To what the loads of @p time change, after factorize(0). */
-      Vector linear_answer(const double time)
+      /**
+       * Linear response to the load increment up to @p time; requires
+       * factorize(0).
+       */
+      Vector linear_response(const double time)
       {
-        State      loaded      = with_loads_of(time);
+        State      loaded      = state_with_loads(time);
         Evaluation evaluation  = Evaluation::equilibrium(state, loaded);
         evaluation.event_at_to = {time, TimeSide::before};
         solver.residual(evaluation, results);
-        Vector answer(layout.n_local(), 0.);
-        find_right_side(solver.model(), evaluation, answer.data());
-        double mine = 0;
+        Vector response(layout.n_local(), 0.);
+        find_right_side(solver.model(), evaluation, response.data());
+        double local_largest = 0;
         for (unsigned int i = 0; i < layout.n_owned(); ++i)
-          mine = std::max(mine, std::abs(answer[i]));
-        largest_load = layout.largest(mine);
+          local_largest = std::max(local_largest, std::abs(response[i]));
+        largest_load = layout.largest(local_largest);
         if (largest_load == 0)
           {
             std::ostringstream why;
@@ -249,35 +256,35 @@ namespace auxfem
                    "one.";
             throw InputError(why.str());
           }
-        if (!solver.solve(answer))
-          fail_to_buckle(solver.why());
-        return answer;
+        if (!solver.solve(response))
+          throw_buckling_error(solver.why());
+        return response;
       }
 
-      void find_change(const Vector &answer, const double sign)
+      void find_change(const Vector &response, const double sign)
       {
         const LatticeModel &model           = solver.model();
-        const auto [displacement, rotation] = largest_motion(model, answer);
-        motion                              = loads_elastic_parts(answer)
+        const auto [displacement, rotation] = largest_motion(model, response);
+        motion                              = loads_elastic_parts(response)
                                        ? std::max(rotation, displacement / model.mean_strut_length)
                                        : 0.;
-        find_multiplier_change(answer, sign);
+        find_multiplier_change(response, sign);
         if (motion > 0)
-          add_strut_and_connector_change(answer,
+          add_strut_and_connector_change(response,
                                          sign * finite_difference_step /
                                            motion);
         leave_out_constraints(change);
       }
 
-      bool loads_elastic_parts(const Vector &answer) const
+      bool loads_elastic_parts(const Vector &response) const
       {
         std::vector<double> forces(layout.n_owned());
-        space.multiply(stiffness, answer.data(), forces.data());
+        space.multiply(stiffness, response.data(), forces.data());
         return space.largest_free(forces) > no_elastic_force * largest_load;
       }
 
-      /** @param part of the answer by which states differ from the given one. */
-      void add_strut_and_connector_change(const Vector &answer,
+      /** @param part fraction of the response that displaces the states */
+      void add_strut_and_connector_change(const Vector &response,
                                           const double  part)
       {
         const DofNumbering     &numbering = solver.model().numbering;
@@ -286,8 +293,8 @@ namespace auxfem
         for (const auto &[steps, weight] :
              {std::pair(1, 8.), std::pair(2, -1.)})
           {
-            State before = displaced(state, numbering, answer, -steps * part),
-                  after  = displaced(state, numbering, answer, steps * part);
+            State before = displaced(state, numbering, response, -steps * part),
+                  after  = displaced(state, numbering, response, steps * part);
             const EvaluationResults at_before = results_at(before),
                                     at_after  = results_at(after);
             equations.add_geometric_tangent({base,
@@ -303,20 +310,20 @@ namespace auxfem
 
       EvaluationResults results_at(State &at)
       {
-        EvaluationResults of_state = equations.make_results();
-        const State       before   = at;
-        solver.residual(Evaluation::equilibrium(before, at), of_state);
-        return of_state;
+        EvaluationResults results_there = equations.make_results();
+        const State       before        = at;
+        solver.residual(Evaluation::equilibrium(before, at), results_there);
+        return results_there;
       }
 
-      /** What the forces of constraints add: tangents are linear in them. */
-      void find_multiplier_change(const Vector &answer, const double sign)
+      /** Contribution of constraint forces, in which the tangent is linear. */
+      void find_multiplier_change(const Vector &response, const double sign)
       {
         State       forced = state;
         const auto &multipliers =
           solver.model().numbering.constraints().multipliers();
         for (const int i : multipliers)
-          forced.displacement[i] += sign * answer[i];
+          forced.displacement[i] += sign * response[i];
         change.reset();
         if (layout.largest(double(multipliers.size())) == 0)
           return;
@@ -324,8 +331,8 @@ namespace auxfem
         change.add_multiple(-1., stiffness);
       }
 
-      /** Of moments that keep their axes in space, say. */
-      void refuse_asymmetry() const
+      /** Moments of fixed axes in space, for example, are not conservative. */
+      void require_symmetry() const
       {
         constexpr double round_off_of_change = 1e-6;
         Vector           x(layout.n_local()), y(layout.n_local());
@@ -334,15 +341,16 @@ namespace auxfem
             x[i] = space.is_free(i) ? std::sin(1. + layout.global(i)) : 0.;
             y[i] = space.is_free(i) ? std::cos(3. * layout.global(i)) : 0.;
           }
-        std::vector<double> of_x(layout.n_owned()), of_y(layout.n_owned());
-        multiply_change(x.data(), of_x.data());
-        multiply_change(y.data(), of_y.data());
+        std::vector<double> image_x(layout.n_owned()),
+          image_y(layout.n_owned());
+        multiply_change(x.data(), image_x.data());
+        multiply_change(y.data(), image_y.data());
         std::vector<double> sums = {0., 0., 0., 0.};
         for (unsigned int i = 0; i < layout.n_owned(); ++i)
           {
-            sums[0] += y[i] * of_x[i];
-            sums[1] += x[i] * of_y[i];
-            sums[2] += of_x[i] * of_x[i] + of_y[i] * of_y[i];
+            sums[0] += y[i] * image_x[i];
+            sums[1] += x[i] * image_y[i];
+            sums[2] += image_x[i] * image_x[i] + image_y[i] * image_y[i];
             sums[3] += x[i] * x[i] + y[i] * y[i];
           }
         sums = layout.sum(sums);
@@ -365,14 +373,14 @@ namespace auxfem
       /** K^-1 between free unknowns. */
       bool solve_free(double *x)
       {
-        const auto take_free = [this](double *values) {
+        const auto zero_constrained = [this](double *values) {
           for (unsigned int i = 0; i < layout.n_owned(); ++i)
             if (!space.is_free(i))
               values[i] = 0;
         };
-        take_free(x);
+        zero_constrained(x);
         const bool is_solved = space.solve(x);
-        take_free(x);
+        zero_constrained(x);
         return is_solved;
       }
 
@@ -387,35 +395,37 @@ namespace auxfem
     };
 
     /**
-     * How many factors there are up to far beyond the lowest. Refuses loads
-     * that make nothing buckle; nothing where that cannot be told.
+     * Number of factors up to far beyond the lowest; empty if unknown. Throws
+     * InputError if the loads cause no buckling.
      */
     std::optional<unsigned long> n_factors(Buckling &buckling)
     {
       constexpr double       factor_of_growth = 100, far_beyond = 1e4;
-      constexpr unsigned int n_looks = 16;
-      double                 factor  = buckling.small_factor();
-      for (unsigned int i = 0; i < n_looks; ++i, factor *= factor_of_growth)
+      constexpr unsigned int n_trials = 16;
+      double                 factor   = buckling.small_factor();
+      for (unsigned int i = 0; i < n_trials; ++i, factor *= factor_of_growth)
         {
-          const auto n = buckling.n_until(factor);
+          const auto n = buckling.count_below(factor);
           if (!n)
             return std::nullopt;
           if (*n > 0)
-            return buckling.n_until(far_beyond * factor);
+            return buckling.count_below(far_beyond * factor);
         }
       throw InputError(
         "the loads make nothing buckle. Try Modes/Reversed loads = true.");
     }
 
-    /** Whether there are as many factors below the widest gap among the last
-     * pairs, at least @p n, as were found. */
+    /**
+     * Whether the number of factors below the widest gap among the last pairs,
+     * beyond the first @p n, equals the number found.
+     */
     bool are_all_found(Buckling                     &buckling,
                        const std::vector<Eigenpair> &pairs,
                        const unsigned int            n)
     {
       const unsigned int counted = before_widest_gap(pairs, n, 0.);
-      const auto         n_all =
-        buckling.n_until((pairs[counted - 1].value + pairs[counted].value) / 2);
+      const auto         n_all   = buckling.count_below(
+        (pairs[counted - 1].value + pairs[counted].value) / 2);
       return n_all && *n_all == counted;
     }
   } // namespace
@@ -430,33 +440,34 @@ namespace auxfem
     const unsigned int n_possible =
       std::min<unsigned long>(buckling.n_with_change(),
                               n_all.value_or(buckling.n_with_change()));
-    const unsigned int wanted = std::min(n, n_possible);
+    const unsigned int n_requested = std::min(n, n_possible);
     for (unsigned int attempt = 0; attempt < n_attempts_to_find_all; ++attempt)
       {
         if (!buckling.factorize(0))
-          fail_to_buckle(solver.why());
-        const unsigned int n_asked =
-          std::min((wanted << attempt) + n_guard_modes, n_possible);
-        const Eigenpairs near = buckling.lowest(n_asked);
+          throw_buckling_error(solver.why());
+        const unsigned int n_computed =
+          std::min((n_requested << attempt) + n_guard_modes, n_possible);
+        const Eigenpairs near = buckling.lowest(n_computed);
         if (near.pairs.empty() || !near.why.empty())
-          fail_to_buckle(near.why.empty() ? "no mode was found" : near.why);
+          throw_buckling_error(near.why.empty() ? "no mode was found"
+                                                : near.why);
         const unsigned int n_modes =
-          std::min<std::size_t>(wanted, near.pairs.size());
+          std::min<std::size_t>(n_requested, near.pairs.size());
         const bool can_count = n_all && n_modes < near.pairs.size();
         if (can_count && !are_all_found(buckling, near.pairs, n_modes))
           continue;
         if (!buckling.factorize(0))
-          fail_to_buckle(solver.why());
+          throw_buckling_error(solver.why());
         BucklingModes found;
-        found.motion = buckling.motion_of_answer();
-        // All there are need no count.
+        found.motion = buckling.response_size();
+        // A complete set needs no count.
         found.is_counted = can_count || (n_all && near.pairs.size() == *n_all);
         found.n_possible = n_possible;
         for (unsigned int i = 0; i < n_modes; ++i)
           found.modes.push_back(buckling.mode(near.pairs[i]));
         return found;
       }
-    fail_to_buckle(
+    throw_buckling_error(
       "the count of modes by the inertia of the stiffness is another than "
       "the number that was found. Set Modes/Number to another value");
   }
@@ -471,12 +482,13 @@ namespace auxfem
     FinerValues finer;
     finer.n_possible = buckling.n_with_change();
     if (!buckling.factorize(0))
-      fail_to_buckle(solver.why());
+      throw_buckling_error(solver.why());
     for (const Eigenpair &pair : buckling.improved(shapes).pairs)
       finer.values.push_back(pair.value);
     const CountLimit known = limit_below_last(finer.values, 0.);
     if (coarse.is_counted && known.limit > 0)
-      if (const auto n = buckling.n_until(known.limit); n && *n > known.n_below)
+      if (const auto n = buckling.count_below(known.limit);
+          n && *n > known.n_below)
         finer.n_missing = *n - known.n_below;
     return finer;
   }

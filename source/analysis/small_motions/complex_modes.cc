@@ -24,13 +24,13 @@ namespace auxfem
                                const std::vector<double> &x,
                                const std::vector<double> &y)
   {
-    const unsigned int   n    = layout.n_owned();
-    std::complex<double> mine = 0;
+    const unsigned int   n         = layout.n_owned();
+    std::complex<double> local_sum = 0;
     for (unsigned int i = 0; i < n; ++i)
-      mine += std::complex<double>(x[i], x[n + i]) *
+      local_sum += std::complex<double>(x[i], x[n + i]) *
         std::complex<double>(y[i], y[n + i]);
     const std::vector<double> sums =
-      layout.sum(std::vector<double>{mine.real(), mine.imag()});
+      layout.sum(std::vector<double>{local_sum.real(), local_sum.imag()});
     return {sums[0], sums[1]};
   }
 
@@ -51,7 +51,8 @@ namespace auxfem
       parallel * size(layout, x) * size(layout, y);
   }
 
-  void turn_phase(const UnknownLayout &layout, std::vector<double> &shape)
+  void maximize_real_part(const UnknownLayout &layout,
+                          std::vector<double> &shape)
   {
     const unsigned int         n = layout.n_owned();
     const std::complex<double> turn =
@@ -67,16 +68,17 @@ namespace auxfem
 
   namespace
   {
-    /** Of Re s (1/s). */
+    /** Round-off of Re s (1/s). */
     double round_off_of_growth(const ComplexMode &mode)
     {
       constexpr double least = 1e-6, safety = 10;
       return std::max(least * std::abs(mode.s), safety * mode.uncertainty);
     }
 
-    /** Lowest frequency without the part of the stiffness that is not symmetric
-     * (rad/s). */
-    double lowest_frequency(TangentSolver &solver, const State &state)
+    /**
+     * Lowest natural frequency of the symmetric share of the stiffness (rad/s).
+     */
+    double lowest_symmetric_frequency(TangentSolver &solver, const State &state)
     {
       double lowest = 0;
       for (const NaturalMode &mode :
@@ -100,8 +102,10 @@ namespace auxfem
       return mode;
     }
 
-    /** By rising |s|. A growing motion and its mirror image, which decays, have
-     * one |s|: the growing one first, whatever round-off says. */
+    /**
+     * Sorts by increasing |s|. A growing mode and its decaying mirror image
+     * have equal |s|; the growing one comes first regardless of round-off.
+     */
     void sort(std::vector<ComplexMode> &modes)
     {
       constexpr double near = 1e-5;
@@ -132,7 +136,8 @@ namespace auxfem
                              const unsigned int n,
                              const Damping      damping)
   {
-    const double shift = shift_below_roots * lowest_frequency(solver, state);
+    const double shift =
+      shift_below_roots * lowest_symmetric_frequency(solver, state);
     const UnknownLayout &layout = solver.equations().unknowns().layout;
     MotionPencil         pencil(solver, state, damping);
     // The order by distance from the shift is nearly that by |s|.
@@ -143,8 +148,8 @@ namespace auxfem
       {
         all.push_back(mode_of(root, layout));
         ComplexMode &mode = all.back();
-        // Without damping -s is a root, too: what is near its mirror image is
-        // its own.
+        // Without damping -s is a root, too, so a root near its mirror image
+        // lies on the imaginary axis.
         if (damping == Damping::none && mode.swings() &&
             std::abs(mode.s.real()) <= round_off_of_growth(mode))
           mode.s.real(0.);
@@ -161,39 +166,39 @@ namespace auxfem
 
   namespace
   {
-    /** How much of a damped motion a natural mode has. */
-    struct Part
+    /** Share of a natural mode in a damped mode. */
+    struct ModalShare
     {
       std::size_t mode, root;
       double      size;
     };
 
-    /** All parts, the largest first. */
-    std::vector<Part> parts_of(const MotionPencil             &pencil,
-                               const std::vector<NaturalMode> &modes,
-                               const std::vector<MotionRoot>  &roots)
+    /** All shares, the largest first. */
+    std::vector<ModalShare> modal_shares(const MotionPencil             &pencil,
+                                         const std::vector<NaturalMode> &modes,
+                                         const std::vector<MotionRoot>  &roots)
     {
-      std::vector<Part> parts;
+      std::vector<ModalShare> shares;
       for (std::size_t k = 0; k < roots.size(); ++k)
         {
-          const std::size_t begin = parts.size();
+          const std::size_t begin = shares.size();
           double            all   = 0;
           for (std::size_t i = 0; i < modes.size(); ++i)
             {
               const double size =
                 std::abs(pencil.mass_product(modes[i].shape, roots[k].shape));
               all += size * size;
-              parts.push_back({i, k, size});
+              shares.push_back({i, k, size});
             }
-          for (std::size_t j = begin; j < parts.size() && all > 0; ++j)
-            parts[j].size /= std::sqrt(all);
+          for (std::size_t j = begin; j < shares.size() && all > 0; ++j)
+            shares[j].size /= std::sqrt(all);
         }
-      std::stable_sort(parts.begin(),
-                       parts.end(),
-                       [](const Part &one, const Part &other) {
+      std::stable_sort(shares.begin(),
+                       shares.end(),
+                       [](const ModalShare &one, const ModalShare &other) {
                          return one.size > other.size;
                        });
-      return parts;
+      return shares;
     }
   } // namespace
 
@@ -201,8 +206,8 @@ namespace auxfem
                         const State   &state,
                         NaturalModes  &found)
   {
-    // Just above the highest frequency, where hardly a root lies.
-    constexpr double    above = 1.0437;
+    // A limit just margin the highest frequency hardly coincides with a root.
+    constexpr double    margin = 1.0437;
     std::vector<double> frequencies;
     for (const NaturalMode &mode : found.modes)
       if (mode.eigenvalue > 0)
@@ -211,27 +216,28 @@ namespace auxfem
       return;
     const auto [lowest, highest] =
       std::minmax_element(frequencies.begin(), frequencies.end());
-    const double              reach = above * *highest;
+    const double              max_magnitude = margin * *highest;
     MotionPencil              pencil(solver, state, Damping::all);
     const MotionPencil::Roots damped = pencil.nearest(
       shift_below_roots * *lowest,
-      {swings, static_cast<unsigned int>(frequencies.size()), reach});
+      {swings, static_cast<unsigned int>(frequencies.size()), max_magnitude});
 
-    std::vector<char> is_taken(damped.roots.size(), false);
-    const auto        told = [](const MotionRoot &root) {
+    std::vector<char> is_assigned(damped.roots.size(), false);
+    const auto        damped_part = [](const MotionRoot &root) {
       return NaturalMode::Damped{root.s.real(), root.s.imag()};
     };
-    for (const Part &part : parts_of(pencil, found.modes, damped.roots))
-      if (NaturalMode &mode = found.modes[part.mode];
-          mode.eigenvalue > 0 && !mode.damped && !is_taken[part.root])
+    for (const ModalShare &share :
+         modal_shares(pencil, found.modes, damped.roots))
+      if (NaturalMode &mode = found.modes[share.mode];
+          mode.eigenvalue > 0 && !mode.damped && !is_assigned[share.root])
         {
-          mode.damped         = told(damped.roots[part.root]);
-          is_taken[part.root] = true;
+          mode.damped             = damped_part(damped.roots[share.root]);
+          is_assigned[share.root] = true;
         }
     for (std::size_t k = 0; k < damped.roots.size(); ++k)
-      if (!is_taken[k])
-        found.further_damped.push_back(told(damped.roots[k]));
+      if (!is_assigned[k])
+        found.further_damped.push_back(damped_part(damped.roots[k]));
     if (damped.is_complete)
-      found.damped_limit = reach;
+      found.damped_limit = max_magnitude;
   }
 } // namespace auxfem

@@ -18,8 +18,8 @@ namespace auxfem
     , layout(equations.unknowns().layout)
     , damping(damping)
     , space(solver)
-    , at_rest(equilibrium)
-    , now(equilibrium)
+    , start_state(equilibrium)
+    , end_state(equilibrium)
     , results(equations.make_results())
     , imaginary(equations.pattern())
   {
@@ -49,12 +49,13 @@ namespace auxfem
     leave_out_constraints(imaginary);
   }
 
-  void DynamicStiffness::find_mass(TangentMatrix &matrix)
+  void DynamicStiffness::assemble_mass(TangentMatrix &matrix)
   {
     equations.tangent(evaluation(), results, {0., 0., 1.}, matrix);
   }
 
-  void DynamicStiffness::find_relaxing(const double time, TangentMatrix &matrix)
+  void DynamicStiffness::assemble_relaxing_stiffness(const double   time,
+                                                     TangentMatrix &matrix)
   {
     equations.relaxing_stiffness(results, time, matrix);
   }
@@ -103,9 +104,9 @@ namespace auxfem
 
   std::complex<double> DynamicStiffness::form(const Values &x) const
   {
-    Values left(x.size());
-    multiply(x.data(), left.data());
-    return product(layout, x, left);
+    Values image(x.size());
+    multiply(x.data(), image.data());
+    return product(layout, x, image);
   }
 
   std::pair<Vector, Vector>
@@ -117,11 +118,11 @@ namespace auxfem
       matrix.multiply_blocks(x.data(), y.data());
       return y;
     };
-    Vector of_real      = product(solver.matrix(), real),
-           of_imaginary = product(solver.matrix(), imaginary_part);
-    add_multiple(-1., product(imaginary, imaginary_part), of_real);
-    add_multiple(1., product(imaginary, real), of_imaginary);
-    return {of_real, of_imaginary};
+    Vector real_forces      = product(solver.matrix(), real),
+           imaginary_forces = product(solver.matrix(), imaginary_part);
+    add_multiple(-1., product(imaginary, imaginary_part), real_forces);
+    add_multiple(1., product(imaginary, real), imaginary_forces);
+    return {real_forces, imaginary_forces};
   }
 
   void include_damping(EffectSwitches &effects)
@@ -134,9 +135,11 @@ namespace auxfem
 
   namespace
   {
-    /** Rates (1/s) of Maxwell elements by themselves, and the lowest frequency
-     * (rad/s), about which relaxations of dashpots are: none twice as fast as
-     * another. */
+    /**
+     * Relaxation rates (1/s) of single Maxwell elements and the lowest
+     * frequency (rad/s), near which dashpots relax. Rates within a factor of
+     * two are merged.
+     */
     std::vector<double> typical_rates(TangentSolver &solver, const State &state)
     {
       std::vector<double> rates;
@@ -149,11 +152,11 @@ namespace auxfem
       if (rates.empty())
         rates.push_back(1.);
       std::sort(rates.begin(), rates.end());
-      std::vector<double> apart;
+      std::vector<double> separated;
       for (const double rate : rates)
-        if (apart.empty() || rate > 2 * apart.back())
-          apart.push_back(rate);
-      return apart;
+        if (separated.empty() || rate > 2 * separated.back())
+          separated.push_back(rate);
+      return separated;
     }
 
     /** Whether @p root is not among @p known. */
@@ -171,22 +174,21 @@ namespace auxfem
                           });
     }
 
-    /** More than so many near each other gather. */
-    unsigned int most_of(const unsigned int n)
+    /** Number of close roots above which they count as a cluster. */
+    unsigned int cluster_size(const unsigned int n)
     {
       return 2 * n + 10;
     }
 
     /**
-     * Leaves out, of roots by rising |s|, those from where very many gather:
-     * damping in proportion to the stiffness has as many at one time as the
-     * mesh has modes, equal Maxwell elements as many as there are elements.
+     * Removes roots from the first cluster on; @p roots are sorted by |s|.
+     * Stiffness-proportional damping and equal Maxwell elements cluster as many
+     * roots at one rate as there are modes or elements.
      */
-    void leave_out_gathering(std::vector<MotionRoot> &roots,
-                             const unsigned int       n)
+    void remove_clusters(std::vector<MotionRoot> &roots, const unsigned int n)
     {
       constexpr double  near = 1.7173;
-      const std::size_t most = most_of(n);
+      const std::size_t most = cluster_size(n);
       for (std::size_t i = 0; i + most < roots.size(); ++i)
         if (std::abs(roots[i + most].s) < near * std::abs(roots[i].s))
           {
@@ -199,18 +201,18 @@ namespace auxfem
   Relaxations
   relaxations(TangentSolver &solver, const State &state, const unsigned int n)
   {
-    // A shift beside a rate is hardly a root itself.
-    constexpr double          beside = 1.1437;
+    // A shift next to a rate hardly coincides with a root.
+    constexpr double          offset = 1.1437;
     const UnknownLayout      &layout = solver.equations().unknowns().layout;
     const std::vector<double> rates  = typical_rates(solver, state);
     std::vector<double>       shifts{shift_below_roots * rates.front()};
     for (const double rate : rates)
-      shifts.push_back(-beside * rate);
+      shifts.push_back(-offset * rate);
     MotionPencil            pencil(solver, state, Damping::all);
     std::vector<MotionRoot> roots;
     for (const double shift : shifts)
       for (const MotionRoot &root :
-           pencil.nearest(shift, {relaxes, most_of(n) + 1}).roots)
+           pencil.nearest(shift, {relaxes, cluster_size(n) + 1}).roots)
         if (is_new(layout, root, roots))
           roots.push_back(root);
     std::sort(roots.begin(),
@@ -218,7 +220,7 @@ namespace auxfem
               [](const MotionRoot &one, const MotionRoot &other) {
                 return std::abs(one.s) < std::abs(other.s);
               });
-    leave_out_gathering(roots, n);
+    remove_clusters(roots, n);
     Relaxations found;
     for (const MotionRoot &root : roots)
       if (found.size() < n)

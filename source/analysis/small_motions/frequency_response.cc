@@ -27,8 +27,8 @@ namespace auxfem
 {
   namespace
   {
-    [[noreturn]] void fail_to_vibrate(const double       omega,
-                                      const std::string &why)
+    [[noreturn]] void throw_no_vibration(const double       omega,
+                                         const std::string &why)
     {
       std::ostringstream message;
       message << "No steady vibration was found at "
@@ -59,12 +59,12 @@ namespace auxfem
   {
     stiffness.set({0., omega});
     if (!stiffness.factorize())
-      fail_to_vibrate(omega, solver.why());
+      throw_no_vibration(omega, solver.why());
     const unsigned int  n = layout.n_owned();
     std::vector<double> b(2 * n, 0.), x(2 * n, 0.);
     std::copy(loads.begin(), loads.end(), b.begin());
     if (const std::string why = stiffness.solve(b, x); !why.empty())
-      fail_to_vibrate(omega, why);
+      throw_no_vibration(omega, why);
 
     HarmonicVibration vibration;
     for (Vector *part :
@@ -76,21 +76,23 @@ namespace auxfem
                     part->begin());
         layout.update_ghosts(part->data());
       }
-    Vector &real          = vibration.reaction.real,
-           &other         = vibration.reaction.imaginary;
-    std::tie(real, other) = stiffness.forces(vibration.displacement.real,
+    Vector &real            = vibration.reaction.real,
+           &other           = vibration.reaction.imaginary;
+    std::tie(real, other)   = stiffness.forces(vibration.displacement.real,
                                              vibration.displacement.imaginary);
-    double left = 0, all = 0;
+    double squared_residual = 0, squared_norm = 0;
     for (unsigned int i = 0; i < n; ++i)
       if (space.is_prescribed(i))
-        all += real[i] * real[i] + other[i] * other[i];
+        squared_norm += real[i] * real[i] + other[i] * other[i];
       else
         {
-          left += std::pow(real[i] - loads[i], 2) + other[i] * other[i];
-          all += loads[i] * loads[i];
+          squared_residual +=
+            std::pow(real[i] - loads[i], 2) + other[i] * other[i];
+          squared_norm += loads[i] * loads[i];
           real[i] = other[i] = 0;
         }
-    vibration.residual = std::sqrt(layout.sum(left) / layout.sum(all));
+    vibration.residual =
+      std::sqrt(layout.sum(squared_residual) / layout.sum(squared_norm));
     return vibration;
   }
 
@@ -126,7 +128,7 @@ namespace auxfem
         : quantities(quantities)
       {
         for (unsigned int i = 0; i < quantities.size(); ++i)
-          largest.push_back(
+          peak_rows.push_back(
             std::max_element(rows.begin(),
                              rows.end(),
                              [i](const auto &one, const auto &other) {
@@ -135,15 +137,15 @@ namespace auxfem
             rows.begin());
         for (unsigned int i = 0; i < quantities.size(); ++i)
           {
-            amplitudes.push_back(rows[largest[i]][1 + 2 * i]);
-            frequencies.push_back(rows[largest[i]][0]);
+            amplitudes.push_back(rows[peak_rows[i]][1 + 2 * i]);
+            frequencies.push_back(rows[peak_rows[i]][0]);
           }
       }
 
-      /** Rows in which they are. */
+      /** Row of each peak_rows amplitude. */
       const std::vector<std::size_t> &rows() const
       {
-        return largest;
+        return peak_rows;
       }
 
       double amplitude(const unsigned int quantity) const
@@ -152,9 +154,9 @@ namespace auxfem
       }
 
       /**
-       * Whether an amplitude is more than round-off of the others of its kind,
-       * displacements with rotations or forces with moments.
-       * @param length ties moments to forces (m)
+       * Whether an amplitude exceeds the round-off of the peak_rows of its
+       * kind: displacements and rotations, or forces and moments.
+       * @param length converts rotations and moments (m)
        */
       bool is_significant(const unsigned int quantity,
                           const double       length) const
@@ -216,7 +218,7 @@ namespace auxfem
       }
 
       const std::vector<Column> quantities;
-      std::vector<std::size_t>  largest;
+      std::vector<std::size_t>  peak_rows;
       std::vector<double>       amplitudes, frequencies;
     };
 
@@ -244,7 +246,7 @@ namespace auxfem
     /** The response with the elements of a plan. */
     struct ResponseComputation
     {
-      /** Sets up. Throws InputError for what is wrong with the scene. */
+      /** Sets up the run. Throws InputError for errors of the scene. */
       ResponseComputation(const RunPlan &plan, const MPI_Comm communicator)
         : scene(plan.scene)
         , communicator(communicator)
@@ -257,7 +259,7 @@ namespace auxfem
         response.emplace(run.solver(), run.solution.state);
       }
 
-      /** Writes the table, and compares with finer elements. */
+      /** Computes and writes the table, then compares with finer elements. */
       void find_response()
       {
         std::optional<CsvTable> table;
@@ -281,7 +283,7 @@ namespace auxfem
           }
         catch (const ComputationError &error)
           {
-            errors.why_unknown = error.what();
+            errors.unknown_reason = error.what();
           }
       }
 
@@ -295,7 +297,10 @@ namespace auxfem
     private:
       std::optional<HarmonicResponse> response;
 
-      /** At the largest amplitudes and at frequencies all over the band. */
+      /**
+       * Compares at the peak_rows amplitudes and at frequencies over the whole
+       * band.
+       */
       void compare()
       {
         constexpr std::size_t     n_samples  = 8;
@@ -307,15 +312,15 @@ namespace auxfem
           compared.insert(i * (rows.size() - 1) / n_samples);
         FinerRun         finer(run);
         HarmonicResponse finer_response(finer.solver(), finer.state());
-        const History    of_finer(finer.lattice_run().scene,
-                               finer.lattice_run().equations,
-                               communicator);
+        const History    finer_history(finer.lattice_run().scene,
+                                    finer.lattice_run().equations,
+                                    communicator);
         errors.relative.assign(quantities.size(), 0.);
         for (const std::size_t i : compared)
           {
             end_if_interrupted(communicator);
             const std::vector<double> row =
-              row_at(rows[i][0], finer_response, of_finer);
+              row_at(rows[i][0], finer_response, finer_history);
             for (unsigned int q = 0; q < quantities.size(); ++q)
               if (peaks.is_significant(q, run.equations.unknowns().length))
                 errors.relative[q] =
@@ -328,14 +333,15 @@ namespace auxfem
       }
     };
 
-    /** At t = 0 without initial velocities, with all damping; where the scene
-     * asks for a choice, with elements that carry the waves of the band. */
+    /**
+     * Plan at t = 0 without initial velocities and with squared_norm damping.
+     * If the scene requests it, elements are chosen for the waves of the band.
+     */
     RunPlan plan_of_vibrations(const Scene &scene)
     {
       /**
-       * Error of elements that vibrations are computed with, over the
-       * tolerance.
-       * @tuned judgement: little damping enlarges errors by about ten
+       * Discretization error of undamped waves over the tolerance.
+       * @tuned judgement: small damping magnifies errors about ten times
        */
       constexpr double at_resonance = 0.1;
       RunPlan          plan(scene);
@@ -362,7 +368,7 @@ namespace auxfem
                                    const FolderOptions &options)
   {
     const RunPlan first = plan_of_vibrations(scene);
-    // Mistakes it finds must not cost the results of an earlier run.
+    // Errors of the scene must not destroy the results of an earlier run.
     auto computation =
       std::make_unique<ResponseComputation>(first, communicator);
     const SignalsWaitForStep  signals;
@@ -377,7 +383,7 @@ namespace auxfem
                              columns_of(quantities));
     });
     computation->find_response();
-    for (RunPlan plan = first; !are_accepted(scene, computation->errors) &&
+    for (RunPlan plan = first; !elements_accepted(scene, computation->errors) &&
          refine_elements(first, computation->errors, plan);)
       {
         const Work before = computation->run.work();
@@ -394,7 +400,7 @@ namespace auxfem
     RunResult result;
     result.exit_state = "completed";
     result.work       = work;
-    result.findings   = findings_of_mesh(plan, errors, "amplitudes");
+    result.findings   = mesh_findings(plan, errors, "amplitudes");
     on_first_rank(communicator, [&]() {
       report.print(peaks.text(errors));
       report.print(mesh_text(plan, errors));

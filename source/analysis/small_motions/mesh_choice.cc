@@ -20,12 +20,12 @@ namespace auxfem
 {
   namespace
   {
-    /** More than 64 elements a strut are not tried. */
-    constexpr unsigned int most_elements = 64;
+    /** Largest number of elements per strut that is tried. */
+    constexpr unsigned int max_elements = 64;
 
     /**
-     * Relative error of frequencies from which on they are not to be used.
-     * @tuned judgement: what is no result of a frequency
+     * Relative error above which frequencies are not to be used.
+     * @tuned judgement: a frequency with this error is no result
      */
     constexpr double unusable_mode_error = 0.1;
 
@@ -38,15 +38,17 @@ namespace auxfem
       return product;
     }
 
-    /** Relative error of the square of the frequency of a wave with this phase
-     * along an element. */
+    /**
+     * Relative error of the squared frequency of a wave with this phase along
+     * an element.
+     */
     double dispersion(const unsigned int order, const double phase)
     {
       return std::pow(std::pow(phase, order) / factorials(order), 2) /
         (2 * order + 1);
     }
 
-    /** The phase along an element with which waves have this error. */
+    /** Phase along an element at which waves have this error. */
     double phase_with_dispersion(const unsigned int order, const double error)
     {
       return std::pow(std::sqrt(error * (2 * order + 1)) * factorials(order),
@@ -54,18 +56,19 @@ namespace auxfem
     }
 
     /**
-     * The fewest unknowns with which waves have an error of @p wanted, among
-     * elements with more than @p n_inner_nodes a strut; false: there are none.
+     * Chooses the fewest unknowns for which waves have at most the error @p
+     * tolerance, among divisions with more than @p n_inner_nodes per strut.
+     * Returns false if there is none.
      */
-    bool choose(const double       phase,
-                const double       wanted,
-                const unsigned int n_inner_nodes,
-                const unsigned int least_elements,
-                RunPlan           &plan)
+    bool choose_division(const double       phase,
+                         const double       tolerance,
+                         const unsigned int n_inner_nodes,
+                         const unsigned int least_elements,
+                         RunPlan           &plan)
     {
       unsigned int best = invalid_index;
       for (unsigned int n_elements = least_elements;
-           n_elements <= std::max(least_elements, most_elements);
+           n_elements <= std::max(least_elements, max_elements);
            n_elements *= 2)
         for (unsigned int order = lowest_chosen_order;
              order <= highest_strut_order(plan.scene.context.dimension);
@@ -74,7 +77,7 @@ namespace auxfem
             const StrutDivision division{order, n_elements};
             const unsigned int  n = division.n_inner_nodes();
             if (n > n_inner_nodes && n < best &&
-                dispersion(order, phase / n_elements) <= wanted)
+                dispersion(order, phase / n_elements) <= tolerance)
               {
                 best          = n;
                 plan.division = division;
@@ -92,7 +95,9 @@ namespace auxfem
       return plan;
     }
 
-    /** @p state with a displacement alone, which has no large rotations. */
+    /**
+     * @p state with the displacement @p shape only, without large rotations.
+     */
     State with_shape(State state, const Vector &shape)
     {
       state.displacement = shape;
@@ -101,7 +106,8 @@ namespace auxfem
       return state;
     }
 
-    /** The first element of each strut of which this rank keeps all, by strut.
+    /**
+     * First element of each strut, for struts that this rank stores completely.
      */
     std::map<unsigned int, unsigned int>
     first_elements(const DofNumbering &numbering)
@@ -158,7 +164,7 @@ namespace auxfem
   double MeshErrors::largest() const
   {
     double largest =
-      why_unknown.empty() ? 0. : std::numeric_limits<double>::infinity();
+      unknown_reason.empty() ? 0. : std::numeric_limits<double>::infinity();
     for (const double error : relative)
       largest = std::isfinite(error) ? std::max(largest, error)
                                      : std::numeric_limits<double>::infinity();
@@ -167,19 +173,20 @@ namespace auxfem
 
   double phase_of_modes(const Scene &scene, const unsigned int n)
   {
-    const std::vector<double> firsts = own_frequencies(scene);
-    if (firsts.empty())
+    const std::vector<double> first_frequencies = own_frequencies(scene);
+    if (first_frequencies.empty())
       return clamped_phase;
-    // Modes between clamps have the phases (j + 1/2) pi, to a percent.
-    const auto n_until = [&](const double omega) {
+    // Clamped modes have the phases (j + 1/2) pi within a percent.
+    const auto count_below = [&](const double omega) {
       double sum = 0;
-      for (const double first : firsts)
+      for (const double first : first_frequencies)
         if (omega >= first)
           sum += std::floor((3 * std::sqrt(omega / first) - 1) / 2);
       return sum;
     };
-    double omega = *std::min_element(firsts.begin(), firsts.end());
-    while (n_until(omega) < n)
+    double omega =
+      *std::min_element(first_frequencies.begin(), first_frequencies.end());
+    while (count_below(omega) < n)
       omega *= 1.1;
     return phase_at(scene, omega);
   }
@@ -191,25 +198,28 @@ namespace auxfem
       std::count_if(lattice.struts.begin(),
                     lattice.struts.end(),
                     [](const Strut &strut) { return !strut.is_rigid(); });
-    const unsigned int of_each =
+    const unsigned int modes_per_strut =
       n_struts > 0 ? (n + n_struts - 1) / n_struts : 1;
-    return (of_each + 1) * dealii::numbers::PI;
+    return (modes_per_strut + 1) * dealii::numbers::PI;
   }
 
   double phase_at(const Scene &scene, const double omega)
   {
-    const std::vector<double> firsts = own_frequencies(scene);
-    return firsts.empty() ? clamped_phase
-                          : clamped_phase *
-        std::sqrt(omega / *std::min_element(firsts.begin(), firsts.end()));
+    const std::vector<double> first_frequencies = own_frequencies(scene);
+    return first_frequencies.empty() ? clamped_phase
+                                     : clamped_phase *
+        std::sqrt(omega /
+                  *std::min_element(first_frequencies.begin(),
+                                    first_frequencies.end()));
   }
 
-  void choose_elements(const double phase, const double wanted, RunPlan &plan)
+  void
+  choose_elements(const double phase, const double tolerance, RunPlan &plan)
   {
     const unsigned int least = plan.division.n_elements;
-    // Shorter waves are seldom asked for.
+    // Users seldom need shorter waves.
     constexpr unsigned int most_at_first = 8;
-    if (choose(phase, wanted, 0, least, plan) &&
+    if (choose_division(phase, tolerance, 0, least, plan) &&
         plan.division.n_elements <= most_at_first * least)
       return;
     plan.division = {highest_strut_order(plan.scene.context.dimension),
@@ -220,47 +230,47 @@ namespace auxfem
   refine_elements(const RunPlan &first, const MeshErrors &errors, RunPlan &plan)
   {
     const StrutDivision division = plan.division;
-    // Where modes are missing, or errors are large, waves are not carried.
+    // Missing modes or large errors mean that waves are not resolved.
     const double error = errors.n_missing > 0 || errors.has_too_few
       ? 1.
       : std::min(errors.largest(), 1.);
     const double phase =
       division.n_elements * phase_with_dispersion(division.order, error);
-    return choose(phase,
-                  part_of_tolerance_for_elements *
-                    *plan.scene.discretization.tolerance,
-                  division.n_inner_nodes(),
-                  first.division.n_elements,
-                  plan);
+    return choose_division(phase,
+                           part_of_tolerance_for_elements *
+                             *plan.scene.discretization.tolerance,
+                           division.n_inner_nodes(),
+                           first.division.n_elements,
+                           plan);
   }
 
-  bool are_accepted(const Scene &scene, const MeshErrors &errors)
+  bool elements_accepted(const Scene &scene, const MeshErrors &errors)
   {
     const auto &tolerance = scene.discretization.tolerance;
-    return !tolerance || !errors.why_unknown.empty() ||
+    return !tolerance || !errors.unknown_reason.empty() ||
       (errors.largest() <= *tolerance && errors.n_missing == 0 &&
        !errors.has_too_few);
   }
 
-  std::vector<Finding> findings_of_mesh(const RunPlan     &plan,
-                                        const MeshErrors  &errors,
-                                        const std::string &values)
+  std::vector<Finding> mesh_findings(const RunPlan     &plan,
+                                     const MeshErrors  &errors,
+                                     const std::string &values)
   {
     std::vector<Finding> findings;
     const auto           add = [&](const Verdict verdict, std::string text) {
       findings.push_back({verdict, std::move(text), 0., ""});
     };
     const std::string elements = elements_text(plan.division);
-    if (!errors.why_unknown.empty())
+    if (!errors.unknown_reason.empty())
       add(Verdict::doubtful,
-          "The error of the elements is not known: " + errors.why_unknown);
+          "The error of the elements is not known: " + errors.unknown_reason);
     if (errors.n_missing > 0)
       add(Verdict::not_to_be_used,
           std::to_string(errors.n_missing) +
             " further modes lie below the last with finer elements than " +
             elements + ". " + advice(plan.scene));
     const double error = errors.largest();
-    if (!errors.why_unknown.empty())
+    if (!errors.unknown_reason.empty())
       return findings;
     const double limit = plan.scene.discretization.tolerance
       ? *plan.scene.discretization.tolerance / part_of_tolerance_for_elements
@@ -317,7 +327,7 @@ namespace auxfem
   {
     const DofNumbering &from = coarse.model.numbering,
                        &to   = run.model.numbering;
-    State given              = with_shape(coarse.solution.state, shape);
+    State coarse_state       = with_shape(coarse.solution.state, shape);
     State finer =
       with_shape(run.solution.state,
                  Vector(run.solution.state.displacement.size(), 0.));
@@ -326,13 +336,13 @@ namespace auxfem
                                                finer_elements =
                                                  first_elements(to);
     for (const unsigned int strut : owned_struts(to))
-      // Elements of order 1 have no inner nodes that bring them to this rank.
+      // Without inner nodes (order 1) a strut may be absent from this rank.
       if (const auto first = coarse_elements.find(strut);
           first != coarse_elements.end())
         set_motion_of_strut(
           to,
           finer_elements.at(strut),
-          interpolated(motion_of_strut(from, given, first->second),
+          interpolated(motion_of_strut(from, coarse_state, first->second),
                        to.divisions()[strut]),
           finer);
     // Joints, rigid parts and hinges have equal serial numbers on all meshes.

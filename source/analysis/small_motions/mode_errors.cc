@@ -12,7 +12,7 @@ namespace auxfem
   {
     using Complex = std::complex<double>;
 
-    /** What @p compare finds out, or why it cannot. */
+    /** Result of @p compare, or the reason of its failure. */
     template <class Compare>
     MeshErrors compared(LatticeRun &run, const Compare &compare)
     {
@@ -28,7 +28,7 @@ namespace auxfem
       catch (const ComputationError &error)
         {
           MeshErrors unknown;
-          unknown.why_unknown = error.what();
+          unknown.unknown_reason = error.what();
           return unknown;
         }
     }
@@ -43,8 +43,10 @@ namespace auxfem
       return shapes;
     }
 
-    /** Half the difference over the mean: so of eigenvalues for that of
-     * frequencies. 0 where both are. */
+    /**
+     * Half the relative difference, which for eigenvalues is that of the
+     * frequencies; 0 if both are zero.
+     */
     double half_difference(const double one, const double other)
     {
       const double sum = std::abs(one) + std::abs(other);
@@ -52,9 +54,9 @@ namespace auxfem
     }
 
     /**
-     * Enters errors of modes.
-     * @param values of the modes
-     * @param part of the relative difference of values that is the error
+     * Stores the errors of modes.
+     * @param values eigenvalues or factors of the modes
+     * @param part error over the relative difference of values
      */
     template <class Modes>
     MeshErrors compare_values(const std::vector<double> &values,
@@ -77,38 +79,40 @@ namespace auxfem
       return errors;
     }
 
-    /** Errors of roots by those of finer elements. */
+    /** Errors of roots by comparison with finer elements. */
     class RootErrors
     {
     public:
-      /** @param coarse of which errors are asked for */
+      /** @param coarse roots whose errors are requested */
       RootErrors(FinerRun                   &finer,
                  const Damping               damping,
                  const std::vector<Complex> &coarse)
       {
-        // Roots of finer elements are sought up to a fifth above.
-        constexpr double above = 1.2;
-        double least = std::numeric_limits<double>::infinity(), greatest = 0;
+        // Finer elements may have larger roots; search up to 20 % margin.
+        constexpr double margin = 1.2;
+        double smallest = std::numeric_limits<double>::infinity(), largest = 0;
         for (const Complex s : coarse)
           {
-            least    = std::min(least, std::abs(s));
-            greatest = std::max(greatest, std::abs(s));
+            smallest = std::min(smallest, std::abs(s));
+            largest  = std::max(largest, std::abs(s));
           }
-        if (coarse.empty() || least == 0)
+        if (coarse.empty() || smallest == 0)
           return;
         MotionPencil pencil(finer.solver(), finer.state(), damping);
         for (const MotionRoot &root :
              pencil
-               .nearest(shift_below_roots * least,
+               .nearest(shift_below_roots * smallest,
                         {[](const Complex s) { return !relaxes(s); },
                          static_cast<unsigned int>(coarse.size()),
-                         above * greatest})
+                         margin * largest})
                .roots)
           roots.push_back(root.s);
       }
 
-      /** By how much the nearest root of finer elements differs from @p s, over
-       * |s|; NaN where there is none. */
+      /**
+       * Distance between @p s and the nearest root of finer elements over |s|;
+       * NaN if there is none.
+       */
       double relative_error(const Complex s) const
       {
         double error = std::numeric_limits<double>::quiet_NaN();
@@ -128,7 +132,7 @@ namespace auxfem
       return {damped.growth, damped.angular_frequency};
     }
 
-    /** Enters errors of damped modes where these are larger. */
+    /** Stores errors of damped modes where these are larger. */
     void
     compare_damped(FinerRun &finer, NaturalModes &found, MeshErrors &errors)
     {

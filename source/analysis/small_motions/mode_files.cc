@@ -21,7 +21,7 @@ namespace auxfem
   {
     using dealii::numbers::PI;
 
-    constexpr unsigned int most_modes = 1000;
+    constexpr unsigned int max_modes = 1000;
 
     /** Names of tables. */
     const std::string natural_table = "modes", complex_table = "complex_modes",
@@ -30,7 +30,7 @@ namespace auxfem
 
     using Rows = std::vector<std::vector<double>>;
 
-    /** Writes a table, and what its columns mean beside it. */
+    /** Writes a table and its column reference. */
     void write_table(const std::string         &folder,
                      const std::string         &name,
                      const std::vector<Column> &columns,
@@ -136,7 +136,9 @@ namespace auxfem
       return values;
     }
 
-    /** @p real times the real part and @p imaginary times the other. */
+    /**
+     * @p real times the real part plus @p imaginary times the imaginary part.
+     */
     Vector
     shape_at(const ModePicture &mode, const double real, const double imaginary)
     {
@@ -164,7 +166,7 @@ namespace auxfem
          {natural_table, complex_table, buckling_table, relaxation_table})
       for (const char *ending : {".csv", ".units.csv"})
         contents.files.push_back(table + ending);
-    for (unsigned int number = 1; number <= most_modes; ++number)
+    for (unsigned int number = 1; number <= max_modes; ++number)
       for (const char *series : {"solution", "rigid_parts", "connectors"})
         contents.series.push_back(prefix(number) + series);
     return contents;

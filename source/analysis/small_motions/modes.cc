@@ -28,10 +28,10 @@ namespace auxfem
   {
     using dealii::numbers::PI;
 
-    /** What is told of modes, of whatever kind they are. */
+    /** Report on modes of any kind. */
     struct ReportedModes
     {
-      std::string              table, closing_words;
+      std::string              table, closing_text;
       std::vector<Finding>     findings;
       Json                     json;
       bool                     is_counted;
@@ -62,8 +62,8 @@ namespace auxfem
       return all;
     }
 
-    /** What is known of damped modes that are not in the table. */
-    std::string words_on_damped(const NaturalModes &found)
+    /** Text on damped modes that are not in the table. */
+    std::string damped_modes_text(const NaturalModes &found)
     {
       std::ostringstream text;
       text.precision(6);
@@ -81,7 +81,7 @@ namespace auxfem
       return text.str();
     }
 
-    /** Those that grow, with their numbers. */
+    /** Finding on growing modes, with their numbers. */
     std::vector<Finding> findings(const ComplexModes &found)
     {
       std::ostringstream text;
@@ -104,7 +104,7 @@ namespace auxfem
                ""}};
     }
 
-    /** Linear theory leaves out how far the lattice moves until it buckles. */
+    /** Linear theory neglects the motion before buckling. */
     std::vector<Finding> findings(const BucklingModes &found)
     {
       const double motion =
@@ -120,12 +120,14 @@ namespace auxfem
       return {{Verdict::doubtful, text.str(), 0., ""}};
     }
 
-    /** What the table does not tell.
-     * @param if_not_counted what may be wrong then */
-    std::string closing_words(const unsigned int n,
-                              const bool         is_counted,
-                              const std::string &if_not_counted,
-                              const LatticeRun  &run)
+    /**
+     * Closing lines below the table.
+     * @param if_not_counted possible defect without a count
+     */
+    std::string modes_closing_text(const unsigned int n,
+                                   const bool         is_counted,
+                                   const std::string &if_not_counted,
+                                   const LatticeRun  &run)
     {
       std::ostringstream text;
       if (n < run.scene.modes.number)
@@ -142,25 +144,27 @@ namespace auxfem
       return text.str();
     }
 
-    ReportedModes told(const NaturalModes &found, const LatticeRun &run)
+    ReportedModes report_on(const NaturalModes &found, const LatticeRun &run)
     {
-      ReportedModes told{mode_table_text(found, run.lattice.dimension),
-                         closing_words(found.modes.size(),
-                                       found.is_counted,
-                                       "equal frequencies may be missing.",
-                                       run),
-                         findings(found),
-                         json_of(found),
-                         found.is_counted,
-                         {}};
+      ReportedModes reported{
+        mode_table_text(found, run.lattice.dimension),
+        modes_closing_text(found.modes.size(),
+                           found.is_counted,
+                           "equal frequencies may be missing.",
+                           run),
+        findings(found),
+        json_of(found),
+        found.is_counted,
+        {}};
       if (run.scene.modes.damped)
-        told.closing_words = words_on_damped(found) + told.closing_words;
+        reported.closing_text =
+          damped_modes_text(found) + reported.closing_text;
       for (const NaturalMode &mode : found.modes)
-        told.pictures.push_back({mode.shape, mode.angular_frequency()});
-      return told;
+        reported.pictures.push_back({mode.shape, mode.angular_frequency()});
+      return reported;
     }
 
-    ReportedModes told(const ComplexModes &found, const LatticeRun &run)
+    ReportedModes report_on(const ComplexModes &found, const LatticeRun &run)
     {
       std::ostringstream closing;
       closing << "  The stiffness is not symmetric, as loads follow their "
@@ -171,39 +175,41 @@ namespace auxfem
               << run.work().factorizations << " factorizations, "
               << run.work().linear_solutions << " solutions by "
               << run.work().linear_solver;
-      ReportedModes told{mode_table_text(found),
-                         closing.str(),
-                         findings(found),
-                         json_of(found),
-                         /*is_counted=*/false,
-                         {}};
+      ReportedModes reported{mode_table_text(found),
+                             closing.str(),
+                             findings(found),
+                             json_of(found),
+                             /*is_counted=*/false,
+                             {}};
       for (const ComplexMode &mode : found.modes)
-        told.pictures.push_back({mode.real, mode.s.imag(), &mode.imaginary});
-      return told;
+        reported.pictures.push_back(
+          {mode.real, mode.s.imag(), &mode.imaginary});
+      return reported;
     }
 
-    ReportedModes told(const BucklingModes &found, const LatticeRun &run)
+    ReportedModes report_on(const BucklingModes &found, const LatticeRun &run)
     {
-      ReportedModes told{mode_table_text(found),
-                         closing_words(found.modes.size(),
-                                       found.is_counted,
-                                       "equal factors may be missing.",
-                                       run),
-                         findings(found),
-                         json_of(found),
-                         found.is_counted,
-                         {}};
+      ReportedModes reported{mode_table_text(found),
+                             modes_closing_text(found.modes.size(),
+                                                found.is_counted,
+                                                "equal factors may be missing.",
+                                                run),
+                             findings(found),
+                             json_of(found),
+                             found.is_counted,
+                             {}};
       for (const BucklingMode &mode : found.modes)
-        told.pictures.push_back({mode.shape});
-      return told;
+        reported.pictures.push_back({mode.shape});
+      return reported;
     }
 
-    std::string words_on(const Relaxations &found, const unsigned int n_asked)
+    std::string relaxations_text(const Relaxations &found,
+                                 const unsigned int n_requested)
     {
       std::ostringstream text;
-      if (found.size() < n_asked)
+      if (found.size() < n_requested)
         text
-          << found.size() << " of " << n_asked
+          << found.size() << " of " << n_requested
           << " relaxations: there are no more, or very many near the time of "
              "Stiffness-proportional damping.\n  ";
       text << "Relaxations are not counted.";
@@ -211,11 +217,11 @@ namespace auxfem
     }
 
     Json json_of(const Scene                      &scene,
-                 const ReportedModes              &told,
+                 const ReportedModes              &reported,
                  const std::optional<Relaxations> &relaxing)
     {
-      Json summary = {{"modes", told.json},
-                      {"are_counted", told.is_counted},
+      Json summary = {{"modes", reported.json},
+                      {"are_counted", reported.is_counted},
                       {"about",
                        scene.modes.about_equilibrium ? "static equilibrium"
                                                      : "rest"}};
@@ -231,17 +237,17 @@ namespace auxfem
 
     FoundModes modes_of(LatticeRun &run)
     {
-      const ModesDefinition &asked = run.scene.modes;
+      const ModesDefinition &request = run.scene.modes;
       if (run.scene.analysis == Analysis::buckling)
-        return buckling_modes_of(run, asked.number, "Analysis = buckling");
+        return buckling_modes_of(run, request.number, "Analysis = buckling");
       if (!has_natural_modes(run.solver(), run.solution.state))
         return complex_modes(run.solver(),
                              run.solution.state,
-                             asked.number,
-                             asked.damped ? Damping::all : Damping::none);
+                             request.number,
+                             request.damped ? Damping::all : Damping::none);
       NaturalModes found =
-        natural_modes(run.solver(), run.solution.state, asked.number);
-      if (asked.damped)
+        natural_modes(run.solver(), run.solution.state, request.number);
+      if (request.damped)
         add_damped_modes(run.solver(), run.solution.state, found);
       return found;
     }
@@ -253,8 +259,10 @@ namespace auxfem
         : "natural frequencies";
     }
 
-    /** With elements that carry the waves of the modes, where the scene asks
-     * for a choice. */
+    /**
+     * Plan of the modes. If the scene requests it, elements are chosen for the
+     * waves of the modes.
+     */
     RunPlan plan_with_elements(const Scene &scene)
     {
       RunPlan plan = plan_of_modes(scene);
@@ -270,7 +278,7 @@ namespace auxfem
     /** Modes on the elements of a plan. */
     struct ModeComputation
     {
-      /** Sets up. Throws InputError for what is wrong with the scene. */
+      /** Sets up the run. Throws InputError for errors of the scene. */
       ModeComputation(const RunPlan &plan, const MPI_Comm communicator)
         : run(plan, communicator)
       {
@@ -302,7 +310,7 @@ namespace auxfem
     plan.analysis               = analysis;
     plan.time.static_start      = about_equilibrium;
     plan.has_initial_velocities = false;
-    // At rest there are no loads, and none that changes the stiffness.
+    // At rest no load acts and none changes the stiffness.
     plan.has_joint_loads = analysis == Analysis::buckling || about_equilibrium;
     if (scene.modes.damped || scene.modes.relaxations > 0)
       include_damping(plan.effects);
@@ -362,7 +370,7 @@ namespace auxfem
                       const FolderOptions &options)
   {
     const RunPlan first = plan_with_elements(scene);
-    // Mistakes it finds must not cost the results of an earlier run.
+    // Errors of the scene must not destroy the results of an earlier run.
     auto computation = std::make_unique<ModeComputation>(first, communicator);
     const SignalsWaitForStep signals;
     RunReport                report(scene,
@@ -370,7 +378,7 @@ namespace auxfem
                      options.rules,
                      mode_contents());
     computation->find_modes();
-    for (RunPlan plan = first; !are_accepted(scene, computation->errors) &&
+    for (RunPlan plan = first; !elements_accepted(scene, computation->errors) &&
          refine_elements(first, computation->errors, plan);)
       {
         const Work before = computation->run.work();
@@ -383,8 +391,9 @@ namespace auxfem
     const RunPlan      &plan  = run.model.plan;
     const FoundModes   &found = computation->found;
     const MeshErrors   &mesh  = computation->errors;
-    const ReportedModes told_modes =
-      std::visit([&](const auto &modes) { return told(modes, run); }, found);
+    const ReportedModes mode_report =
+      std::visit([&](const auto &modes) { return report_on(modes, run); },
+                 found);
     std::optional<Relaxations> relaxing;
     if (scene.analysis == Analysis::modes && scene.modes.relaxations > 0)
       relaxing =
@@ -392,8 +401,8 @@ namespace auxfem
     RunResult result;
     result.exit_state = "completed";
     result.work       = run.work();
-    result.findings   = told_modes.findings;
-    for (Finding &finding : findings_of_mesh(plan, mesh, values_name(found)))
+    result.findings   = mode_report.findings;
+    for (Finding &finding : mesh_findings(plan, mesh, values_name(found)))
       result.findings.push_back(std::move(finding));
 
     on_first_rank(communicator, [&]() {
@@ -402,26 +411,27 @@ namespace auxfem
           write_mode_table(modes, scene.output.directory);
         },
         found);
-      report.print(told_modes.table);
+      report.print(mode_report.table);
       report.print(mesh_text(plan, mesh));
-      report.print(told_modes.closing_words);
+      report.print(mode_report.closing_text);
       if (relaxing)
         {
           write_mode_table(*relaxing, scene.output.directory);
           report.print(mode_table_text(*relaxing));
-          report.print("  " + words_on(*relaxing, scene.modes.relaxations));
+          report.print("  " +
+                       relaxations_text(*relaxing, scene.modes.relaxations));
         }
     });
     if (scene.output.graphics)
-      for (unsigned int i = 0; i < told_modes.pictures.size(); ++i)
+      for (unsigned int i = 0; i < mode_report.pictures.size(); ++i)
         {
           end_if_interrupted(communicator);
           const auto series =
-            write_mode_pictures(run, told_modes.pictures[i], i + 1);
+            write_mode_pictures(run, mode_report.pictures[i], i + 1);
           on_first_rank(communicator, [&]() { report.claim_series(series); });
         }
     on_first_rank(communicator, [&]() {
-      Json summary        = json_of(scene, told_modes, relaxing);
+      Json summary        = json_of(scene, mode_report, relaxing);
       summary["elements"] = json_of(plan, mesh);
       report.finish(summary, result.findings);
     });

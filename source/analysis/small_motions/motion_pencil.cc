@@ -14,13 +14,13 @@ namespace auxfem
     using Complex = std::complex<double>;
     using Values  = std::vector<double>;
 
-    /** Of Im s over |s|: a motion with less does not swing. */
-    constexpr double least_swing = 1e-6;
+    /** Smallest Im s over |s| of an oscillation. */
+    constexpr double min_oscillation = 1e-6;
   } // namespace
 
   bool swings(const Complex s)
   {
-    return std::abs(s.imag()) > least_swing * std::abs(s);
+    return std::abs(s.imag()) > min_oscillation * std::abs(s);
   }
 
   bool relaxes(const Complex s)
@@ -29,19 +29,19 @@ namespace auxfem
     return -s.real() > critical * std::abs(s);
   }
 
-  /** The Krylov space of the shifted and inverted problem. */
+  /** Krylov space of the shift-and-invert problem. */
   class MotionPencil::Arnoldi
   {
   public:
-    /** A(shift) must be the matrix that was factorized. */
+    /** Requires A(shift) as the factorized matrix. */
     Arnoldi(MotionPencil &pencil, const double shift)
       : pencil(pencil)
       , n(pencil.layout.n_owned())
       , shift(shift)
     {
-      // Scales make the parts of a vector as large as each other.
+      // Scaling balances the parts of a vector.
       scale_of_part = {1., 10 * std::abs(shift)};
-      for (const Relaxing &relaxing : pencil.relaxing)
+      for (const RelaxationGroup &relaxing : pencil.relaxing)
         {
           const double largest =
             pencil.space.largest_free(relaxing.stiffness.diagonal());
@@ -52,7 +52,7 @@ namespace auxfem
         extend(start(i));
     }
 
-    /** Adds a vector; false where the space is complete. */
+    /** Adds a vector; returns false if the space is complete. */
     bool grow()
     {
       if (columns.size() == basis.size())
@@ -74,7 +74,7 @@ namespace auxfem
       std::vector<Complex> vector;
     };
 
-    /** By rising distance from the shift. */
+    /** Ritz pairs, sorted by increasing distance from the shift. */
     std::vector<Ritz> ritz() const
     {
       constexpr double  round_off = 1e-14;
@@ -94,7 +94,7 @@ namespace auxfem
           all.push_back({shift + 1. / pair.value,
                          residual(pair.vector) / std::abs(pair.value),
                          std::move(pair.vector)});
-      // Inversion turns conjugate ones over.
+      // Inversion swaps the members of a conjugate pair.
       for (Ritz &one : all)
         if (one.s.imag() < 0)
           {
@@ -119,10 +119,11 @@ namespace auxfem
     }
 
   private:
-    /** A vector of the range of the operator. */
+    /** Start vector in the range of the operator. */
     Values start(const unsigned int number) const
     {
-      // Without symmetry, which a mode may lack, and the same on any ranks.
+      // The vector has no symmetry that a mode may lack, and is independent of
+      // the number of ranks.
       Values w(scale_of_part.size() * n, 0.);
       for (unsigned int i = 0; i < n; ++i)
         w[n + i] = std::sin(
@@ -130,7 +131,7 @@ namespace auxfem
       return image(w);
     }
 
-    /** The shifted and inverted problem times @p w. */
+    /** Shift-and-invert operator times @p w. */
     Values image(const Values &w) const
     {
       const std::size_t n_parts = scale_of_part.size();
@@ -172,7 +173,7 @@ namespace auxfem
         }
       for (std::size_t p = 2; p < n_parts; ++p)
         {
-          const Relaxing &relaxing = pencil.relaxing[p - 2];
+          const RelaxationGroup &relaxing = pencil.relaxing[p - 2];
           const Values elastic = pencil.multiply(relaxing.stiffness, x.data());
           const Values forces  = part(p);
           for (unsigned int i = 0; i < n; ++i)
@@ -182,12 +183,15 @@ namespace auxfem
       return result;
     }
 
-    /** Adds what @p w has beside the basis; its coefficients. */
+    /**
+     * Orthogonalizes @p w, adds the remainder to the basis and returns the
+     * coefficients.
+     */
     Values extend(Values w)
     {
       Values       coefficients(basis.size(), 0.);
       const double before = length(w);
-      // Twice is enough (Kahan).
+      // Two passes are enough (Kahan).
       for (unsigned int pass = 0; pass < 2; ++pass)
         {
           Values products(basis.size(), 0.);
@@ -251,7 +255,7 @@ namespace auxfem
   {
     const TangentMatrix &at = solver.matrix();
     damping_matrix.reset();
-    stiffness.find_mass(mass);
+    stiffness.assemble_mass(mass);
     stiffness.set(0.);
     is_symmetric = at.is_symmetric();
     if (damping == Damping::none)
@@ -259,7 +263,7 @@ namespace auxfem
     for (const double time : solver.equations().relaxation_times())
       {
         relaxing.push_back({time, TangentMatrix(solver.equations().pattern())});
-        stiffness.find_relaxing(time, relaxing.back().stiffness);
+        stiffness.assemble_relaxing_stiffness(time, relaxing.back().stiffness);
       }
     // (A(h) - A(0) - h^2 M - ...) / h
     stiffness.set(0.);
@@ -268,7 +272,7 @@ namespace auxfem
     stiffness.set(h);
     damping_matrix.add_multiple(1 / h, at);
     damping_matrix.add_multiple(-h, mass);
-    for (const Relaxing &elements : relaxing)
+    for (const RelaxationGroup &elements : relaxing)
       damping_matrix.add_multiple(-elements.time / (1 + h * elements.time),
                                   elements.stiffness);
   }
@@ -291,12 +295,12 @@ namespace auxfem
     return y;
   }
 
-  MotionPencil::Roots MotionPencil::nearest(const double  shift,
-                                            const Wanted &wanted)
+  MotionPencil::Roots MotionPencil::nearest(const double         shift,
+                                            const RootSelection &selection)
   {
     constexpr double       converged      = 1e-10;
-    constexpr unsigned int between_checks = 10, part_between_checks = 5;
-    const unsigned int     most_vectors = 100 + 10 * wanted.n;
+    constexpr unsigned int check_interval = 10, growth_divisor = 5;
+    const unsigned int     max_vectors = 100 + 10 * selection.n;
     stiffness.set(shift);
     if (!solver.factorize())
       throw ComputationError("Analysis = modes: the dynamic stiffness cannot "
@@ -305,35 +309,35 @@ namespace auxfem
     Arnoldi                    space_of_motions(*this, shift);
     std::vector<Arnoldi::Ritz> found;
     bool                       is_complete = false, grows = true;
-    while (!is_complete && grows && space_of_motions.size() < most_vectors)
+    while (!is_complete && grows && space_of_motions.size() < max_vectors)
       {
         const unsigned int n_new =
-          std::max(between_checks,
-                   space_of_motions.size() / part_between_checks);
+          std::max(check_interval, space_of_motions.size() / growth_divisor);
         for (unsigned int i = 0; i < n_new && grows; ++i)
           grows = space_of_motions.grow();
         found.clear();
         bool all_before = true;
         for (Arnoldi::Ritz &ritz : space_of_motions.ritz())
-          if (wanted.counts(ritz.s))
+          if (selection.accepts(ritz.s))
             {
               if (grows && !(ritz.residual <= converged))
                 {
                   all_before = false;
                   continue;
                 }
-              const bool is_last = wanted.reach
-                ? std::abs(ritz.s) > *wanted.reach
-                : found.size() + 1 >= wanted.n;
+              const bool is_last = selection.max_magnitude
+                ? std::abs(ritz.s) > *selection.max_magnitude
+                : found.size() + 1 >= selection.n;
               is_complete        = is_complete || (all_before && is_last);
               found.push_back(std::move(ritz));
             }
       }
     Roots result{{}, is_complete || !grows};
     for (const Arnoldi::Ritz &ritz : found)
-      if (!wanted.reach || std::abs(ritz.s) <= *wanted.reach)
+      if (!selection.max_magnitude ||
+          std::abs(ritz.s) <= *selection.max_magnitude)
         {
-          // Without displacements, at -1 / tau, there is round-off alone.
+          // Roots at -1 / tau have no displacements but round-off.
           constexpr double largest_residual = 1e-3;
           Values           shape            = space_of_motions.shape(ritz);
           if (size(layout, shape) <= sqrt_round_off)
@@ -353,32 +357,32 @@ namespace auxfem
       value /= length;
     if (!swings(root.s))
       root.s = root.s.real();
-    turn_phase(layout, root.shape);
+    maximize_real_part(layout, root.shape);
     if (is_symmetric)
       improve(root);
-    Values left(root.shape.size());
+    Values image(root.shape.size());
     stiffness.set(root.s);
-    stiffness.multiply(root.shape.data(), left.data());
-    root.residual = size(layout, left) /
+    stiffness.multiply(root.shape.data(), image.data());
+    root.residual = size(layout, image) /
       (std::abs(root.s) * size(layout, derivative(root.s, root.shape)));
     root.uncertainty =
       std::max(root.uncertainty, root.residual * std::abs(root.s));
     return root;
   }
 
-  /** By Newton's method for x.A(s) x = 0. */
+  /** Newton's method for x.A(s) x = 0. */
   void MotionPencil::improve(MotionRoot &root)
   {
     constexpr double       small = 1e-3, settled = 1e-14;
-    constexpr unsigned int most_steps = 4;
-    Complex                s          = root.s;
-    for (unsigned int i = 0; i < most_steps; ++i)
+    constexpr unsigned int max_steps = 4;
+    Complex                s         = root.s;
+    for (unsigned int i = 0; i < max_steps; ++i)
       {
         const Values slope = derivative(s, root.shape);
         stiffness.set(s); // derivative() has changed it
         const Complex change =
           stiffness.form(root.shape) / product(layout, root.shape, slope);
-        // Where two roots are about to be one x.A' x is nearly zero.
+        // Close to a double root x.A' x is nearly zero.
         if (!(std::abs(change) <= small * std::abs(s)))
           return;
         s -= change;

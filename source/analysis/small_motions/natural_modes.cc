@@ -10,18 +10,17 @@ namespace auxfem
   namespace
   {
     /**
-     * Shifts below the lowest eigenvalue, over
-     * Vibration::scale(): of what
-     * flies freely K itself is singular. The first is so small that it costs no
-     * digits; rigid parts that hardly anything holds need a larger one.
+     * Shifts below the lowest eigenvalue over Vibration::scale(), because K of
+     * a free body is singular. The first costs no accuracy; weakly supported
+     * rigid parts need a larger one.
      */
     constexpr std::array<double, 4> relative_shifts = {
       {1e-10, 1e-7, 1e-4, 1e-1}};
 
-    /** Of eigenvalues, over the shift; what lies below has no stiffness. */
-    constexpr double least_over_shift = 1e-4;
+    /** Eigenvalues below this multiple of the shift count as zero. */
+    constexpr double zero_over_shift = 1e-4;
 
-    /** Matrices of a state at rest, and what is done with them. */
+    /** Eigenproblem of a rest state. */
     class Vibration
     {
     public:
@@ -33,9 +32,9 @@ namespace auxfem
         , equations(solver.equations())
         , layout(equations.unknowns().layout)
         , part(part)
-        , at_rest(state)
-        , now(state)
-        , evaluation(Evaluation::equilibrium(at_rest, now))
+        , start_state(state)
+        , end_state(state)
+        , evaluation(Evaluation::equilibrium(start_state, end_state))
         , results(equations.make_results())
         , mass(equations.pattern())
         , stiffness(equations.pattern())
@@ -52,8 +51,7 @@ namespace auxfem
             "these loads out.");
       }
 
-      /** K - sigma M becomes the matrix of the solver. Returns whether it can
-       * be factorized. */
+      /** Factorizes K - sigma M in the solver. Returns false if that fails. */
       bool factorize(const double shift)
       {
         solver.assemble(evaluation, results, {1, 0, -shift});
@@ -62,20 +60,22 @@ namespace auxfem
         return solver.factorize();
       }
 
-      /** Eigenvalues below the shift of factorize(). */
+      /** Number of eigenvalues below the shift of factorize(). */
       std::optional<unsigned long> n_below()
       {
         return space.n_negative();
       }
 
-      /** Those nearest to the shift of factorize(). */
+      /** Eigenpairs nearest to the shift of factorize(). */
       Eigenpairs nearest(const double shift, const unsigned int n)
       {
         return nearest_eigenpairs(problem(shift), n);
       }
 
-      /** By size, of shapes near those of @p coarse modes, after factorize() of
-       * their shift. */
+      /**
+       * Sorted eigenvalues of shapes near those of @p coarse; requires
+       * factorize() with their shift.
+       */
       std::vector<double>
       improved_eigenvalues(const std::vector<Vector> &shapes,
                            const NaturalModes        &coarse)
@@ -89,13 +89,13 @@ namespace auxfem
         for (double &value : values)
           {
             value += coarse.shift;
-            if (std::abs(value) <= least_over_shift * -coarse.shift)
+            if (std::abs(value) <= zero_over_shift * -coarse.shift)
               value = 0;
           }
         return values;
       }
 
-      /** How many finite eigenvalues there are, at most. Collective. */
+      /** Upper bound of the number of finite eigenvalues. Collective. */
       unsigned int n_with_mass() const
       {
         const std::vector<double> masses = mass.diagonal();
@@ -107,28 +107,28 @@ namespace auxfem
       }
 
       /**
-       * Size of eigenvalues (1/s2): the largest K_ii / M_ii, where no row has
-       * both the largest entry over the largest mass; 1 without stiffness.
+       * Scale of eigenvalues (1/s2): the largest K_ii / M_ii. If no row has
+       * both, the largest stiffness over the largest mass; 1 without stiffness.
        * Collective.
        */
       double scale() const
       {
         const std::vector<double> masses  = mass.diagonal(),
                                   springs = stiffness.diagonal();
-        double ratio = 0, spring = 0, of_masses = 0;
+        double ratio = 0, largest_spring = 0, largest_mass = 0;
         for (const int i : solver.model().rows.free_translations)
           {
-            spring    = std::max(spring, springs[i]);
-            of_masses = std::max(of_masses, masses[i]);
+            largest_spring = std::max(largest_spring, springs[i]);
+            largest_mass   = std::max(largest_mass, masses[i]);
             if (masses[i] > 0)
               ratio = std::max(ratio, springs[i] / masses[i]);
           }
-        ratio     = layout.largest(ratio);
-        spring    = layout.largest(spring);
-        of_masses = layout.largest(of_masses);
-        return ratio > 0           ? ratio
-          : spring * of_masses > 0 ? spring / of_masses
-                                   : 1.;
+        ratio          = layout.largest(ratio);
+        largest_spring = layout.largest(largest_spring);
+        largest_mass   = layout.largest(largest_mass);
+        return ratio > 0                      ? ratio
+          : largest_spring * largest_mass > 0 ? largest_spring / largest_mass
+                                              : 1.;
       }
 
       NaturalMode mode(const Eigenpair &pair, const double shift) const
@@ -137,21 +137,25 @@ namespace auxfem
         std::vector<double> forces(layout.n_owned()), inertia(layout.n_owned());
         stiffness.multiply(mode.shape.data(), forces.data());
         space.multiply(mass, mode.shape.data(), inertia.data());
-        // Rayleigh's quotient: the solution has lost digits, which count twice.
+        // The error of the Rayleigh quotient is only quadratic in that of the
+        // shape.
         double energy = 0;
         for (unsigned int i = 0; i < layout.n_owned(); ++i)
           energy += mode.shape[i] * forces[i];
         mode.eigenvalue = layout.sum(energy);
-        if (std::abs(mode.eigenvalue) <= least_over_shift * -shift)
+        if (std::abs(mode.eigenvalue) <= zero_over_shift * -shift)
           mode.eigenvalue = 0;
-        double left = 0, all = 0;
+        double squared_residual = 0, squared_norm = 0;
         for (unsigned int i = 0; i < layout.n_owned(); ++i)
           if (!space.is_prescribed(i))
             {
-              left += std::pow(forces[i] - mode.eigenvalue * inertia[i], 2);
-              all += std::pow((mode.eigenvalue - shift) * inertia[i], 2);
+              squared_residual +=
+                std::pow(forces[i] - mode.eigenvalue * inertia[i], 2);
+              squared_norm +=
+                std::pow((mode.eigenvalue - shift) * inertia[i], 2);
             }
-        mode.residual = std::sqrt(layout.sum(left) / layout.sum(all));
+        mode.residual =
+          std::sqrt(layout.sum(squared_residual) / layout.sum(squared_norm));
         for (unsigned int d = 0; d < 3; ++d)
           mode.participation[d] = participation(mode.shape, d);
         return mode;
@@ -182,7 +186,8 @@ namespace auxfem
         return layout.sum(sum);
       }
 
-      /** All local unknowns, supports too. */
+      /** Unit translation of squared_norm local unknowns, including supports.
+       */
       Vector translation(const unsigned int d) const
       {
         const DofNumbering &numbering = solver.model().numbering;
@@ -206,23 +211,23 @@ namespace auxfem
       const Equations     &equations;
       const UnknownLayout &layout;
       const StiffnessPart  part;
-      const State          at_rest;
-      State                now;
+      const State          start_state;
+      State                end_state;
       const Evaluation     evaluation;
       EvaluationResults    results;
       TangentMatrix        mass, stiffness;
     };
 
-    [[noreturn]] void fail(const std::string &why)
+    [[noreturn]] void throw_modes_error(const std::string &why)
     {
       throw ComputationError("Analysis = modes: " + why + '.');
     }
 
     /**
-     * Whether there are as many eigenvalues between the shift and the widest
-     * gap among the last pairs as were found.
-     * @param n at least so many lie before the gap
-     * @param n_below_shift of all eigenvalues
+     * Whether the number of eigenvalues between the shift and the widest gap
+     * among the last pairs equals the number found.
+     * @param n minimum number of pairs before the gap
+     * @param n_below_shift number of squared_norm eigenvalues below the shift
      */
     bool are_all_found(Vibration                    &vibration,
                        const std::vector<Eigenpair> &pairs,
@@ -239,22 +244,22 @@ namespace auxfem
       return n_all && *n_all - n_below_shift == counted - n_below(pairs, shift);
     }
 
-    /** The smallest shift with which a factorization succeeds, that is done. */
+    /** Factorizes with the smallest possible shift and returns it. */
     double factorized_shift(Vibration &vibration, const TangentSolver &solver)
     {
       const double scale = vibration.scale();
       for (const double relative : relative_shifts)
         if (vibration.factorize(-relative * scale))
           return -relative * scale;
-      fail("the stiffness cannot be factorized: " + solver.why());
+      throw_modes_error("the stiffness cannot be factorized: " + solver.why());
     }
   } // namespace
 
   bool has_natural_modes(TangentSolver &solver, const State &state)
   {
     const Equations  &equations  = solver.equations();
-    State             now        = state;
-    const Evaluation  evaluation = Evaluation::equilibrium(state, now);
+    State             end_state  = state;
+    const Evaluation  evaluation = Evaluation::equilibrium(state, end_state);
     EvaluationResults results    = equations.make_results();
     TangentMatrix     stiffness(equations.pattern());
     solver.residual(evaluation, results);
@@ -269,24 +274,25 @@ namespace auxfem
   {
     Vibration          vibration(solver, state, part);
     const unsigned int n_with_mass = vibration.n_with_mass(),
-                       wanted      = std::min(n, n_with_mass);
+                       n_requested = std::min(n, n_with_mass);
     if (n_with_mass == 0)
-      fail("nothing that can move has a mass");
+      throw_modes_error("nothing that can move has a mass");
     NaturalModes found;
     found.shift = factorized_shift(vibration, solver);
     for (unsigned int attempt = 0; attempt < n_attempts_to_find_all; ++attempt)
       {
         if (attempt > 0 && !vibration.factorize(found.shift))
-          fail(solver.why());
+          throw_modes_error(solver.why());
         const auto         n_below_shift = vibration.n_below();
-        const unsigned int n_asked =
-          std::min((wanted << attempt) + n_guard_modes, n_with_mass);
-        const Eigenpairs near = vibration.nearest(found.shift, n_asked);
+        const unsigned int n_computed =
+          std::min((n_requested << attempt) + n_guard_modes, n_with_mass);
+        const Eigenpairs near = vibration.nearest(found.shift, n_computed);
         if (near.pairs.empty() || !near.why.empty())
-          fail(near.why.empty() ? "no motion has a mass" : near.why);
+          throw_modes_error(near.why.empty() ? "no motion has a mass"
+                                             : near.why);
         const unsigned int n_modes =
-          std::min<std::size_t>(wanted, near.pairs.size());
-        // All there are need no count, and may have no gap.
+          std::min<std::size_t>(n_requested, near.pairs.size());
+        // A complete set needs no count and may have no gap.
         const bool are_all = near.pairs.size() == n_with_mass,
                    can_count =
                      !are_all && n_below_shift && n_modes < near.pairs.size();
@@ -299,7 +305,7 @@ namespace auxfem
         if (found.count_differs && attempt + 1 < n_attempts_to_find_all)
           continue;
         found.is_counted =
-          !found.count_differs && (can_count || n_asked == n_with_mass);
+          !found.count_differs && (can_count || n_computed == n_with_mass);
         for (unsigned int i = 0; i < n_modes; ++i)
           found.modes.push_back(vibration.mode(near.pairs[i], found.shift));
         found.n_possible = n_with_mass;
@@ -320,7 +326,7 @@ namespace auxfem
     FinerValues finer;
     finer.n_possible = vibration.n_with_mass();
     if (!vibration.factorize(coarse.shift))
-      fail(solver.why());
+      throw_modes_error(solver.why());
     finer.values           = vibration.improved_eigenvalues(shapes, coarse);
     const CountLimit known = limit_below_last(finer.values, coarse.shift);
     if (coarse.is_counted && known.limit > coarse.shift &&

@@ -225,13 +225,13 @@ TEST(MeshChoice, ElementsFollowTheDispersion)
   const RunPlan first = plan;
   MeshErrors    errors;
   errors.relative = {1e-2, 1e-3};
-  EXPECT_FALSE(are_accepted(scene, errors));
+  EXPECT_FALSE(elements_accepted(scene, errors));
   ASSERT_TRUE(refine_elements(first, errors, plan));
   EXPECT_GT(plan.division.n_inner_nodes(), 1u);
   errors.relative = {1e-5};
-  EXPECT_TRUE(are_accepted(scene, errors));
+  EXPECT_TRUE(elements_accepted(scene, errors));
   errors.n_missing = 1;
-  EXPECT_FALSE(are_accepted(scene, errors));
+  EXPECT_FALSE(elements_accepted(scene, errors));
 }
 
 TEST(MeshChoice, GivenElementsAreJudged)
@@ -239,15 +239,15 @@ TEST(MeshChoice, GivenElementsAreJudged)
   Scene      scene;
   MeshErrors errors;
   errors.relative = {1e-3};
-  EXPECT_TRUE(findings_of_mesh(scene, errors, "frequencies").empty());
+  EXPECT_TRUE(mesh_findings(scene, errors, "frequencies").empty());
   errors.relative = {2e-2};
-  EXPECT_EQ(verdict_of(findings_of_mesh(scene, errors, "frequencies")),
+  EXPECT_EQ(verdict_of(mesh_findings(scene, errors, "frequencies")),
             Verdict::doubtful);
   errors.relative = {0.5};
-  EXPECT_EQ(verdict_of(findings_of_mesh(scene, errors, "frequencies")),
+  EXPECT_EQ(verdict_of(mesh_findings(scene, errors, "frequencies")),
             Verdict::not_to_be_used);
   errors.relative  = {1e-3};
   errors.n_missing = 2;
-  EXPECT_EQ(verdict_of(findings_of_mesh(scene, errors, "frequencies")),
+  EXPECT_EQ(verdict_of(mesh_findings(scene, errors, "frequencies")),
             Verdict::not_to_be_used);
 }

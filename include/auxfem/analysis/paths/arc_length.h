@@ -11,10 +11,9 @@
 namespace auxfem
 {
   /**
-   * Lengths of increments of all unknowns, the root mean square over the nodes
-   * of how far they move, where a rotation counts as that of an arm of the mean
-   * strut length; forces of constraints do not count. What computes is
-   * collective.
+   * Norm of increments on a path: root mean square of nodal displacements (m).
+   * Rotations are multiplied by the mean strut length; constraint forces do not
+   * count. Functions that compute are collective.
    */
   class PathMetric
   {
@@ -22,12 +21,14 @@ namespace auxfem
     /** @p model must outlive the object. */
     explicit PathMetric(const LatticeModel &model);
 
-    /** Of two increments, of which rotations are vectors in one frame (m2). */
+    /**
+     * Inner product of two increments (m2); rotations are vectors in one frame.
+     */
     double product(const Vector &one, const Vector &other) const;
 
     double length(const Vector &increment) const; ///< m
 
-    /** The metric as a diagonal matrix, on owned rows (1, m2). */
+    /** Diagonal matrix of the metric on owned rows (1, m2). */
     const Vector &weights() const
     {
       return weight;
@@ -41,21 +42,27 @@ namespace auxfem
   /** Direction of a path of equilibria at one of its points. */
   struct PathTangent
   {
-    /** Of all local unknowns, of unit length; rotations as vectors in the
-     * global frame. */
+    /**
+     * Values of all local unknowns, of unit length; rotations as vectors in the
+     * global frame.
+     */
     Vector direction;
-    /** Change of the load factor on the way (1/m). */
+    /** Derivative of the load factor by arc length (1/m). */
     double load_rate;
 
-    /** @name By how much both change on the way, as far as is known; empty: not
-     * at all (1/m, 1/m2). */
+    /**
+     * @name Derivatives of direction and load rate by arc length (1/m, 1/m2);
+     * empty and 0 if unknown.
+     */
     ///@{
     Vector bend      = {};
     double load_bend = 0;
     ///@}
 
-    /** What the bend adds to the tangent on the way @p length (m); of the
-     * load factor. */
+    /**
+     * Second-order term of the prediction at the arc length @p length (m): of
+     * the unknowns, and of the load factor.
+     */
     ///@{
     Vector deviation(double length) const;
 
@@ -70,27 +77,28 @@ namespace auxfem
   };
 
   /**
-   * Increment of all local unknowns with which equilibrium at evaluation.to is
-   * kept when the load factor grows by one, by linear theory; rotations as
-   * vectors in the global frame. Nothing if @p solver, which has the stiffness
-   * factorized, fails. Collective.
+   * Linear increment of all local unknowns for a unit increment of the load
+   * factor at the equilibrium evaluation.to; rotations as vectors in the global
+   * frame. The stiffness is already factorized in @p solver; empty if that
+   * fails. Collective.
    */
   std::optional<Vector> load_response(TangentSolver    &solver,
                                       const Evaluation &evaluation);
 
   /**
-   * The load factor as an unknown, with the condition that what is added to the
-   * prediction of a step is normal to its direction (Riks 1972, Journal of
-   * Applied Mechanics 39, 1060; Ramm 1981): the arc length of the step,
-   * measured along the direction, is given. Solved by elimination, with one
-   * solution more for the tangent (Batoz and Dhatt 1979, International Journal
-   * for Numerical Methods in Engineering 14, 1262).
+   * Arc-length constraint with the load factor as unknown: corrections are
+   * normal to the predictor's direction (Riks 1972, Journal of Applied
+   * Mechanics 39, 1060; Ramm 1981). Solved by block elimination with one
+   * additional right-hand side (Batoz and Dhatt 1979, International Journal for
+   * Numerical Methods in Engineering 14, 1262).
    */
   class ArcLength : public AddedEquation
   {
   public:
-    /** @param metric, tangent must outlive the object
-     * @param length of the step (m), predicted by the tangent and its bend */
+    /**
+     * @param metric, tangent must outlive the object
+     * @param length arc length of the step (m)
+     */
     ArcLength(const PathMetric  &metric,
               const PathTangent &tangent,
               double             length);
@@ -103,7 +111,7 @@ namespace auxfem
                         const Vector     &way_back,
                         double            part) override;
 
-    /** @name How far the point lies off the tangent. */
+    /** @name Distance of the point from the tangent. */
     ///@{
     double deviation() const ///< m
     {
@@ -121,7 +129,7 @@ namespace auxfem
     const Vector     &direction;
     Vector            off_tangent;
     double            load_off_tangent;
-    double            last_load = 0; ///< by the last complete()
+    double            last_load = 0; ///< load increment of the last complete()
   };
 } // namespace auxfem
 

@@ -14,7 +14,7 @@
 
 namespace auxfem
 {
-  /** A point on a path of equilibria with what the way on from it needs. */
+  /** A point on an equilibrium path with the tangent for the next predictor. */
   struct PathPoint
   {
     Solution    solution;
@@ -36,20 +36,20 @@ namespace auxfem
     }
   };
 
-  /** What came of one step along the path. */
+  /** Outcome of one step along the path. */
   struct PathStep
   {
-    /** Nothing: the step has failed. */
+    /** Empty if the step has failed. */
     std::optional<PathPoint> point;
     std::string              why_failed;
     unsigned int             iterations        = 0;
     double                   relative_residual = 0;
-    /** How far the point lies off the tangent (m, 1). */
+    /** Distance of the point from the tangent (m, 1). */
     double deviation = 0, deviation_of_load = 0;
   };
 
   /**
-   * Steps from one equilibrium to another on a path. All functions are
+   * Arc-length continuation from one equilibrium to the next. All functions are
    * collective.
    */
   class PathStepper
@@ -59,10 +59,9 @@ namespace auxfem
     PathStepper(TangentSolver &solver, const NewtonParameters &parameters);
 
     /**
-     * The point at @p solution, an equilibrium, from which the path goes on with
-     * rising load factor or, if @p is_reversed, with falling one. Throws
-     * InputError where no load acts, ComputationError where there is no
-     * tangent.
+     * First point of the path, at the equilibrium @p solution. The load factor
+     * increases from there, or decreases if @p is_reversed. Throws InputError
+     * if no load acts, ComputationError if there is no tangent.
      */
     PathPoint start(const Solution &solution, bool is_reversed);
 
@@ -76,25 +75,24 @@ namespace auxfem
     step_to_load(const PathPoint &from, double length, double load_factor);
 
     /**
-     * The direction that the stiffness at the point last found resists least,
-     * of unit length and with its largest entry positive, and its eigenvalue's
-     * size (N/m); nothing where the stiffness is singular to the last digit.
+     * Eigenvector of the smallest eigenvalue in magnitude of the stiffness at
+     * the point last found, and that magnitude (N/m). It has unit length and a
+     * positive largest entry. Empty if the stiffness is exactly singular.
      */
     std::optional<std::pair<Vector, double>> softest();
 
     /**
-     * Whether the eigenvalue of softest() is round-off, below 1e-12 of the
-     * largest stiffness, so that its sign says nothing: as in the direction in
-     * which a buckled column with a round section goes round its axis.
+     * Whether the eigenvalue of softest() is below 1e-12 of the largest
+     * stiffness, so that its sign is round-off. An example is a buckled column
+     * of round section, which can turn about its axis.
      */
     bool is_neutral();
 
     /**
-     * How much of the loads at @p point, which was found last, works on the
-     * null vector of the transposed stiffness: the cosine of the angle between
-     * both, moments measured by the mean strut length. Zero where another
-     * branch crosses, not where the load factor turns round. Nothing where the
-     * stiffness is singular to the last digit.
+     * Cosine between the loads at @p point, the point last found, and the null
+     * vector of the transposed stiffness; moments are divided by the mean strut
+     * length. It is zero at a bifurcation, not at a limit point. Empty if the
+     * stiffness is exactly singular.
      */
     std::optional<double> part_of_loads(const PathPoint &point);
 
@@ -110,21 +108,28 @@ namespace auxfem
     }
 
   private:
-    /** softest(), before it is made a shape; of the matrix that is there. */
+    /** As softest() for the current matrix, before conversion to a shape. */
     std::optional<double> find_softest(Vector &mode);
-    /** Loads in free rows at @p point, those of prescribed motions too. */
+    /**
+     * Loads in free rows at @p point, including those from prescribed motions.
+     */
     Vector loads_at(const PathPoint &point) const;
-    /** Puts the first guess of a step into its end. */
+    /** Writes the predictor of a step to its end. */
     void predict(const Evaluation  &step,
                  const PathTangent &prediction,
                  double             length) const;
-    /** Of the equilibrium at evaluation.to, in the sense of @p way; also finds
-     * what PathPosition says of the stiffness. Nothing if that fails. */
+    /**
+     * Tangent at the equilibrium evaluation.to in the sense of @p sense; also
+     * sets the stiffness data of PathPosition. Empty on failure.
+     */
     std::optional<PathTangent> find_tangent(const Evaluation        &evaluation,
                                             const EvaluationResults &results,
                                             const Vector            *way);
-    /** Solves the step that has been predicted. @param end of it, is moved from
-     * @param way in whose sense the path goes on */
+    /**
+     * Solves the predicted step.
+     * @param end state at its end, moved from
+     * @param sense direction that fixes the sense of the new tangent
+     */
     PathStep solve(const Evaluation &step,
                    Solution         &end,
                    const Vector     &way,
@@ -140,8 +145,8 @@ namespace auxfem
   };
 
   /**
-   * How far the next point of a path lies: such that it is off the tangent by
-   * no more than the resolution, and that Newton's method finds it soon.
+   * Step-size controller of a path. It keeps the deviation from the tangent
+   * below the resolution and the number of Newton iterations low.
    */
   class PathStepLength
   {
@@ -156,30 +161,32 @@ namespace auxfem
     }
 
 
-    /** Makes the next step no longer than @p most (m). */
+    /** Limits the next step to @p most (m). */
     void limit(const double most)
     {
       next = std::min(next, most);
     }
 
-    /** Takes note of a point of the path: its distance from rest (m), its load
-     * factor. */
+    /**
+     * Records a point of the path by its distance from rest (m) and its load
+     * factor.
+     */
     void reached(double distance, double load_factor);
 
     /**
-     * Whether @p step, to a point at @p distance (m) from rest, is to be accepted;
-     * sets the length of the next attempt either way.
-     * @param turn product of the directions at both ends
+     * Whether to accept @p step to a point at @p distance (m) from rest; also
+     * sets the length of the next attempt.
+     * @param turn inner product of the directions at both ends
      */
     bool judge(const PathStep &step, double distance, double turn);
 
-    /** On another branch, where @p first is the next length (m). */
+    /** Restarts on another branch with the step length @p first (m). */
     void begin_anew(double first);
 
-    /** No point was found; sets the length of the next attempt. */
+    /** Shortens the next attempt after a step without solution. */
     void failed();
 
-    /** Whether the next attempt is too short to be made. */
+    /** Whether the next attempt would be too short. */
     bool is_exhausted() const
     {
       return next < smallest;
@@ -190,7 +197,7 @@ namespace auxfem
   private:
     const double resolution;
     double       next, smallest;
-    /** As far as is known from steps that have failed (m). */
+    /** Shortest length of failed steps (m). */
     double too_long         = std::numeric_limits<double>::infinity();
     double largest_distance = 0, largest_load = 0;
   };

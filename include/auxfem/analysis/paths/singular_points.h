@@ -8,7 +8,7 @@
 
 namespace auxfem
 {
-  /** A point at which the stiffness is singular, on the path. */
+  /** A point on the path with singular stiffness. */
   struct LocatedPoint
   {
     PathPoint     point;
@@ -16,13 +16,12 @@ namespace auxfem
   };
 
   /**
-   * The singular points that a step along the tangent of @p from to @p to, at
-   * the distance @p length (m), has passed, in their order: limit points, where
-   * the load factor turns round, and bifurcations, where the number of negative
-   * eigenvalues of the stiffness changes without that, or, where that is not
-   * known, the sign of its determinant. Each is enclosed by
-   * further steps from @p from (Alefeld, Potra and Shi 1995, ACM Transactions on
-   * Mathematical Software 21, 327). Collective.
+   * Finds the singular points between @p from and @p to, which a step of @p
+   * length (m) connects, in their order. At a limit point the load factor has
+   * an extremum. At a bifurcation the number of negative eigenvalues changes,
+   * or the sign of the determinant if that number is unknown. Each is bracketed
+   * by further steps from @p from (Alefeld, Potra and Shi 1995, ACM
+   * Transactions on Mathematical Software 21, 327). Collective.
    */
   std::vector<LocatedPoint> find_singular_points(PathStepper     &stepper,
                                                  const PathPoint &from,

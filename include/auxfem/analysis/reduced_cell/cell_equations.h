@@ -11,10 +11,10 @@ namespace auxfem
   using CellVector = dealii::Tensor<1, 2>;
   using CellMatrix = dealii::Tensor<2, 2>;
 
-  /** Where the cell is and how it moves. */
+  /** Position and velocity of the cell. */
   struct CellMotion
   {
-    /** Turn theta - theta0 (rad), rise Y2 of the lower part (m). */
+    /** Rotation theta - theta0 (rad), rise Y2 of the lower part (m). */
     CellVector position;
     /** Rates of both (rad/s, m/s). */
     CellVector velocity;
@@ -40,9 +40,9 @@ namespace auxfem
    * @endcode
    *
    * and the upper part rises by Y1 = Y2 + 2 L1 (sin theta - sin theta0), Eq.
-   * (2) of the paper. They follow from its Eqs. (11), (12), (14) and (17), with
-   * the slips of (6), (9), (10) and (18) put right, and need no division by cos
-   * theta: at c = 0 the matrix is regular unless m1 = 0, because
+   * (2) of the paper. They follow from its Eqs. (11), (12), (14) and (17) with
+   * the errors of (6), (9), (10) and (18) corrected. They contain no division
+   * by cos theta: at c = 0 the matrix is regular unless m1 = 0, because
    *
    * @code
    * det M = 4 L1^2 [m2^2 + 2 m1 m2] c^2 + 4/3 m1 L1^2 (4 m1 + 2 m2)
@@ -92,8 +92,8 @@ namespace auxfem
     ///@}
 
     /**
-     * q'' under @p force = f1 + F (N). Throws ComputationError where M is
-     * singular (m1 = 0 and the bars upright).
+     * Acceleration q'' under @p force = f1 + F (N). Throws ComputationError if
+     * M is singular (m1 = 0 and the bars upright).
      */
     CellVector acceleration(const CellMotion &motion, double force) const;
 
@@ -107,8 +107,8 @@ namespace auxfem
     }
 
     /**
-     * Throws ComputationError if the bars, without mass, have come upright or
-     * beyond: there M is singular and the motion not determined.
+     * Throws ComputationError if massless bars are upright or beyond, because M
+     * is singular there.
      */
     void refuse_singular(double rotation) const;
 

@@ -16,36 +16,39 @@ namespace auxfem
    * energies. */
   std::vector<Column> cell_columns();
 
-  /** The numbers in these columns, @p energies those up to @p sample. */
+  /**
+   * The numbers in these columns; @p energies covers all samples up to @p
+   * sample.
+   */
   std::vector<double> cell_values(const CellSample   &sample,
                                   const EnergyRecord &energies);
 
   /**
-   * Computes the reduced cell on the calling rank and leaves one folder:
+   * Computes the reduced cell on the calling rank and writes one folder:
    * original.prm, parameters.prm, log.txt, history.csv with history.units.csv,
-   * summary.json; and lines on the screen. Throws InputError, also if the
-   * folder cannot be written to, and ComputationError.
-   * @param options files that the scene was read from are always spared
+   * summary.json. Throws InputError, also if the folder is not writable, and
+   * ComputationError.
+   * @param options files that the scene was read from are always kept
    */
   RunResult run_reduced_cell(const Scene &scene, const FolderOptions &options);
 
-  /** The first lines of a run: the cell, what is simulated, the scheme. */
+  /** First lines of a run: cell, simulated effects, scheme. */
   std::string cell_overview_text(const Scene &scene);
 
-  /** Receives the samples of a run of the reduced cell. */
+  /** Receives the samples of a reduced-cell run. */
   class CellRecorder
   {
   public:
     virtual ~CellRecorder() = default;
 
-    /** Before the first sample. */
+    /** Called before the first sample. */
     virtual void begin()
     {}
 
-    /** Samples in order, from the one at t = 0. */
+    /** Called for each sample in order, from t = 0. */
     virtual void sample(const CellSample &sample) = 0;
 
-    /** After the last sample, also after a failure. */
+    /** Called after the last sample, also after a failure. */
     virtual void finish(const RunResult & /*result*/)
     {}
   };
@@ -56,10 +59,10 @@ namespace auxfem
    */
   RunResult run_reduced_cell(const Scene &scene, CellRecorder &recorder);
 
-  /** The dry run of --check: prints what is simulated, writes nothing. */
+  /** Dry run of --check: prints the overview and writes nothing. */
   void check_reduced_cell(const Scene &scene);
 
-  /** Keeps the time history of a cell in memory. */
+  /** Stores the time history of a cell in memory. */
   struct CellHistory : public CellRecorder
   {
     void sample(const CellSample &sample) override
@@ -73,41 +76,40 @@ namespace auxfem
     }
 
     std::vector<CellSample> samples;
-    /** `completed`, or why it ended early. */
+    /** `completed`, or the reason of an early end. */
     std::string exit_state;
   };
 
-  /** Computes @p scene and writes nothing; failures are in the exit state. */
+  /** Computes @p scene without output; the exit state reports failures. */
   CellHistory compute_history(const Scene &scene);
 
-  /** One scheme on one scene, beside the reference. */
+  /** Result of one scheme on one scene, compared with the reference. */
   struct ComparisonRow
   {
     std::string name;   ///< of the scene's file, without folder and ending
     std::string scheme; ///< as in Time/Scheme
-    /** At the end, or where the scheme failed; no numbers if it never began. */
+    /** Values at the end or at a failure; NaN if the scheme did not start. */
     double angle               = 0; ///< theta (rad)
     double lower_rise          = 0; ///< Y2 (m)
     double transmitted         = 0; ///< f2 (N)
     double largest_transmitted = 0; ///< |f2| (N)
-    /** Largest error of the energy balance, of the largest energy. */
+    /** Largest error of the energy balance over the largest energy. */
     double relative_balance = 0;
-    /** Largest differences from the reference, of its largest values. */
+    /** Largest differences from the reference over its largest values. */
     double      angle_difference = 0, transmitted_difference = 0;
     std::string exit_state;
   };
 
   /**
-   * Computes @p scene with every scheme of the table; the first one, arkode, is
-   * the reference. Failures are in the rows.
+   * Computes @p scene with every registered scheme; the first one, arkode, is
+   * the reference. The rows report failures.
    */
   std::vector<ComparisonRow> compare_schemes(const Scene &scene);
 
   /**
-   * Compares the schemes on every one of @p scenes, prints a table and writes
-   * it to @p folder/comparison.csv. On the calling rank. Throws InputError for
-   * scenes of other models and for a folder that cannot be used, see
-   * OutputFolder.
+   * Compares the schemes on each of @p scenes, prints a table and writes it to
+   * @p folder/comparison.csv. Called on one rank. Throws InputError for scenes
+   * of other models and for an unusable folder (OutputFolder).
    */
   void run_comparison(const std::vector<Scene> &scenes,
                       const std::string        &folder,

@@ -25,8 +25,8 @@ namespace auxfem
   Energies cell_energies();
 
   /**
-   * The cell at one time, a row of its history. What a scheme does not know is
-   * not a number.
+   * State of the cell at one time, a row of its history. Values that a scheme
+   * does not compute are NaN.
    */
   struct CellSample
   {
@@ -42,49 +42,48 @@ namespace auxfem
   /** Throws ComputationError if a number of @p sample is not finite. */
   void refuse_not_finite(const CellSample &sample);
 
-  /** An angle (rad) as users read it (deg). */
+  /** Converts an angle from rad to deg. */
   inline double degrees(const double radians)
   {
     return radians * 180 / dealii::numbers::PI;
   }
 
-  /** Takes the reduced cell of a scene through time, step by step. */
+  /** Time integration of the reduced cell of a scene, step by step. */
   class CellScheme
   {
   public:
     virtual ~CellScheme() = default;
 
     /**
-     * The cell at t = 0, at rest. To be called once, before advance(). Throws
-     * ComputationError if there is no first acceleration.
+     * Sample at t = 0, at rest; called once, before advance(). Throws
+     * ComputationError if the initial acceleration does not exist.
      */
     virtual CellSample start() = 0;
 
     /**
-     * Advances by one step of the scene. Throws ComputationError if it cannot;
-     * the samples until then hold.
+     * Advances by one step of the scene. Throws ComputationError on failure;
+     * earlier samples remain valid.
      */
     virtual CellSample advance() = 0;
 
-    /** Iterations, or evaluations of the equations, so far. */
+    /** Number of iterations or evaluations of the equations so far. */
     virtual unsigned long work() const = 0;
   };
 
-  /** A choice of `Time/Scheme` that takes the reduced cell through time itself.
-   */
+  /** A choice of `Time/Scheme` that integrates the reduced cell. */
   class CellMethod : public TimeScheme
   {
   public:
     using TimeScheme::TimeScheme;
 
     /**
-     * The scheme at work on @p scene, which must outlive it. Throws InputError
-     * if it cannot do the scene.
+     * Creates the scheme for @p scene, which must outlive it. Throws InputError
+     * if the scheme does not support the scene.
      */
     virtual std::unique_ptr<CellScheme> begin(const Scene &scene) const = 0;
   };
 
-  /** The choice whose work a @p Scheme does, which is made of a scene. */
+  /** CellMethod that is implemented by @p Scheme, constructed from a scene. */
   template <class Scheme>
   class CellMethodOf : public CellMethod
   {
@@ -98,17 +97,17 @@ namespace auxfem
   };
 
   /**
-   * The scheme of @p scene, which must outlive it. Throws InputError if the
-   * scheme cannot do the scene.
+   * Creates the scheme of @p scene, which must outlive it. Throws InputError if
+   * the scheme does not support the scene.
    */
   std::unique_ptr<CellScheme> make_cell_scheme(const Scene &scene);
 
-  /** A scheme of lattices at work on the cell of @p scene. */
+  /** Adapts a time scheme of lattices to the cell of @p scene. */
   std::unique_ptr<CellScheme> make_implicit_cell_scheme(const Scene &scene);
 
   /**
-   * Load, connector and energies of the reduced cell for schemes that go from
-   * step to step: the law gets trial motions of a step until one is accepted.
+   * Load, connector and energies of the reduced cell for step-by-step schemes.
+   * The connector law receives trial motions of a step until one is accepted.
    */
   class SteppedCell
   {
@@ -124,25 +123,29 @@ namespace auxfem
     /** Begins the step number @p step (from 1; 0: the start, of length zero). */
     void begin_step(unsigned long step);
 
-    /** Length of the step begun (s). */
+    /** Length of the current step (s). */
     double dt() const
     {
       return connector_motion.dt;
     }
 
-    /** f1 at its end (N). */
+    /** Load f1 at the end of the step (N). */
     double load() const
     {
       return load_now;
     }
 
-    /** Force and tangents of the connector at its end, for @p motion there. */
+    /**
+     * Force and tangents of the connector at the end of the step for the trial
+     * @p motion.
+     */
     const ConnectorResponse &connector(const CellMotion &motion);
 
     /**
-     * Ends the step with @p motion: internal variables and energies follow. The work of the load is that of its mean
-     * over the step, as for lattices. Throws ComputationError if a number of
-     * the sample is not finite.
+     * Accepts @p motion as the end of the step and updates internal variables
+     * and energies. The load works with its mean over the step, as for
+     * lattices. Throws ComputationError if a number of the sample is not
+     * finite.
      */
     CellSample accept(const CellMotion &motion);
 
@@ -213,7 +216,7 @@ namespace auxfem
     virtual void set_first_positions()
     {}
 
-    /** The sample of the step begun, and the grid made ready for the next. */
+    /** Computes the sample of the current step and shifts the grid. */
     virtual CellSample sample() = 0;
 
     const Scene  &scene;

@@ -11,56 +11,61 @@ namespace auxfem
   /** A solution x of (K + lambda K') x = 0 with x.K x = 1. */
   struct BucklingMode
   {
-    double factor;   ///< lambda, of the loads
+    double factor;   ///< load factor lambda
     double residual; ///< |K x + lambda K' x| over |lambda K' x|
-    /** Of all local unknowns; rotations as vectors in the global frame. */
+    /**
+     * Values of all local unknowns; rotations as vectors in the global frame.
+     */
     Vector shape;
-    /** Relative error of the factor by the elements; NaN: not known. */
+    /** Relative discretization error of the factor; NaN: unknown. */
     double mesh_error = std::numeric_limits<double>::quiet_NaN();
   };
 
-  /** Modes by rising factor. */
+  /** Buckling modes, sorted by increasing factor. */
   struct BucklingModes
   {
     std::vector<BucklingMode> modes;
-    /** Whether an inertia of the stiffness (Sylvester) tells that there are no
-     * others below the last; nothing where none is known (iterative solvers).
+    /**
+     * Whether Sylvester's law of inertia proves that no factor below the last
+     * one is missing; false with iterative solvers, which give no inertia.
      */
     bool is_counted = false;
-    /** Factors that this mesh has at most. */
+    /** Upper bound of the number of factors on this mesh. */
     unsigned int n_possible = 0;
-    /** How far the linear answer goes with the factor 1: rotation (rad) or
-     * displacement over the mean length of struts, whichever is larger. */
+    /**
+     * Size of the linear response at factor 1: the larger of the rotation (rad)
+     * and the displacement over the mean strut length.
+     */
     double motion = 0;
   };
 
-  /** Which loads are multiplied by the factor. */
+  /** Load case that the factor multiplies. */
   struct BucklingLoads
   {
-    double time;        ///< they are those of this time (s)
-    bool   is_reversed; ///< their opposite is
+    double time;        ///< loads are evaluated at this time (s)
+    bool   is_reversed; ///< the sign of the loads is reversed
   };
 
   /**
-   * The @p n lowest factors lambda of loads and prescribed motions with which
-   * the equilibrium @p state becomes indifferent, by linear theory: K is its
-   * stiffness, and K' the geometric stiffness of the forces of struts,
-   * connectors and constraints in the linear answer to what the loads of
-   * loads.time change of those of @p state. At rest without loads they are all
-   * loads of that time. Motions until then do not count otherwise.
+   * Computes the @p n lowest factors lambda by linear buckling theory. K is the
+   * stiffness at the equilibrium @p state. K' is the geometric stiffness of the
+   * internal forces in the linear response to the load increment. The increment
+   * leads from the loads and prescribed motions of @p state to those at
+   * loads.time.
    *
-   * Fewer where the lattice has not so many. Throws InputError where the
-   * state is not a stable equilibrium by itself, where loads follow their
-   * joints, and where nothing loads the lattice or makes it buckle;
-   * ComputationError if the modes are not found. Collective.
+   * Returns fewer modes if the lattice has fewer. Throws InputError if the
+   * state is not a stable equilibrium, if loads follow their joints, or if no
+   * load can cause buckling; ComputationError if the eigensolver fails.
+   * Collective.
    */
   BucklingModes buckling_modes(TangentSolver       &solver,
                                const State         &state,
                                const BucklingLoads &loads,
                                unsigned int         n);
 
-  /** Factors of finer elements near those of @p coarse, as
-   * finer_eigenvalues(). */
+  /**
+   * Factors on finer elements near those of @p coarse; see finer_eigenvalues().
+   */
   FinerValues finer_factors(TangentSolver             &solver,
                             const State               &state,
                             const BucklingLoads       &loads,

@@ -11,8 +11,10 @@
 
 namespace auxfem
 {
-  /** @name Complex values of owned rows: real parts, then imaginary ones. All of
-   * these are collective. */
+  /**
+   * @name Complex vectors of owned rows: real parts, then imaginary ones. All
+   * functions are collective.
+   */
   ///@{
 
   /** x.y, without conjugation. */
@@ -23,55 +25,63 @@ namespace auxfem
   /** Square root of the sum of the squared magnitudes. */
   double size(const UnknownLayout &layout, const std::vector<double> &x);
 
-  /** Whether two shapes are one but for a complex factor. */
+  /** Whether two shapes differ by a complex factor only. */
   bool are_parallel(const UnknownLayout       &layout,
                     const std::vector<double> &x,
                     const std::vector<double> &y);
 
-  /** Makes the real part of @p shape as large as can be; its length is kept. */
-  void turn_phase(const UnknownLayout &layout, std::vector<double> &shape);
+  /**
+   * Rotates the phase of @p shape so that its real part is as large as
+   * possible; its norm does not change.
+   */
+  void maximize_real_part(const UnknownLayout &layout,
+                          std::vector<double> &shape);
   ///@}
 
   /** A small motion x e^(s t) about an equilibrium: A(s) x = 0 with the dynamic
    * stiffness A. */
   struct ComplexMode
   {
-    std::complex<double> s; ///< 1/s; of two conjugate ones that above
+    std::complex<double> s; ///< 1/s; of a conjugate pair the one with Im s > 0
     /** |A(s) x| over |s A'(s) x|. */
     double residual;
     /** Round-off of s (1/s). */
     double uncertainty;
-    /** Parts of x, of all local unknowns; rotations as vectors in the global
-     * frame. */
+    /**
+     * Real and imaginary part of x, values of all local unknowns; rotations as
+     * vectors in the global frame.
+     */
     Vector real, imaginary;
-    /** Error of s by the elements, over |s|; NaN: not known. */
+    /** Discretization error of s over |s|; NaN: unknown. */
     double mesh_error = std::numeric_limits<double>::quiet_NaN();
 
-    /** Whether it grows: Re s > 0 by more than round-off. */
+    /** Whether the mode grows: Re s > 0 by more than round-off. */
     bool grows() const;
 
-    /** Whether it swings; what grows and swings is flutter, what grows alone
-     * divergence. */
+    /**
+     * Whether the mode oscillates. A growing mode is flutter if it oscillates,
+     * else divergence.
+     */
     bool swings() const
     {
       return s.imag() > 0;
     }
 
-    /** Damping over the critical one; negative where it grows. */
+    /** Damping ratio; negative if the mode grows. */
     double ratio() const;
   };
 
-  /** Modes by rising |s|. */
+  /** Complex modes, sorted by increasing |s|. */
   struct ComplexModes
   {
     std::vector<ComplexMode> modes;
   };
 
   /**
-   * The @p n lowest modes by |s| of small motions about @p state, at rest there,
-   * which need no symmetric stiffness (MotionPencil); also all that grow among
-   * those that were found. Left out is what decays with more than 0.99 of the
-   * critical damping. Throws ComputationError if none is found. Collective.
+   * Computes the @p n modes of smallest |s| about the rest state @p state; the
+   * stiffness may be unsymmetric (MotionPencil). Growing modes found beyond
+   * these are added. Modes with a damping ratio above 0.99 are omitted. Throws
+   * ComputationError if none is found. Collective.
    */
   ComplexModes complex_modes(TangentSolver &solver,
                              const State   &state,
@@ -79,12 +89,10 @@ namespace auxfem
                              Damping        damping);
 
   /**
-   * Finds the damped modes about @p state, solutions of A(s) x = 0 with the
-   * dynamic stiffness A of all connectors and damping that swing, with |s| up
-   * to
-   * just above the highest frequency of @p found (MotionPencil). Each is given to
-   * the natural mode that has the largest part in it, pairs with the largest
-   * parts first; those left over are its further ones. Collective.
+   * Computes the damped oscillating modes about @p state with |s| up to just
+   * above the highest frequency of @p found (MotionPencil). Each damped mode is
+   * assigned to the natural mode with the largest share in it, largest shares
+   * first. Unassigned ones become NaturalModes::further_damped. Collective.
    */
   void add_damped_modes(TangentSolver &solver,
                         const State   &state,

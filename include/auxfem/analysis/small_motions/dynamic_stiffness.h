@@ -13,15 +13,15 @@ namespace auxfem
   /** Whether small motions lose energy to connectors and struts. */
   enum class Damping
   {
-    none, ///< Maxwell elements carry nothing, as slow motions leave them
+    none, ///< Maxwell elements are relaxed and carry no force
     all
   };
 
   /**
-   * The equations of small motions about an equilibrium that go as e^(s t),
-   * with or without damping: A(s) x = b, A = W + i T with real W and T. Vectors
-   * are real parts of owned rows, then imaginary ones; in prescribed rows A is
-   * the identity. What computes is collective.
+   * Dynamic stiffness A(s) = W + i T (W, T real) of small motions x e^(s t)
+   * about an equilibrium, with or without damping. Vectors hold the real parts
+   * of owned rows, then the imaginary parts. In prescribed rows A is the
+   * identity. Functions that compute are collective.
    */
   class DynamicStiffness
   {
@@ -33,20 +33,20 @@ namespace auxfem
                      const State   &equilibrium,
                      Damping        damping = Damping::all);
 
-    /** The evaluation at the equilibrium. */
+    /** Evaluation of the equations at the equilibrium. */
     Evaluation evaluation()
     {
-      return Evaluation::equilibrium(at_rest, now);
+      return Evaluation::equilibrium(start_state, end_state);
     }
 
-    /** Finds A at @p s (1/s). */
+    /** Assembles A at @p s (1/s). */
     void set(std::complex<double> s);
 
     /** @p matrix becomes the mass matrix M, which s^2 multiplies in A. */
-    void find_mass(TangentMatrix &matrix);
+    void assemble_mass(TangentMatrix &matrix);
 
     /** Equations::relaxing_stiffness(). */
-    void find_relaxing(double time, TangentMatrix &matrix);
+    void assemble_relaxing_stiffness(double time, TangentMatrix &matrix);
 
     /** @p y = A x. */
     void multiply(const double *x, double *y) const;
@@ -57,15 +57,19 @@ namespace auxfem
       return solver.factorize();
     }
 
-    /** Solves A x = b to round-off, the first guess in @p x. Returns an empty
-     * text or why that failed. */
+    /**
+     * Solves A x = b to round-off from the initial guess in @p x. Returns an
+     * empty text, or the reason of a failure.
+     */
     std::string solve(const Values &b, Values &x);
 
     /** x.A x, without conjugation. */
     std::complex<double> form(const Values &x) const;
 
-    /** A times local @p real and @p imaginary values, of owned rows; prescribed
-     * ones have the forces of supports. */
+    /**
+     * Owned rows of A times the local values @p real and @p imaginary.
+     * Prescribed rows contain the support forces.
+     */
     std::pair<Vector, Vector> forces(const Vector &real,
                                      const Vector &imaginary) const;
 
@@ -75,38 +79,42 @@ namespace auxfem
     const UnknownLayout &layout;
     const Damping        damping;
     const ModeSpace      space;
-    const State          at_rest;
-    State                now;
+    const State          start_state;
+    State                end_state;
     EvaluationResults    results;
     TangentMatrix        imaginary;
   };
 
-  /** Turns on the damping that is `auto`: the speed of loads tells nothing of
-   * vibrations. */
+  /**
+   * Turns on damping that is `auto`, because the rate of loading does not show
+   * whether vibrations are damped.
+   */
   void include_damping(EffectSwitches &effects);
 
-  /** A small motion that decays as e^(-rate t) and does not swing, or with 0.99
-   * of the critical damping or more. */
+  /**
+   * A small motion that decays as e^(-rate t), without oscillation or with a
+   * damping ratio of at least 0.99.
+   */
   struct Relaxation
   {
     double rate;     ///< 1/s
     double residual; ///< |A(s) x| over |s A'(s) x|, s = -rate
 
-    /** In which it decays to 1/e (s). */
+    /** Relaxation time (s): the motion decays to 1/e. */
     double time() const
     {
       return 1 / rate;
     }
   };
 
-  /** The slowest first. */
+  /** Relaxations, sorted by increasing rate. */
   using Relaxations = std::vector<Relaxation>;
 
   /**
-   * The @p n slowest relaxations about @p state, at rest there, with all
-   * damping, among those nearest to the relaxation times of Maxwell elements,
-   * to the lowest frequency and to zero (MotionPencil); fewer where there are
-   * not so many. Collective.
+   * Computes the @p n slowest relaxations about the rest state @p state with
+   * all damping. The search covers roots nearest to the Maxwell relaxation
+   * rates, to the lowest frequency and to zero (MotionPencil). Returns fewer if
+   * there are fewer. Collective.
    */
   Relaxations
   relaxations(TangentSolver &solver, const State &state, unsigned int n);

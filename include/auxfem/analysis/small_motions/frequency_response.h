@@ -14,7 +14,9 @@ namespace auxfem
    */
   struct HarmonicValues
   {
-    /** Of all local unknowns; rotations as vectors in the global frame. */
+    /**
+     * Values of all local unknowns; rotations as vectors in the global frame.
+     */
     Vector real, imaginary;
   };
 
@@ -22,28 +24,29 @@ namespace auxfem
   struct HarmonicVibration
   {
     HarmonicValues displacement;
-    /** Of supports on the lattice, in owned prescribed rows (N, N m). */
+    /** Support reactions on the lattice, in owned prescribed rows (N, N m). */
     HarmonicValues reaction;
-    /** What is left of the equations in free rows, over the loads. */
+    /** Residual norm in free rows over the norm of the loads. */
     double residual = 0;
   };
 
   /**
-   * Small steady vibrations of a lattice about an equilibrium under harmonic
-   * loads and motions of supports, with all damping: what the load factor of
-   * the state multiplies are the amplitudes. All functions are collective.
+   * Steady small vibrations about an equilibrium under harmonic loads and
+   * support motions, with all damping. The amplitudes are the loads and motions
+   * that the load factor of the state multiplies. All functions are collective.
    */
   class HarmonicResponse
   {
   public:
     /**
-     * @param solver must outlive the object.
-     * Throws InputError where no load acts.
+     * @param solver must outlive the object. Throws InputError if no load acts.
      */
     HarmonicResponse(TangentSolver &solver, const State &equilibrium);
 
-    /** At the angular frequency @p omega (rad/s). Throws ComputationError if
-     * the equations are not solved. */
+    /**
+     * Vibration at the angular frequency @p omega (rad/s). Throws
+     * ComputationError if the linear solver fails.
+     */
     HarmonicVibration at(double omega);
 
   private:
@@ -51,15 +54,15 @@ namespace auxfem
     const UnknownLayout &layout;
     const ModeSpace      space;
     DynamicStiffness     stiffness;
-    /** Owned rows; amplitudes in prescribed ones. */
+    /** Load amplitudes in owned rows; motion amplitudes in prescribed ones. */
     Vector loads;
   };
 
   /**
-   * `Analysis = frequency response`: amplitudes and phases of probes and
-   * reactions over the band, into Output/Directory (frequency_response.csv,
-   * summary.json) and, the largest, onto the screen. Throws InputError,
-   * ComputationError; rows until then are kept. Collective.
+   * Runs `Analysis = frequency response`. Writes amplitudes and phases of
+   * probes and reactions over the band to Output/Directory
+   * (frequency_response.csv, summary.json), and prints the largest. Throws
+   * InputError or ComputationError; rows written before remain. Collective.
    */
   RunResult run_frequency_response(const Scene         &scene,
                                    MPI_Comm             communicator,
@@ -68,7 +71,7 @@ namespace auxfem
   /** The dry run: builds everything, prints counts and effects. Collective. */
   void check_frequency_response(const Scene &scene, MPI_Comm communicator);
 
-  /** What such runs write beside log.txt and summary.json. */
+  /** Files that these runs write besides log.txt and summary.json. */
   FolderContents frequency_response_contents();
 } // namespace auxfem
 

@@ -5,85 +5,107 @@
 
 namespace auxfem
 {
-  /** Errors that the elements make in what an analysis of small motions
-   * reports, found by a comparison with finer elements. */
+  /**
+   * Discretization errors of the values that an analysis of small motions
+   * reports, estimated by comparison with finer elements.
+   */
   struct MeshErrors
   {
-    /** Relative errors, one a value; not finite where it is not known. */
+    /** Relative error of each value; not finite if unknown. */
     std::vector<double> relative;
-    /** Modes of finer elements below the last one that are not reported. */
+    /**
+     * Number of modes of the finer elements below the last one that the coarse
+     * elements miss.
+     */
     unsigned long n_missing = 0;
-    /** Whether finer elements have more modes where too few were found. */
+    /** Whether too few modes were found and finer elements have more. */
     bool has_too_few = false;
-    /** Why there is no comparison; empty if there is one. */
-    std::string why_unknown = {};
+    /** Reason for a missing comparison; empty if there is one. */
+    std::string unknown_reason = {};
 
-    /** Infinite if one of them is not known. */
+    /** Largest relative error; infinite if one is unknown. */
     double largest() const;
   };
 
-  /** The phase (rad) that the highest of the @p n lowest modes of a lattice can
-   * have along a strut: clamped joints make all frequencies higher. */
+  /**
+   * Upper bound of the phase (rad) along a strut of the highest of the @p n
+   * lowest modes, from clamped joints, which raise all frequencies.
+   */
   double phase_of_modes(const Scene &scene, unsigned int n);
 
-  /** The phase (rad) along a strut of the highest of the @p n lowest buckling
-   * modes, if equally loaded struts buckle between clamped joints. */
+  /**
+   * Phase (rad) along a strut of the highest of the @p n lowest buckling modes,
+   * for equally loaded struts between clamped joints.
+   */
   double phase_of_buckling(const Scene &scene, unsigned int n);
 
-  /** The phase (rad) of bending waves of an angular frequency (rad/s) along the
-   * strut that has the shortest. */
+  /**
+   * Phase (rad) of bending waves at the angular frequency @p omega (rad/s)
+   * along the strut with the shortest waves.
+   */
   double phase_at(const Scene &scene, double omega);
 
   /**
-   * Gives all struts of @p plan the fewest unknowns with which waves have a
-   * relative error of @p wanted, by the dispersion of elements of order p
-   * (Ainsworth 2004): (p! / (2 p)!)^2 / (2 p + 1) (phase of an element)^(2 p).
-   * @param phase of the shortest wave along a strut (rad)
+   * Gives all struts of @p plan the fewest unknowns for which waves have the
+   * relative error @p tolerance. The dispersion error of order p is (p! / (2
+   * p)!)^2 / (2 p + 1) (phase of an element)^(2 p) (Ainsworth 2004).
+   * @param phase phase of the shortest wave along a strut (rad)
    */
-  void choose_elements(double phase, double wanted, RunPlan &plan);
+  void choose_elements(double phase, double tolerance, RunPlan &plan);
 
   /**
-   * Gives all struts of @p plan more unknowns, with which @p errors meet its
-   * tolerance if they follow that dispersion.
-   * @param first the plan with the elements that were chosen first
-   * Returns false if there are no such elements.
+   * Gives all struts of @p plan more unknowns, so that @p errors meet its
+   * tolerance if they follow that dispersion. Returns false if there are no
+   * such elements.
+   * @param first plan with the elements chosen first
    */
   bool refine_elements(const RunPlan    &first,
                        const MeshErrors &errors,
                        RunPlan          &plan);
 
-  /** Whether @p errors meet the tolerance of @p scene, or elements are given.
+  /**
+   * Whether @p errors meet the tolerance of @p scene, or the user prescribes
+   * the elements.
    */
-  bool are_accepted(const Scene &scene, const MeshErrors &errors);
+  bool elements_accepted(const Scene &scene, const MeshErrors &errors);
 
-  /** Findings on the elements of @p plan.
-   * @param values what errs, e.g. `natural frequencies` */
-  std::vector<Finding> findings_of_mesh(const RunPlan     &plan,
-                                        const MeshErrors  &errors,
-                                        const std::string &values);
+  /**
+   * Findings on the elements of @p plan.
+   * @param values name of the values with errors, e.g. `natural frequencies`
+   */
+  std::vector<Finding> mesh_findings(const RunPlan     &plan,
+                                     const MeshErrors  &errors,
+                                     const std::string &values);
 
-  /** A line on elements and errors, without the last line break. */
+  /** Line on elements and errors, without the final line break. */
   std::string mesh_text(const RunPlan &plan, const MeshErrors &errors);
 
-  /** The same for summary.json. */
+  /** Elements and errors for summary.json. */
   Json json_of(const RunPlan &plan, const MeshErrors &errors);
 
-  /** The same scene on elements of half the length and one order more, beside
-   * the run that it judges. */
+  /**
+   * The scene of a coarse run on elements of half the length and one order
+   * higher, for error estimates.
+   */
   class FinerRun
   {
   public:
-    /** Starts. @param coarse must outlive the object. Collective. */
+    /**
+     * Starts the run. Collective.
+     * @param coarse must outlive the object
+     */
     explicit FinerRun(LatticeRun &coarse);
 
-    /** The effort counts as that of the coarse run. */
+    /** Adds the effort to that of the coarse run. */
     ~FinerRun();
 
     FinerRun(const FinerRun &)            = delete;
     FinerRun &operator=(const FinerRun &) = delete;
 
-    /** @p shape of all local unknowns of the coarse run as one of this run's.
-     * Collective. */
+    /**
+     * Interpolates @p shape, values of all local unknowns of the coarse run, to
+     * this run. Collective.
+     */
     Vector prolongated(const Vector &shape) const;
 
     TangentSolver &solver()

@@ -9,9 +9,9 @@
 namespace auxfem
 {
   /**
-   * Compares the modes that @p run has found with those of finer elements, and
-   * enters the error of each: relative to its frequency or factor, of complex
-   * and damped modes |change of s| over |s|. Collective.
+   * Compares the modes of @p run with those of finer elements and stores the
+   * error of each: relative to its frequency or factor; |change of s| over |s|
+   * for complex and damped modes. Collective.
    */
   ///@{
   MeshErrors estimate_errors(LatticeRun &run, NaturalModes &found);

@@ -10,12 +10,16 @@
 
 namespace auxfem
 {
-  /** What runs of modes of any kind write beside log.txt and summary.json. */
+  /**
+   * Files that mode analyses of any kind write besides log.txt and
+   * summary.json.
+   */
   FolderContents mode_contents();
 
-  /** modes.csv, complex_modes.csv, buckling.csv or relaxations.csv with its
-   * reference. On the
-   * first rank. */
+  /**
+   * Writes modes.csv, complex_modes.csv, buckling.csv or relaxations.csv with
+   * its column reference. Called on the first rank.
+   */
   ///@{
   void write_mode_table(const NaturalModes &found, const std::string &folder);
   void write_mode_table(const ComplexModes &found, const std::string &folder);
@@ -23,7 +27,7 @@ namespace auxfem
   void write_mode_table(const Relaxations &found, const std::string &folder);
   ///@}
 
-  /** The modes as lines for the screen, without the last line break. */
+  /** Table of the modes for the screen, without the final line break. */
   ///@{
   std::string mode_table_text(const NaturalModes &found,
                               unsigned int        dimension);
@@ -32,7 +36,7 @@ namespace auxfem
   std::string mode_table_text(const Relaxations &found);
   ///@}
 
-  /** What summary.json says of modes. */
+  /** Entry of the modes in summary.json. */
   ///@{
   Json json_of(const NaturalModes &found);
   Json json_of(const ComplexModes &found);
@@ -40,20 +44,20 @@ namespace auxfem
   Json json_of(const Relaxations &found);
   ///@}
 
-  /** A mode as it is seen. */
+  /** A mode shape to be drawn. */
   struct ModePicture
   {
     const Vector &shape;
-    /** Of the vibration (rad/s); 0: it does not vibrate. */
+    /** Angular frequency (rad/s); 0 without vibration. */
     double angular_frequency = 0;
-    /** Of a complex mode, whose real part is the shape; else none. */
+    /** Imaginary part of a complex mode, whose real part is the shape. */
     const Vector *imaginary = nullptr;
   };
 
   /**
-   * Writes pictures of one period of mode @p number (from 1 on) about the
-   * solution of @p run; their times are parts of the period. Returns the names
-   * of the series. Collective.
+   * Writes graphics of one period of mode @p number (from 1 on) about the
+   * solution of @p run; their times are fractions of the period. Returns the
+   * names of the series. Collective.
    */
   std::vector<std::string> write_mode_pictures(const LatticeRun  &run,
                                                const ModePicture &mode,

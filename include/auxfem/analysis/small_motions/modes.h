@@ -12,10 +12,10 @@
 namespace auxfem
 {
   /**
-   * `Analysis = modes`: natural frequencies and modes into Output/Directory
-   * (modes.csv, summary.json, `mode_1_solution.pvd`, ...) and onto the screen.
-   * `Analysis = buckling`: factors of loads and buckling modes (buckling.csv).
-   * Throws InputError, ComputationError. Collective.
+   * Runs `Analysis = modes` (natural frequencies, modes.csv) or `Analysis =
+   * buckling` (load factors, buckling.csv). Writes to Output/Directory, also
+   * summary.json and `mode_1_solution.pvd` etc., and to the screen. Throws
+   * InputError, ComputationError. Collective.
    */
   RunResult run_modes(const Scene         &scene,
                       MPI_Comm             communicator,
@@ -24,27 +24,29 @@ namespace auxfem
   /** The dry run: builds everything, prints counts and effects. Collective. */
   void check_modes(const Scene &scene, MPI_Comm communicator);
 
-  /** Modes are those at t = 0, at rest or about an equilibrium.
-   * @param analysis modes or buckling */
+  /**
+   * Plan for modes at t = 0, at rest or about an equilibrium.
+   * @param analysis modes or buckling
+   */
   RunPlan
   plan_of_modes(const Scene &scene, Analysis analysis, bool about_equilibrium);
 
-  /** The modes that @p scene asks for. */
+  /** Plan for the mode analysis that @p scene requests. */
   RunPlan plan_of_modes(const Scene &scene);
 
-  /** Which loads the scene asks to multiply. */
+  /** Load case that the scene requests. */
   BucklingLoads buckling_loads(const Scene &scene);
 
   /**
-   * The first @p n under the loads that the scene of @p run asks for, which has
-   * started. Throws as buckling_modes(), with messages that begin with
-   * @p purpose: the parameter that asks for the modes. Collective.
+   * Computes the first @p n buckling modes of @p run, which has started, under
+   * the load case of its scene. Throws as buckling_modes(); messages begin with
+   * @p purpose, the parameter that requests the modes. Collective.
    */
   BucklingModes buckling_modes_of(LatticeRun        &run,
                                   unsigned int       n,
                                   const std::string &purpose);
 
-  /** Names of files that tell of modes, of any number of them. */
+  /** Names of all files that a mode analysis can write. */
   std::vector<std::string> modes_files();
 } // namespace auxfem
 

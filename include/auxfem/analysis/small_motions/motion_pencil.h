@@ -9,15 +9,17 @@
 
 namespace auxfem
 {
-  /** Shift of MotionPencil::nearest() over the size of the smallest root: below
-   * it, and no simple fraction, so that it is hardly a root itself. */
+  /**
+   * Shift of MotionPencil::nearest() over the magnitude of the smallest root.
+   * It is below 1 and no simple fraction, so that it does not hit a root.
+   */
   constexpr double shift_below_roots = 0.0917;
 
   /** A small motion x e^(s t): A(s) x = 0. */
   struct MotionRoot
   {
-    std::complex<double> s; ///< 1/s; of two conjugate ones that above
-    /** Owned rows: real parts before imaginary ones, of unit length. */
+    std::complex<double> s; ///< 1/s; of a conjugate pair the one with Im s > 0
+    /** Owned rows, real parts before imaginary ones, of unit norm. */
     std::vector<double> shape;
     /** |A(s) x| over |s A'(s) x|. */
     double residual;
@@ -34,7 +36,7 @@ namespace auxfem
    *
    * with the forces q_j of the dashpots of Maxwell elements of relaxation time
    * tau_j as further unknowns, so A(s) = K + s C + s^2 M + sum_j E_j s tau_j /
-   * (1 + s tau_j). What computes is collective.
+   * (1 + s tau_j). Functions that compute are collective.
    */
   class MotionPencil
   {
@@ -46,32 +48,34 @@ namespace auxfem
                  const State   &equilibrium,
                  Damping        damping);
 
-    /** Which roots nearest() is to find. */
-    struct Wanted
+    /** Selects the roots that nearest() returns. */
+    struct RootSelection
     {
-      std::function<bool(Complex)> counts; ///< of these alone
-      unsigned int n; ///< so many are enough, or are expected with a reach
+      std::function<bool(Complex)> accepts; ///< of these alone
+      unsigned int
+        n; ///< so many are enough, or are expected with a max_magnitude
       /** In place of n all with |s| up to this (1/s). */
-      std::optional<double> reach = {};
+      std::optional<double> max_magnitude = {};
     };
 
-    /** By rising distance from the shift. */
+    /** Roots, sorted by increasing distance from the shift. */
     struct Roots
     {
       std::vector<MotionRoot> roots;
-      /** Whether they are all that are wanted, as far as the Krylov space
-       * tells. */
+      /**
+       * Whether these are all selected roots, as far as the Krylov space shows.
+       */
       bool is_complete;
     };
 
     /**
-     * The roots nearest to the real @p shift (1/s) by Arnoldi's method for the
-     * shifted and inverted problem, which factorizes the real A(shift) once.
-     * A block of three start vectors finds roots that are equal. Symmetric A
-     * improve each root by Rayleigh's quotient x.A(s) x = 0. Throws
-     * ComputationError where A(shift) cannot be factorized.
+     * Computes the roots nearest to the real @p shift (1/s) by shift-and-invert
+     * Arnoldi, which factorizes A(shift) once. A block of three start vectors
+     * finds multiple roots. For symmetric A, each root is improved by the
+     * Rayleigh quotient x.A(s) x = 0. Throws ComputationError if the
+     * factorization fails.
      */
-    Roots nearest(double shift, const Wanted &wanted);
+    Roots nearest(double shift, const RootSelection &selection);
 
     /** x.M x of the real vector @p x and the complex @p shape. */
     Complex mass_product(const Vector              &x,
@@ -82,8 +86,10 @@ namespace auxfem
 
     std::vector<double> multiply(const TangentMatrix &matrix,
                                  const double        *x) const;
-    /** Size of rates (1/s) at which stiffness and inertia of single rows are
-     * alike, if A(0) is the matrix of the solver. */
+    /**
+     * Rate (1/s) at which stiffness and inertia of single rows balance.
+     * Requires A(0) as the matrix of the solver.
+     */
     double              fastest_rate() const;
     MotionRoot          root(Complex s, std::vector<double> shape);
     void                improve(MotionRoot &root);
@@ -96,19 +102,19 @@ namespace auxfem
     TangentMatrix        mass, damping_matrix;
     bool                 is_symmetric;
 
-    /** Maxwell elements of one relaxation time. */
-    struct Relaxing
+    /** Maxwell elements with a common relaxation time (s). */
+    struct RelaxationGroup
     {
       double        time;
       TangentMatrix stiffness;
     };
-    std::vector<Relaxing> relaxing;
+    std::vector<RelaxationGroup> relaxing;
   };
 
-  /** Whether a motion swings: Im s > 0 by more than round-off. */
+  /** Whether a motion oscillates: Im s > 0 by more than round-off. */
   bool swings(std::complex<double> s);
 
-  /** Whether it relaxes: it decays with more than 0.99 of critical damping. */
+  /** Whether a motion decays with a damping ratio above 0.99. */
   bool relaxes(std::complex<double> s);
 } // namespace auxfem
 

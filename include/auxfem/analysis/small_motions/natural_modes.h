@@ -20,87 +20,96 @@ namespace auxfem
      * the eigenproblem.
      */
     double residual;
-    /** Of all local unknowns; rotations as vectors in the global frame. */
+    /**
+     * Values of all local unknowns; rotations as vectors in the global frame.
+     */
     Vector shape;
     /** x.M r with r a unit translation along x, y, z of all nodes, supports
      * too (kg^1/2). Its square is the effective mass (kg). */
     std::array<double, 3> participation;
 
-    /** What damping makes of it: it goes as e^(-decay t) cos(omega t). */
+    /** Damped motion e^(growth t) cos(omega t). */
     struct Damped
     {
       double growth;            ///< minus the decay (1/s)
       double angular_frequency; ///< omega (rad/s)
 
-      /** Damping over the critical one. */
+      /** Damping ratio. */
       double ratio() const
       {
         return -growth / std::hypot(growth, angular_frequency);
       }
     };
-    /** If asked for (add_damped_modes()) and found. */
+    /** Damped counterpart, if requested (add_damped_modes()) and found. */
     std::optional<Damped> damped = {};
 
-    /** Relative error of the frequency by the elements, of the damped one where
-     * that errs more; NaN: not known. */
+    /**
+     * Relative discretization error of the frequency, or of the damped one if
+     * that is larger; NaN: unknown.
+     */
     double mesh_error = std::numeric_limits<double>::quiet_NaN();
 
-    /** Angular frequency (rad/s); 0 of an unstable mode. */
+    /** Angular frequency (rad/s); 0 for an unstable mode. */
     double angular_frequency() const
     {
       return eigenvalue > 0 ? std::sqrt(eigenvalue) : 0.;
     }
 
-    /** Of an unstable mode, at which rate it grows (1/s); else 0. */
+    /** Growth rate of an unstable mode (1/s); else 0. */
     double growth_rate() const
     {
       return eigenvalue < 0 ? std::sqrt(-eigenvalue) : 0.;
     }
   };
 
-  /** Modes by rising eigenvalue. */
+  /** Natural modes, sorted by increasing eigenvalue. */
   struct NaturalModes
   {
     std::vector<NaturalMode> modes;
-    /** Sigma (1/s2). */
+    /** Shift sigma of the eigenproblem (1/s2). */
     double shift;
-    /** Whether an inertia of the tangent (Sylvester) tells that there are no
-     * others below the last; nothing where none is known (iterative solvers).
+    /**
+     * Whether Sylvester's law of inertia proves that no mode below the last one
+     * is missing; false with iterative solvers, which give no inertia.
      */
     bool is_counted = false;
-    /** Whether that inertia tells another number below the last than was found.
+    /**
+     * Whether the inertia contradicts the number of modes found below the last.
      */
     bool count_differs = false;
-    /** Eigenvalues that this mesh can have at most. */
+    /** Upper bound of the number of eigenvalues on this mesh. */
     unsigned int n_possible = 0;
-    /** More negative eigenvalues than are among the modes. */
+    /** Number of negative eigenvalues that are not among the modes. */
     unsigned long n_further_negative = 0;
 
-    /** Damped modes that belong to none of the modes. */
+    /** Damped modes that are assigned to no natural mode. */
     std::vector<NaturalMode::Damped> further_damped = {};
-    /** Up to this |s| (rad/s) all damped modes were found, as far as the Krylov
-     * space tells; none where they were not asked for or it has not converged.
+    /**
+     * All damped modes up to this |s| (rad/s) were found, as far as the Krylov
+     * space shows. Empty if not requested or not converged.
      */
     std::optional<double> damped_limit = {};
   };
 
-  /** Whether the stiffness of @p state is symmetric, as it is without loads
-   * that follow their joints, so that it has natural modes. Collective. */
+  /**
+   * Whether natural modes exist: the stiffness at @p state is symmetric, that
+   * is, no load follows its joint. Collective.
+   */
   bool has_natural_modes(TangentSolver &solver, const State &state);
 
-  /** Of the stiffness of natural_modes(). */
+  /** Part of the stiffness that natural_modes() uses. */
   enum class StiffnessPart
   {
     whole,
-    symmetric ///< (K + K^T)/2: no state vibrates so under loads that follow
+    symmetric ///< (K + K^T)/2; not physical under follower loads
   };
 
   /**
-   * The @p n lowest natural modes of small vibrations about @p state, at rest
-   * there, without damping: K is the stiffness of the equilibrium, with Maxwell
-   * elements relaxed, M the mass matrix. Fewer where the mesh has not
-   * so many. Throws ComputationError if none is
-   * found, and InputError where K, whole, is not symmetric. Collective.
+   * Computes the @p n lowest natural modes about the rest state @p state
+   * without damping. K is the stiffness of the equilibrium with relaxed Maxwell
+   * elements, M the mass matrix. Returns fewer if the mesh has fewer. Throws
+   * ComputationError if none is found, and InputError if the whole K is
+   * unsymmetric. Collective.
    */
   NaturalModes natural_modes(TangentSolver &solver,
                              const State   &state,
@@ -108,12 +117,12 @@ namespace auxfem
                              StiffnessPart  part = StiffnessPart::whole);
 
   /**
-   * Eigenvalues of finer elements near those of @p coarse: one inverse iteration
-   * of its modes together, whose error is that of the shapes, squared (Xu and
-   * Zhou 2001).
-   * @param solver, state of the finer elements
-   * @param shapes of the modes, of all local unknowns of the finer elements
-   * Throws ComputationError. Collective.
+   * Eigenvalues of finer elements near those of @p coarse, by one block inverse
+   * iteration of its modes. Their error is the squared error of the shapes (Xu
+   * and Zhou 2001). Throws ComputationError. Collective.
+   * @param solver, state those of the finer elements
+   * @param shapes mode shapes, values of all local unknowns of the finer
+   *   elements
    */
   FinerValues finer_eigenvalues(TangentSolver             &solver,
                                 const State               &state,
