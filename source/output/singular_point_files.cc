@@ -153,7 +153,7 @@ namespace auxfem
          count_text(point.after.n_negative),
          count_text(point.before.determinant_sign),
          count_text(point.after.determinant_sign),
-         point.part_of_loads ? number_text(*point.part_of_loads) : "nan"});
+         point.load_projection ? number_text(*point.load_projection) : "nan"});
     });
     if (!graphics || point.null_vector.empty())
       return;

@@ -31,7 +31,7 @@ namespace auxfem
      * positive. */
     Vector null_vector;
     /** PathStepper::part_of_loads(). */
-    std::optional<double> part_of_loads = {};
+    std::optional<double> load_projection = {};
 
     /** How many directions become singular at once; 1 where that is not known.
      */

@@ -22,16 +22,16 @@ namespace auxfem
           ++n_translations;
         }
     const double n_nodes = layout.sum(n_translations) / model.lattice.dimension;
-    for (double &of_unknown : weight)
-      of_unknown /= n_nodes;
+    for (double &entry : weight)
+      entry /= n_nodes;
   }
 
   double PathMetric::product(const Vector &one, const Vector &other) const
   {
-    double mine = 0;
+    double local_sum = 0;
     for (unsigned int i = 0; i < weight.size(); ++i)
-      mine += weight[i] * one[i] * other[i];
-    return layout.sum(mine);
+      local_sum += weight[i] * one[i] * other[i];
+    return layout.sum(local_sum);
   }
 
   double PathMetric::length(const Vector &increment) const
@@ -50,7 +50,7 @@ namespace auxfem
 
   Vector PathTangent::deviation(const double length) const
   {
-    Vector deviation = bend;
+    Vector deviation = curvature;
     deviation.resize(direction.size(), 0.);
     scale(length * length / 2, deviation);
     return deviation;
@@ -60,10 +60,12 @@ namespace auxfem
                               CheckpointArchive  &archive)
   {
     const UnknownRecords unknowns(numbering);
-    archive.values("path: change of the load factor", load_rate, load_bend);
+    archive.values("path: change of the load factor",
+                   load_rate,
+                   load_curvature);
     unknowns.serialize("path: direction", direction, archive);
-    bend.resize(direction.size(), 0.);
-    unknowns.serialize("path: bend", bend, archive);
+    curvature.resize(direction.size(), 0.);
+    unknowns.serialize("path: bend", curvature, archive);
   }
 
   ArcLength::ArcLength(const PathMetric  &metric,
@@ -72,7 +74,7 @@ namespace auxfem
     : metric(metric)
     , direction(tangent.direction)
     , off_tangent(tangent.deviation(length))
-    , load_off_tangent(tangent.deviation_of_load(length))
+    , load_off_tangent(tangent.load_deviation(length))
   {}
 
   bool ArcLength::complete(TangentSolver    &solver,
@@ -95,11 +97,11 @@ namespace auxfem
   }
 
   void ArcLength::undo_increment(const Evaluation &evaluation,
-                                 const Vector     &way_back,
+                                 const Vector     &undone_increment,
                                  const double      part)
   {
     evaluation.to.path->load_factor -= part * last_load;
-    add_multiple(1., way_back, off_tangent);
+    add_multiple(1., undone_increment, off_tangent);
     load_off_tangent -= part * last_load;
   }
 } // namespace auxfem

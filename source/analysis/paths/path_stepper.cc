@@ -11,7 +11,7 @@ namespace auxfem
 {
   namespace
   {
-    /** Of a static tangent. */
+    /** Factors of a static tangent. */
     constexpr TangentFactors stiffness_alone = {1., 0., 0.};
   } // namespace
 
@@ -21,7 +21,7 @@ namespace auxfem
     , equations(solver.equations())
     , newton(solver, parameters)
     , space(solver)
-    , of_path(solver.model())
+    , path_metric(solver.model())
     , rotations(solver.model().numbering)
   {}
 
@@ -55,17 +55,18 @@ namespace auxfem
     const Evaluation step =
       Evaluation::static_step(from.solution.state, end.state, length);
     predict(step, prediction, length);
-    ArcLength arc_length(of_path, prediction, length);
+    ArcLength arc_length(path_metric, prediction, length);
     PathStep  result = solve(step, end, prediction.direction, &arc_length);
     if (!result.point)
       return result;
-    result.deviation         = arc_length.deviation();
-    result.deviation_of_load = arc_length.deviation_of_load();
-    PathTangent &tangent     = result.point->tangent;
-    tangent.bend             = tangent.direction;
-    add_multiple(-1., prediction.direction, tangent.bend);
-    scale(1 / length, tangent.bend);
-    tangent.load_bend = (tangent.load_rate - prediction.load_rate) / length;
+    result.deviation      = arc_length.deviation();
+    result.load_deviation = arc_length.load_deviation();
+    PathTangent &tangent  = result.point->tangent;
+    tangent.curvature     = tangent.direction;
+    add_multiple(-1., prediction.direction, tangent.curvature);
+    scale(1 / length, tangent.curvature);
+    tangent.load_curvature =
+      (tangent.load_rate - prediction.load_rate) / length;
     return result;
   }
 
@@ -88,7 +89,7 @@ namespace auxfem
     rule.predict(step.from, step.dt, step.to);
     step.to.time = step.from.time + length;
     step.to.path->load_factor +=
-      length * prediction.load_rate + prediction.deviation_of_load(length);
+      length * prediction.load_rate + prediction.load_deviation(length);
     Vector increment = prediction.deviation(length);
     add_multiple(length, prediction.direction, increment);
     rotations.follow(step);
@@ -98,7 +99,7 @@ namespace auxfem
 
   PathStep PathStepper::solve(const Evaluation &step,
                               Solution         &end,
-                              const Vector     &way,
+                              const Vector     &sense,
                               AddedEquation    *arc_length)
   {
     newton.drop_factorization();
@@ -107,13 +108,13 @@ namespace auxfem
     PathStep result;
     result.iterations        = solved.iterations;
     result.relative_residual = solved.relative_residual;
-    result.why_failed        = solved.reason;
+    result.failure_reason    = solved.reason;
     if (!solved.converged)
       return result;
-    auto tangent = find_tangent(step, end.results, &way);
+    auto tangent = find_tangent(step, end.results, &sense);
     if (!tangent)
       {
-        result.why_failed = solver.why();
+        result.failure_reason = solver.why();
         return result;
       }
     equations.accept(step, end.results);
@@ -124,7 +125,7 @@ namespace auxfem
   std::optional<PathTangent>
   PathStepper::find_tangent(const Evaluation        &evaluation,
                             const EvaluationResults &results,
-                            const Vector            *way)
+                            const Vector            *sense)
   {
     solver.assemble(evaluation, results, stiffness_alone);
     if (!solver.factorize())
@@ -142,57 +143,58 @@ namespace auxfem
     auto response = load_response(solver, evaluation);
     if (!response)
       return std::nullopt;
-    double rate = 1 / of_path.length(*response);
-    if (way != nullptr && of_path.product(*response, *way) < 0)
+    double rate = 1 / path_metric.length(*response);
+    if (sense != nullptr && path_metric.product(*response, *sense) < 0)
       rate *= -1;
     scale(rate, *response);
     return PathTangent{std::move(*response), rate};
   }
 
-  std::optional<double> PathStepper::find_softest(Vector &mode)
+  std::optional<double> PathStepper::find_softest_vector(Vector &mode)
   {
     constexpr unsigned int n_iterations = 12;
     return inverse_iteration(
       solver,
-      of_path.weights(),
+      path_metric.weights(),
       [this](const unsigned int i) { return space.is_free(i); },
       n_iterations,
       mode);
   }
 
-  std::optional<std::pair<Vector, double>> PathStepper::softest()
+  std::optional<std::pair<Vector, double>> PathStepper::softest_mode()
   {
     Vector     mode;
-    const auto growth = find_softest(mode);
+    const auto growth = find_softest_vector(mode);
     if (!growth)
       return std::nullopt;
     mode = space.shape(
       {mode.begin(), mode.begin() + equations.unknowns().layout.n_owned()});
-    scale(1 / of_path.length(mode), mode);
+    scale(1 / path_metric.length(mode), mode);
     return std::pair(std::move(mode), 1 / *growth);
   }
 
   bool PathStepper::is_neutral()
   {
-    const Vector             &weights = of_path.weights();
-    const std::vector<double> springs = solver.matrix().diagonal();
-    double                    mine    = 0;
+    const Vector             &weights       = path_metric.weights();
+    const std::vector<double> springs       = solver.matrix().diagonal();
+    double                    local_largest = 0;
     for (unsigned int i = 0; i < springs.size(); ++i)
       if (space.is_free(i) && weights[i] > 0)
-        mine = std::max(mine, std::abs(springs[i]) / weights[i]);
-    const double largest = equations.unknowns().layout.largest(mine);
-    const auto   found   = softest();
+        local_largest =
+          std::max(local_largest, std::abs(springs[i]) / weights[i]);
+    const double largest = equations.unknowns().layout.largest(local_largest);
+    const auto   found   = softest_mode();
     return !found || found->second <= round_off * largest;
   }
 
-  std::optional<double> PathStepper::part_of_loads(const PathPoint &point)
+  std::optional<double> PathStepper::load_projection(const PathPoint &point)
   {
     const Unknowns      &unknowns = equations.unknowns();
     const UnknownLayout &layout   = unknowns.layout;
     const Vector         loads    = loads_at(point);
-    Vector               left;
+    Vector               left_vector;
     solver.matrix().transpose();
-    const auto growth = find_softest(left);
+    const auto growth = find_softest_vector(left_vector);
     solver.matrix().transpose();
     if (!growth)
       return std::nullopt;
@@ -200,10 +202,10 @@ namespace auxfem
     for (unsigned int i = 0; i < layout.n_owned(); ++i)
       if (space.is_free(i))
         {
-          const double way   = left[i] / unknowns.unit(i),
-                       force = loads[i] * unknowns.unit(i);
-          sums[0] += way * force;
-          sums[1] += way * way;
+          const double component = left_vector[i] / unknowns.unit(i),
+                       force     = loads[i] * unknowns.unit(i);
+          sums[0] += component * force;
+          sums[1] += component * component;
           sums[2] += force * force;
         }
     sums = layout.sum(sums);
@@ -217,51 +219,51 @@ namespace auxfem
     Vector               loads =
       load_direction(equations,
                      Evaluation::equilibrium(point.solution.state, at));
-    Vector motions(layout.n_local(), 0.), of_motions(layout.n_owned());
+    Vector motions(layout.n_local(), 0.), motion_forces(layout.n_owned());
     for (unsigned int i = 0; i < layout.n_owned(); ++i)
       if (space.is_prescribed(i))
         motions[i] = loads[i];
     layout.update_ghosts(motions.data());
-    solver.matrix().multiply_blocks(motions.data(), of_motions.data());
+    solver.matrix().multiply_blocks(motions.data(), motion_forces.data());
     for (unsigned int i = 0; i < layout.n_owned(); ++i)
-      loads[i] -= of_motions[i];
+      loads[i] -= motion_forces[i];
     return loads;
   }
 
   namespace
   {
-    /** Of the first length. */
-    constexpr double smallest_part = 1e-6;
+    /** Smallest step length over the first. */
+    constexpr double min_length_ratio = 1e-6;
 
     /**
-     * Deviation from the tangent, over the resolution, with which a point is
-     * accepted.
+     * Largest accepted deviation from the tangent over the resolution.
      * @tuned judgement: the next step is then half as long
      */
-    constexpr double largest_deviation = 4;
+    constexpr double max_deviation = 4;
 
     /**
-     * Cosine of the turn between two points beyond which the second may lie
-     * on another branch.
+     * Smallest accepted cosine between the tangents of two points; below, the
+     * second may lie on another branch.
      * @tuned judgement: 37 degrees
      */
-    constexpr double smallest_turn = 0.8;
+    constexpr double min_turn_cosine = 0.8;
 
     /**
-     * Iterations of Newton's method with which steps keep their length.
+     * Number of Newton iterations at which the step length does not change.
      * @tuned judgement
      */
-    constexpr double wanted_iterations = 8;
+    constexpr double target_iterations = 8;
 
-    /** By how much a length at which a step has failed grows with every point.
+    /**
+     * Factor by which the length limit after a failure grows with every point.
      */
-    constexpr double forgetting = 1.1;
+    constexpr double limit_growth = 1.1;
   } // namespace
 
   PathStepLength::PathStepLength(const double resolution, const double first)
     : resolution(resolution)
-    , next(first)
-    , smallest(smallest_part * first)
+    , next_length(first)
+    , min_length(min_length_ratio * first)
   {}
 
   void PathStepLength::reached(const double distance, const double load_factor)
@@ -274,47 +276,48 @@ namespace auxfem
                              const double    distance,
                              const double    turn)
   {
-    const double of_way = step.deviation / std::max(largest_distance, distance),
-                 of_load = step.deviation_of_load /
+    const double relative_deviation =
+                   step.deviation / std::max(largest_distance, distance),
+                 relative_load_deviation = step.load_deviation /
       std::max(largest_load, std::abs(step.point->load_factor()));
-    const double deviation = std::max(of_way, of_load) / resolution;
-    // The deviation goes with the square of the length.
-    const double fitting = 0.9 / std::sqrt(std::max(deviation, 1e-6));
-    const bool   accepted =
-      deviation <= largest_deviation && turn >= smallest_turn;
+    const double deviation =
+      std::max(relative_deviation, relative_load_deviation) / resolution;
+    // The deviation is proportional to the square of the length.
+    const double length_factor = 0.9 / std::sqrt(std::max(deviation, 1e-6));
+    const bool accepted = deviation <= max_deviation && turn >= min_turn_cosine;
     if (!accepted)
-      next *= std::clamp(fitting, 0.1, 0.5);
+      next_length *= std::clamp(length_factor, 0.1, 0.5);
     else
       {
-        next *=
-          std::clamp(std::min(fitting, wanted_iterations / step.iterations),
-                     0.3,
-                     2.);
-        next = std::min(next, too_long);
-        too_long *= forgetting;
+        next_length *= std::clamp(std::min(length_factor,
+                                           target_iterations / step.iterations),
+                                  0.3,
+                                  2.);
+        next_length = std::min(next_length, length_limit);
+        length_limit *= limit_growth;
       }
     return accepted;
   }
 
-  void PathStepLength::begin_anew(const double first)
+  void PathStepLength::restart_branch(const double first)
   {
-    next     = first;
-    smallest = smallest_part * first;
-    too_long = std::numeric_limits<double>::infinity();
+    next_length  = first;
+    min_length   = min_length_ratio * first;
+    length_limit = std::numeric_limits<double>::infinity();
   }
 
   void PathStepLength::failed()
   {
-    too_long = next / 1.5;
-    next /= 3;
+    length_limit = next_length / 1.5;
+    next_length /= 3;
   }
 
   void PathStepLength::serialize(CheckpointArchive &archive)
   {
     archive.values("path: length of steps",
-                   next,
-                   smallest,
-                   too_long,
+                   next_length,
+                   min_length,
+                   length_limit,
                    largest_distance,
                    largest_load);
   }

@@ -9,26 +9,32 @@ namespace auxfem
 {
   namespace
   {
-    /** How near the points are that a bifurcation is interpolated from. */
-    constexpr double beside = 2e-3;
-    /** Closer ones are not told apart. */
-    constexpr double indistinguishable = 1e-4;
+    /**
+     * Distance over the step length of the points used to interpolate a
+     * bifurcation.
+     */
+    constexpr double neighbour_distance = 2e-3;
+    /**
+     * Distance over the step length below which singular points are not
+     * separated.
+     */
+    constexpr double min_separation = 1e-4;
 
-    /** What is seen of the path at some distance from the start of a step. */
-    struct Look
+    /** Sample of the path at a distance from the start of a step. */
+    struct PathSample
     {
       double       length; ///< m
       double       load_rate;
       PathPosition position;
     };
 
-    bool has_limit(const Look &begin, const Look &end)
+    bool has_limit(const PathSample &begin, const PathSample &end)
     {
       return begin.load_rate * end.load_rate < 0;
     }
 
-    /** How many eigenvalues have changed their sign, as far as is known. */
-    unsigned long n_changes(const Look &begin, const Look &end)
+    /** Number of eigenvalues with a sign change, as far as known. */
+    unsigned long n_changes(const PathSample &begin, const PathSample &end)
     {
       const PathPosition &before = begin.position, &after = end.position;
       if (before.n_negative && after.n_negative)
@@ -38,7 +44,7 @@ namespace auxfem
                              {}}
           .multiplicity();
       const bool is_limit = has_limit(begin, end);
-      // An even number, if any, leaves the determinant its sign.
+      // An even number of changes preserves the sign of the determinant.
       if (before.determinant_sign && after.determinant_sign)
         return before.determinant_sign != after.determinant_sign ? 1
           : is_limit                                             ? 2
@@ -46,7 +52,7 @@ namespace auxfem
       return is_limit ? 1 : 0;
     }
 
-    /** Whether no eigenvalue is known to have changed its sign in between. */
+    /** Whether no sign change of an eigenvalue in between is known. */
     bool are_alike(const PathPosition &one, const PathPosition &other)
     {
       return one.n_negative && other.n_negative
@@ -65,8 +71,8 @@ namespace auxfem
         , length(length)
       {}
 
-      /** Finds those between two looks. */
-      void search(const Look &begin, const Look &end)
+      /** Finds the singular points between two samples. */
+      void search(const PathSample &begin, const PathSample &end)
       {
         const bool          limit   = has_limit(begin, end);
         const unsigned long changes = n_changes(begin, end);
@@ -74,31 +80,30 @@ namespace auxfem
           return;
         if (changes == 1)
           {
-            enclose(begin, end);
+            locate(begin, end);
             return;
           }
-        const auto middle =
-          end.length - begin.length > indistinguishable * length
+        const auto middle = end.length - begin.length > min_separation * length
           ? at((begin.length + end.length) / 2)
           : std::nullopt;
         if (!middle)
           {
-            enclose(begin, end);
+            locate(begin, end);
             return;
           }
-        const Look look = look_at(*middle);
-        search(begin, look);
-        search(look, end);
+        const PathSample sample_there = sample(*middle);
+        search(begin, sample_there);
+        search(sample_there, end);
       }
 
-      /** Whether a direction stays free all along the step. */
+      /** Whether a direction has no stiffness along the whole step. */
       bool is_neutral()
       {
         return at(sqrt_round_off * length) && stepper.is_neutral() &&
           at(length) && stepper.is_neutral();
       }
 
-      static Look look_at(const PathPoint &point, const double length)
+      static PathSample sample(const PathPoint &point, const double length)
       {
         return {length, point.tangent.load_rate, point.position()};
       }
@@ -111,13 +116,13 @@ namespace auxfem
         return stepper.step(from, from.tangent, distance).point;
       }
 
-      Look look_at(const PathPoint &point) const
+      PathSample sample(const PathPoint &point) const
       {
-        return look_at(point, point.arc_length() - from.arc_length());
+        return sample(point, point.arc_length() - from.arc_length());
       }
 
-      /** Enclosed by what changes its sign there. */
-      void enclose(const Look &begin, const Look &end)
+      /** Locates the singular point by the quantity that changes its sign. */
+      void locate(const PathSample &begin, const PathSample &end)
       {
         if (has_limit(begin, end))
           {
@@ -130,27 +135,29 @@ namespace auxfem
         const auto is_before = [&](const PathPoint &point) {
           return are_alike(point.position(), begin.position) ? 1. : -1.;
         };
-        // Several at once have no eigenvalue of their own.
+        // A multiple zero has no single eigenvalue to follow.
         if (n_changes(begin, end) > 1)
           add(begin, end, root(begin, end, is_before, sqrt_round_off));
         else
           add_bifurcation(begin, end, [&](const PathPoint &point) {
-            const auto softest = stepper.softest();
-            return softest ? is_before(point) * softest->second : 0.;
+            const auto softest_mode = stepper.softest_mode();
+            return softest_mode ? is_before(point) * softest_mode->second : 0.;
           });
       }
 
-      /** Distance at which @p value of a point is zero, up to @p width of the
-       * step. */
+      /**
+       * Distance at which @p value of a point is zero, with the tolerance @p
+       * width times the step length.
+       */
       template <class Value>
-      double root(const Look  &begin,
-                  const Look  &end,
-                  const Value &value,
-                  const double width)
+      double root(const PathSample &begin,
+                  const PathSample &end,
+                  const Value      &value,
+                  const double      width)
       {
         const auto at_distance = [&](const double distance) {
           const auto point = at(distance);
-          // Where the stiffness is singular to the last digit.
+          // There is no point if the stiffness is exactly singular.
           return point ? value(*point) : 0.;
         };
         const double first    = begin.length + sqrt_round_off * length;
@@ -158,8 +165,8 @@ namespace auxfem
                      at_end   = at_distance(end.length);
         if (at_begin * at_end >= 0)
           return std::abs(at_begin) < std::abs(at_end) ? first : end.length;
-        std::uintmax_t most_looks = 60;
-        const auto [lower, upper] = boost::math::tools::toms748_solve(
+        std::uintmax_t max_root_evaluations = 60;
+        const auto [lower, upper]           = boost::math::tools::toms748_solve(
           at_distance,
           first,
           end.length,
@@ -168,37 +175,43 @@ namespace auxfem
           [&](const double one, const double other) {
             return std::abs(other - one) <= width * length;
           },
-          most_looks);
+          max_root_evaluations);
         return (lower + upper) / 2;
       }
 
       /**
-       * At a bifurcation round-off moves points along the branch that crosses;
-       * load factor and distance are interpolated from points beside it, as
-       * functions of the eigenvalue that vanishes.
+       * At a bifurcation, round-off moves points along the crossing branch.
+       * Load factor and distance are therefore interpolated from neighbouring
+       * points as functions of the vanishing eigenvalue.
        */
       template <class Value>
-      void
-      add_bifurcation(const Look &begin, const Look &end, const Value &value)
+      void add_bifurcation(const PathSample &begin,
+                           const PathSample &end,
+                           const Value      &value)
       {
-        const double        near = root(begin, end, value, beside);
+        const double estimate = root(begin, end, value, neighbour_distance);
         std::vector<double> eigenvalues, distances, load_factors;
         for (const double part : {-2., -1., 1., 2.})
-          if (const auto point = at(near + part * beside * length))
+          if (const auto point =
+                at(estimate + part * neighbour_distance * length))
             {
               eigenvalues.push_back(value(*point));
-              distances.push_back(look_at(*point).length);
+              distances.push_back(sample(*point).length);
               load_factors.push_back(point->load_factor());
             }
         const double distance = value_at_zero(eigenvalues, distances);
-        const bool is_sound = std::abs(distance - near) <= 2 * beside * length;
-        add(begin, end, is_sound ? distance : near);
+        const bool   is_sound =
+          std::abs(distance - estimate) <= 2 * neighbour_distance * length;
+        add(begin, end, is_sound ? distance : estimate);
         if (is_sound && !found.empty())
           found.back().point.solution.state.path->load_factor =
             value_at_zero(eigenvalues, load_factors);
       }
 
-      /** Of the polynomial through @p values at @p places (Lagrange). */
+      /**
+       * Value at zero of the Lagrange polynomial through @p values at @p
+       * places.
+       */
       static double value_at_zero(const std::vector<double> &places,
                                   const std::vector<double> &values)
       {
@@ -214,23 +227,26 @@ namespace auxfem
         return sum;
       }
 
-      void add(const Look &begin, const Look &end, const double distance)
+      void
+      add(const PathSample &begin, const PathSample &end, const double distance)
       {
         auto point = at(distance);
-        // Nearest to it the stiffness may be too singular to solve with.
-        for (double part = sqrt_round_off; !point && part <= beside; part *= 10)
+        // Very close to the point the stiffness may be too singular.
+        for (double part = sqrt_round_off; !point && part <= neighbour_distance;
+             part *= 10)
           point = at(distance - part * length);
         if (!point)
           return;
-        auto                softest = stepper.softest();
+        auto                softest_mode = stepper.softest_mode();
         const SingularPoint singular{has_limit(begin, end)
                                        ? SingularPoint::Kind::limit
                                        : SingularPoint::Kind::bifurcation,
                                      begin.position,
                                      end.position,
-                                     softest ? std::move(softest->first)
-                                             : Vector(),
-                                     stepper.part_of_loads(*point)};
+                                     softest_mode
+                                       ? std::move(softest_mode->first)
+                                       : Vector(),
+                                     stepper.load_projection(*point)};
         found.push_back({std::move(*point), singular});
       }
 
@@ -246,8 +262,8 @@ namespace auxfem
                                                  const double     length)
   {
     SingularPointSearch search(stepper, from, length);
-    const Look          begin = SingularPointSearch::look_at(from, 0.),
-               end            = SingularPointSearch::look_at(to, length);
+    const PathSample    begin = SingularPointSearch::sample(from, 0.),
+                     end      = SingularPointSearch::sample(to, length);
     if (!has_limit(begin, end) && n_changes(begin, end) > 0 &&
         search.is_neutral())
       return {};

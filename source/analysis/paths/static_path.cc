@@ -17,13 +17,13 @@ namespace auxfem
 {
   namespace
   {
-    /** Viscous processes have come to rest on paths of equilibria. */
+    /** Plan of a path; viscous processes are relaxed. */
     RunPlan plan_of_path(const Scene &scene)
     {
       RunPlan plan(scene);
       plan.time.scheme             = std::make_shared<QuasiStatic>();
       plan.time.relative_tolerance = std::nullopt;
-      // Few iterations a point are what lets steps be long.
+      // A fresh tangent needs few iterations, which permits long steps.
       plan.newton.keep_factorization = false;
       plan.solver.needs_inertia      = true;
       plan.effects.inertia           = Switch::automatic;
@@ -32,24 +32,24 @@ namespace auxfem
       return plan;
     }
 
-    /** Follows the equilibria of a run that has started. */
+    /** Traces the equilibria of a run that has started. */
     class EquilibriumPath
     {
     public:
-      /** At the start; throws as PathStepper::start(). */
+      /** Starts the path; throws as PathStepper::start(). */
       explicit EquilibriumPath(LatticeRun &run)
         : run(run)
         , path(run.scene.path)
         , stepper(run.solver(), run.model.plan.newton)
         , point(stepper.start(run.solution, path.reversed_loads))
-        // A straight cable has a tangent of hardly any load.
+        // The load hardly changes along the tangent of a straight cable.
         , lengths(path.resolution,
                   std::min(path.first_increment /
                              std::abs(point.tangent.load_rate),
                            run.model.mean_strut_length))
       {}
 
-      /** Goes on with a run that has been resumed from @p checkpoint. */
+      /** Continues a run from @p checkpoint. */
       EquilibriumPath(LatticeRun &run, const CheckpointData &checkpoint)
         : run(run)
         , path(run.scene.path)
@@ -63,8 +63,10 @@ namespace auxfem
         serialize(archive);
       }
 
-      /** To where the scene says that the path ends; after a signal throws
-       * Interrupted. */
+      /**
+       * Traces the path to the end set by the scene. Throws Interrupted after a
+       * signal.
+       */
       void follow(Recorder &recorder)
       {
         const MPI_Comm communicator =
@@ -76,8 +78,8 @@ namespace auxfem
                 recorder.keep_checkpoint();
                 throw Interrupted(signal);
               }
-            // Also before the last step, which an end cuts short: a longer path
-            // does it again, and is as if there had been no end.
+            // A resumed longer path repeats the last step, which the end has
+            // shortened, so a checkpoint precedes it too.
             if (run.scene.output.checkpoints > 0)
               recorder.take(checkpoint(recorder));
             advance(recorder);
@@ -85,7 +87,7 @@ namespace auxfem
         recorder.keep_checkpoint();
       }
 
-      /** What is to be said of where it has ended. */
+      /** Findings on the end of the path. */
       std::vector<Finding> findings() const
       {
         std::vector<Finding> all;
@@ -132,13 +134,15 @@ namespace auxfem
           CheckpointArchive::saving(taken, run.model.numbering.layout());
         serialize(archive);
         stepper.restart();
-        // It may have gained ghosts.
+        // The state may have gained ghost unknowns.
         point.solution.state = run.solution.state;
         return taken;
       }
 
-      /** One point further, past all singular points on the way, or on to
-       * another branch at one of them. */
+      /**
+       * Advances by one point, past all singular points in between, or onto
+       * another branch at one of them.
+       */
       void advance(Recorder &recorder)
       {
         StepReport report;
@@ -152,7 +156,7 @@ namespace auxfem
             if (!leaves_branch_at(located.singular))
               continue;
             point = std::move(located.point);
-            // The work of a path is that of its bend; here it has a kink.
+            // The work integral uses the curvature; the path has a kink here.
             point.solution.state.before.reset();
             accept(branch_off(located.singular, report), report, recorder);
             return;
@@ -162,9 +166,11 @@ namespace auxfem
         accept(std::move(next), report, recorder);
       }
 
-      /** The sign of a determinant does not tell of two changes in one step,
-       * which must not be long then. */
-      void keep_pairs_apart()
+      /**
+       * Limits the step length if only the sign of the determinant is known,
+       * because that misses two changes in one step.
+       */
+      void limit_step_by_load()
       {
         const PathPosition &at = point.position();
         if (at.determinant_sign && !at.n_negative)
@@ -172,10 +178,10 @@ namespace auxfem
                         std::abs(point.tangent.load_rate));
       }
 
-      /** The next one that is near enough to the tangent. */
+      /** Computes the next point that is close enough to the tangent. */
       PathPoint next_point(StepReport &report)
       {
-        keep_pairs_apart();
+        limit_step_by_load();
         while (true)
           {
             report.dt     = lengths.length();
@@ -186,7 +192,7 @@ namespace auxfem
             ++report.retries;
             ++run.work().retries;
             if (lengths.is_exhausted())
-              give_up(report.dt, step.why_failed);
+              throw_lost_path(report.dt, step.failure_reason);
           }
       }
 
@@ -197,7 +203,7 @@ namespace auxfem
         report.relative_residual = step.relative_residual;
       }
 
-      /** Sets the next length either way. */
+      /** Whether the step is accepted; also sets the next length. */
       bool is_near_enough(const PathStep &step)
       {
         if (!step.point)
@@ -213,15 +219,16 @@ namespace auxfem
                                             step.point->tangent.direction));
       }
 
-      [[noreturn]] void give_up(const double       length,
-                                const std::string &why) const
+      [[noreturn]] void throw_lost_path(const double       length,
+                                        const std::string &failure_reason) const
       {
         std::ostringstream message;
         message << "The path of equilibria is lost at load factor "
                 << point.load_factor() << ", arc length " << point.arc_length()
                 << " m: no point was found even " << length << " m from there"
-                << (why.empty() ? ", where the path turns too sharply"
-                                : ": " + why)
+                << (failure_reason.empty()
+                      ? ", where the path turns too sharply"
+                      : ": " + failure_reason)
                 << ".\nAll points until then are in the output folder. Finer "
                    "elements, another Path/Branch or an imperfection may "
                    "carry it further.";
@@ -233,8 +240,10 @@ namespace auxfem
         return std::abs(reached.load_factor()) > path.largest_load_factor;
       }
 
-      /** Replaces @p next, @p length (m) from here, by the point with the
-       * largest load factor, where that is found. */
+      /**
+       * Replaces @p next, at the distance @p length (m), by the point with the
+       * largest load factor if Newton's method converges.
+       */
       void end_at_largest_load(const double length, PathPoint &next)
       {
         const double target =
@@ -258,38 +267,40 @@ namespace auxfem
           : path.branch == Branch::stable && singular.destabilizes();
       }
 
-      /** A point on the branch that crosses here. */
+      /** Computes a point on the crossing branch. */
       PathPoint branch_off(const SingularPoint &singular, StepReport &report)
       {
         PathTangent across{singular.null_vector, 0.};
         if (path.opposite_side)
           scale(-1., across.direction);
-        // Shorter ways would be lost in the round-off of a soft direction.
-        constexpr double       least_part = 1e-3;
-        constexpr unsigned int n_attempts = 8;
-        std::string            why;
+        // Shorter steps would drown in the round-off of a soft direction.
+        constexpr double       min_branch_step = 1e-3;
+        constexpr unsigned int n_attempts      = 8;
+        std::string            failure_reason;
         report.dt =
-          std::max(report.dt, least_part * run.model.mean_strut_length);
+          std::max(report.dt, min_branch_step * run.model.mean_strut_length);
         for (unsigned int i = 0; i < n_attempts; ++i, report.dt /= 2)
           {
             PathStep step = stepper.step(point, across, report.dt);
             count(step, report);
             if (step.point)
               {
-                lengths.begin_anew(report.dt);
+                lengths.restart_branch(report.dt);
                 leave_unstable_branches(singular, *step.point, report);
                 return std::move(*step.point);
               }
-            why = step.why_failed;
+            failure_reason = step.failure_reason;
           }
         throw ComputationError(
-          "No other branch was found at a bifurcation: " + why +
+          "No other branch was found at a bifurcation: " + failure_reason +
           ".\nAll points until then are in the output folder. Choose another "
           "Path/Branch, or disturb the lattice by an imperfection.");
       }
 
-      /** Where several directions become free at once, the branch along one of
-       * them may be unstable in another: from @p reached along that, too. */
+      /**
+       * With several null vectors the branch along one of them may be unstable
+       * in another. Steps from @p reached along that one, too.
+       */
       void leave_unstable_branches(const SingularPoint &singular,
                                    PathPoint           &reached,
                                    StepReport          &report)
@@ -305,12 +316,12 @@ namespace auxfem
         for (unsigned long i = 1; i < singular.multiplicity() && is_unstable();
              ++i)
           {
-            auto softest = stepper.softest();
-            if (!softest)
+            auto softest_mode = stepper.softest_mode();
+            if (!softest_mode)
               break;
             PathStep further =
               stepper.step(reached,
-                           PathTangent{std::move(softest->first), 0.},
+                           PathTangent{std::move(softest_mode->first), 0.},
                            report.dt);
             count(further, report);
             if (!further.point)
@@ -321,7 +332,7 @@ namespace auxfem
           unstable_branch = point.load_factor();
       }
 
-      /** The step from here to @p next is done. */
+      /** Accepts the step to @p next. */
       void
       accept(PathPoint &&next, const StepReport &report, Recorder &recorder)
       {
@@ -348,7 +359,7 @@ namespace auxfem
           point.solution.state.step >= path.most_points;
       }
 
-      /** Whether the last point is where the path is to lead. */
+      /** Whether the last point is the requested end of the path. */
       bool has_reached_end() const
       {
         const State &state = point.solution.state;
@@ -364,8 +375,9 @@ namespace auxfem
       PathPoint             point; ///< the last one
       PathStepLength        lengths;
       unsigned int          n_bifurcations = 0;
-      /** Load factor at which the path went to a branch that is less stable
-       * than the one before; 0: nowhere. */
+      /**
+       * Load factor at which the path took a less stable branch; 0: nowhere.
+       */
       double unstable_branch = 0;
     };
 
@@ -374,22 +386,22 @@ namespace auxfem
                        Recorder      &recorder)
     {
       LatticeRun run(plan_of_path(scene), communicator);
-      // What is no mechanism is stable at rest.
+      // A structure that is no mechanism is stable at rest.
       if (!scene.time.static_start)
         {
           run.solution.state.path->n_negative       = 0;
           run.solution.state.path->determinant_sign = 1;
         }
-      // The recorder has it until the run goes on from it.
-      const CheckpointData *const given_checkpoint =
+      // The recorder releases its checkpoint when the run continues.
+      const CheckpointData *const restart_checkpoint =
         recorder.restart_checkpoint();
       std::optional<CheckpointData> checkpoint;
-      if (given_checkpoint != nullptr)
-        checkpoint = *given_checkpoint;
-      return run.run(recorder, [&](Recorder &of_run) {
+      if (restart_checkpoint != nullptr)
+        checkpoint = *restart_checkpoint;
+      return run.run(recorder, [&](Recorder &run_recorder) {
         EquilibriumPath path =
           checkpoint ? EquilibriumPath(run, *checkpoint) : EquilibriumPath(run);
-        path.follow(of_run);
+        path.follow(run_recorder);
         return path.findings();
       });
     }

@@ -17,8 +17,8 @@ namespace auxfem
     using StateVector = dealii::Vector<double>;
     using Ode         = dealii::SUNDIALS::ARKode<StateVector>;
 
-    /** Evaluations in one step of the scene after which nothing is expected. */
-    constexpr unsigned long most_evaluations = 1000000;
+    /** Largest number of evaluations in one step of the scene. */
+    constexpr unsigned long max_evaluations = 1000000;
 
     Ode::AdditionalData settings(const Scene &scene)
     {
@@ -26,20 +26,20 @@ namespace auxfem
       data.initial_time      = 0;
       data.final_time        = scene.time.end_time;
       data.initial_step_size = scene.time.step / 100;
-      // Longer than any step of the scene: one output a call.
+      // A period beyond the end gives one output per call.
       data.output_period      = 2 * scene.time.end_time;
       data.minimum_step_size  = 0;
       data.maximum_order      = 8;
       data.relative_tolerance = 1e-12;
-      // What is small here (displacements at the start) matters later.
+      // Tiny displacements at the start matter later.
       data.absolute_tolerance = 1e-15;
       return data;
     }
 
     /**
-     * The equations of motion as a system of first order for ARKODE: turn,
-     * rise, their rates, the connector's internal variables, lost energy and
-     * work of the load, integrated with the same error control.
+     * First-order system for ARKODE. Unknowns are rotation, rise, their rates,
+     * the connector's internal variables, the dissipated energy and the work of
+     * the load, all under the same error control.
      */
     class ArkodeScheme : public CellScheme
     {
@@ -57,7 +57,7 @@ namespace auxfem
             return 0;
           };
         ode.custom_setup = [end = scene.time.time_at(1)](void *memory) {
-          // Our limit is on evaluations, and the user gets our message.
+          // max_evaluations limits the effort, with a message to the user.
           ARKStepSetMaxNumSteps(memory, -1);
 #if SUNDIALS_VERSION_MAJOR < 7
           ARKStepSetErrFile(memory, nullptr); // gone in SUNDIALS 7
@@ -96,7 +96,7 @@ namespace auxfem
         return first_internal + law.n_history();
       }
 
-      unsigned int work_of_load() const
+      unsigned int load_work() const
       {
         return lost_energy() + 1;
       }
@@ -113,14 +113,14 @@ namespace auxfem
       }
 
       /**
-       * Throws from within ARKODE: deal.II 9.4 asks for its error codes in
-       * Debug only, and would call it for ever after a failure.
+       * Throws from within ARKODE, because deal.II 9.4 checks its error codes
+       * in Debug mode only and would repeat the call forever.
        */
       void evaluate(const double t, const StateVector &y, StateVector &rates)
       {
         ++evaluations;
-        if (++evaluations_of_step > most_evaluations)
-          give_up();
+        if (++evaluations_of_step > max_evaluations)
+          throw_too_stiff();
         const CellMotion         motion = motion_of(y);
         const double             load   = scene.reduced_cell->load.value(t);
         const double             rate   = cell.extension_rate(motion);
@@ -135,8 +135,8 @@ namespace auxfem
             rates[i]     = motion.velocity[i];
             rates[2 + i] = a[i];
           }
-        rates[lost_energy()]  = connector.lost_power;
-        rates[work_of_load()] = -load * rate;
+        rates[lost_energy()] = connector.lost_power;
+        rates[load_work()]   = -load * rate;
       }
 
       CellSample sample() const
@@ -154,7 +154,7 @@ namespace auxfem
         energies[cell_kinetic]    = cell.kinetic_energy(motion);
         energies[cell_stored]     = connector.stored;
         energies[cell_dissipated] = y[lost_energy()];
-        energies[cell_work]       = y[work_of_load()];
+        energies[cell_work]       = y[load_work()];
         const CellSample sample{time,
                                 cell.angle(motion.position[0]),
                                 extension,
@@ -162,14 +162,14 @@ namespace auxfem
                                 scene.reduced_cell->load.value_before(time),
                                 -connector.force,
                                 energies};
-        refuse_not_finite(sample);
+        require_finite(sample);
         return sample;
       }
 
-      [[noreturn]] void give_up() const
+      [[noreturn]] void throw_too_stiff() const
       {
         std::ostringstream message;
-        message << "ARKODE needs more than " << most_evaluations
+        message << "ARKODE needs more than " << max_evaluations
                 << " evaluations for the step from t = "
                 << scene.time.time_at(step)
                 << " s: the connector is too stiff for an explicit method, or "

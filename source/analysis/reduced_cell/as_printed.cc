@@ -1,20 +1,19 @@
 
 
 /**
- * @file
- * NOT A MODEL OF THE CELL: the equations and the scheme of Shokri Rad,
- * Mohsenizadeh and Ahmad exactly as they are printed, with the slips, to see
- * what they give. Nothing here is used by any other scheme. What is wrong:
+ * @file NOT A MODEL OF THE CELL: the equations and the scheme of Shokri Rad,
+ * Mohsenizadeh and Ahmad exactly as printed, for comparison. No other scheme
+ * uses this file. The printed errors are:
  *
- * - Eq. (18): K (Y2 + 2 L1 sin theta) on the right misses the length at rest,
- *   2 L1 sin theta0, so that the spring is stretched by it from the start;
- *   entry (2,2) has 3/2 m1 in place of 2 m1;
+ * - Eq. (18): K (Y2 + 2 L1 sin theta) on the right lacks the rest length 2 L1
+ *   sin theta0, which stretches the spring from the start; entry (2,2) has 3/2
+ *   m1 instead of 2 m1;
  * - Eq. (20), Maxwell: the right side is that of Kelvin-Voigt, although there
  *   is no spring beside the dashpot. With Y3 for Y2 everywhere, as Eq. (22) has
  *   it, its motion is that of Eq. (18);
- * - Eqs. (24), (25): the second difference misses - 2 x(i), so that the motion
+ * - Eqs. (24), (25): the second difference lacks - 2 x(i), so the motion
  *   vanishes with the step length;
- * - a division by cos theta, which is no part of the mechanics.
+ * - the equations divide by cos theta without mechanical reason.
  */
 
 #include <auxfem/analysis/reduced_cell/cell_scheme.h>
@@ -62,9 +61,9 @@ namespace auxfem
     }
 
     /**
-     * The two-step scheme of Eqs. (23) to (25) for Eq. (18), or (20). With a
-     * Maxwell connector the second unknown is called Y3; then the paper gives
-     * no Y1 and Y2, and there are no energies.
+     * Two-step scheme of Eqs. (23) to (25) for Eq. (18) or (20). With a Maxwell
+     * connector the second unknown is Y3. The paper then gives neither Y1 nor
+     * Y2, so there are no energies.
      */
     class PrintedScheme : public TwoStepScheme
     {
@@ -103,8 +102,8 @@ namespace auxfem
       }
 
       /**
-       * f2 of Eq. (26) or (27). There it is F, positive in tension; here, as
-       * everywhere in auxfem, compression is positive.
+       * Force f2 of Eq. (26) or (27). The paper counts tension positive; auxfem
+       * counts compression positive.
        */
       double transmitted(const CellMotion &motion) const
       {
@@ -115,7 +114,9 @@ namespace auxfem
                  connector.damping * cell.equations().extension_rate(motion));
       }
 
-      /** All first positions are those at rest; so Eq. (24) has it for i = 3.
+      /**
+       * Computes a sample; all first positions are those at rest, as in Eq.
+       * (24) for i = 3.
        */
       CellSample sample() override
       {
@@ -123,7 +124,7 @@ namespace auxfem
         const CellMotion motion = grid.motion(dt);
         const CellVector a      = printed_acceleration(motion);
         if (!std::isfinite(a[0]) || !std::isfinite(a[1]))
-          give_up();
+          throw_not_finite();
         grid.shift(grid.before() + 4 * dt * dt * a);
 
         CellSample now  = cell.accept(motion);
@@ -138,7 +139,7 @@ namespace auxfem
         return now;
       }
 
-      [[noreturn]] void give_up() const
+      [[noreturn]] void throw_not_finite() const
       {
         std::ostringstream message;
         message << "The paper's scheme as printed gives numbers that are not "

@@ -14,7 +14,7 @@ namespace auxfem
 
   double CellEquations::extension(const CellVector &position) const
   {
-    // No difference of nearly equal sines: small motions keep all digits.
+    // The product avoids a difference of nearly equal sines.
     const double half = position[0] / 2;
     return position[1] +
       4 * length * std::cos(angle_at_rest + half) * std::sin(half);
@@ -92,7 +92,7 @@ namespace auxfem
                                          const double      force) const
   {
     const double rotation = motion.position[0];
-    refuse_singular(rotation);
+    require_regular_mass(rotation);
     return invert(mass(rotation)) *
       (-force * lever(rotation) - velocity_force(rotation, motion.velocity[0]));
   }
@@ -103,9 +103,9 @@ namespace auxfem
       (motion.velocity * (mass(motion.position[0]) * motion.velocity));
   }
 
-  void CellEquations::refuse_singular(const double rotation) const
+  void CellEquations::require_regular_mass(const double rotation) const
   {
-    // The cosine of an upright bar is no exact zero in floating point.
+    // In floating point the cosine of an upright bar is not exactly zero.
     if (!is_always_regular() && std::cos(angle(rotation)) < 1e-12)
       throw ComputationError(
         "The bars come upright. Without mass (Reduced cell/Bar mass = 0) "

@@ -55,7 +55,7 @@ namespace auxfem
 
   namespace
   {
-    /** See make_cell_output(). */
+    /** Output folder and console of a run of the reduced cell. */
     class CellOutput : public CellRecorder
     {
     public:
@@ -114,7 +114,7 @@ namespace auxfem
 
       void write_row(const CellSample &sample)
       {
-        // What cannot be written is not tried again at the end of the run.
+        // A row that cannot be written is not retried at the end of the run.
         latest_row = sample;
         table->append(cell_values(sample, energies));
       }
@@ -149,7 +149,7 @@ namespace auxfem
       const StartTimes        start_times;
       const FileRules         rules;
       const Clock::time_point start;
-      /** What was begun is closed, also if a signal asks for the end. */
+      /** Delays signals so that open files are completed. */
       SignalsWaitForStep        signals;
       std::optional<RunFolder>  files;
       std::optional<Console>    console;
@@ -234,7 +234,7 @@ namespace auxfem
 
   void check_reduced_cell(const Scene &scene)
   {
-    // Finds loads that are no numbers.
+    // The first sample detects loads that are not finite.
     make_cell_scheme(scene)->start();
     std::cout << cell_overview_text(scene) << std::flush;
   }
@@ -252,7 +252,7 @@ namespace auxfem
       }
     catch (const ComputationError &)
       {
-        // The history knows why.
+        // The exit state of the history contains the reason.
       }
     return history;
   }
@@ -270,8 +270,8 @@ namespace auxfem
     }
 
     /**
-     * Largest difference; the reference is 1 at its largest. Not a number
-     * unless both have come to the end.
+     * Largest difference over the largest value of the reference; NaN unless
+     * both runs have completed.
      */
     double difference(const CellHistory &history,
                       const CellHistory &reference,
@@ -283,11 +283,11 @@ namespace auxfem
       double result = 0;
       for (std::size_t i = 0; i < reference.samples.size(); ++i)
         {
-          const double off = std::abs(history.samples[i].*quantity -
-                                      reference.samples[i].*quantity);
-          if (std::isnan(off))
+          const double deviation = std::abs(history.samples[i].*quantity -
+                                            reference.samples[i].*quantity);
+          if (std::isnan(deviation))
             return unknown;
-          result = std::max(result, off);
+          result = std::max(result, deviation);
         }
       const double scale = largest(reference, quantity);
       return scale > 0 ? result / scale : unknown;
@@ -301,7 +301,7 @@ namespace auxfem
       return record.relative(record.largest_balance);
     }
 
-    /** The time history of @p scene with the scheme @p name in place of its own. */
+    /** Time history of @p scene computed with the scheme @p name. */
     CellHistory history_with(const std::string &name, const Scene &scene)
     {
       try
@@ -318,8 +318,7 @@ namespace auxfem
         }
     }
 
-    /** All schemes that a reduced cell may have, that of the reference first.
-     */
+    /** All schemes for reduced cells, the reference first. */
     std::vector<std::string> compared_schemes()
     {
       std::vector<std::string> names = {arkode_entry().name};
@@ -335,16 +334,18 @@ namespace auxfem
                            const CellHistory &reference)
     {
       ComparisonRow row;
-      row.name         = std::filesystem::path(scene.file).stem();
-      row.scheme       = scheme;
-      row.exit_state   = history.exit_state;
-      const bool began = !history.samples.empty();
-      row.angle        = began ? history.samples.back().angle : unknown;
-      row.lower_rise   = began ? history.samples.back().lower_rise : unknown;
-      row.transmitted  = began ? history.samples.back().transmitted : unknown;
+      row.name               = std::filesystem::path(scene.file).stem();
+      row.scheme             = scheme;
+      row.exit_state         = history.exit_state;
+      const bool has_samples = !history.samples.empty();
+      row.angle = has_samples ? history.samples.back().angle : unknown;
+      row.lower_rise =
+        has_samples ? history.samples.back().lower_rise : unknown;
+      row.transmitted =
+        has_samples ? history.samples.back().transmitted : unknown;
       row.largest_transmitted =
-        began ? largest(history, &CellSample::transmitted) : unknown;
-      row.relative_balance = began ? relative_balance(history) : unknown;
+        has_samples ? largest(history, &CellSample::transmitted) : unknown;
+      row.relative_balance = has_samples ? relative_balance(history) : unknown;
       row.angle_difference = difference(history, reference, &CellSample::angle);
       row.transmitted_difference =
         difference(history, reference, &CellSample::transmitted);
@@ -390,7 +391,7 @@ namespace auxfem
       for (unsigned int i = 0; i < widths.size(); ++i)
         std::cout << (widths[i] < 0 ? std::left : std::right)
                   << std::setw(std::abs(widths[i])) << cells[i] << ' ';
-      // a reason may have several lines; the first says what happened
+      // Only the first line of a reason fits the table.
       const std::string &last = cells.back();
       std::cout << ' ' << last.substr(0, last.find('\n')) << '\n' << std::right;
     }

@@ -9,20 +9,20 @@ namespace auxfem
   Energies cell_energies()
   {
     static const auto ledger = []() {
-      EnergyLedger of_cell;
-      of_cell.enter(kinetic_energy_entry());
-      of_cell.enter(stored_energy_entry());
-      of_cell.enter({EnergyKind::dissipated,
-                     "dissipated",
-                     "energy lost in connectors since the start"});
-      of_cell.enter(
+      EnergyLedger ledger;
+      ledger.enter(kinetic_energy_entry());
+      ledger.enter(stored_energy_entry());
+      ledger.enter({EnergyKind::dissipated,
+                    "dissipated",
+                    "energy lost in connectors since the start"});
+      ledger.enter(
         {EnergyKind::work, "external", "work of the load since the start"});
-      return std::make_shared<const EnergyLedger>(of_cell);
+      return std::make_shared<const EnergyLedger>(ledger);
     }();
     return Energies(ledger);
   }
 
-  void refuse_not_finite(const CellSample &sample)
+  void require_finite(const CellSample &sample)
   {
     std::vector<std::pair<std::string, double>> numbers = {
       {"theta", sample.angle},
@@ -51,15 +51,16 @@ namespace auxfem
 
   std::unique_ptr<CellScheme> make_cell_scheme(const Scene &scene)
   {
-    const auto *own = dynamic_cast<const CellMethod *>(scene.time.scheme.get());
-    return own != nullptr ? own->begin(scene)
-                          : make_implicit_cell_scheme(scene);
+    const auto *cell_method =
+      dynamic_cast<const CellMethod *>(scene.time.scheme.get());
+    return cell_method != nullptr ? cell_method->begin(scene)
+                                  : make_implicit_cell_scheme(scene);
   }
 
   namespace
   {
     /** Throws InputError if the last step would be shorter than the others. */
-    void refuse_uneven_steps(const Scene &scene)
+    void require_equal_steps(const Scene &scene)
     {
       const TimeParameters &time = scene.time;
       const double          even = time.n_steps() * time.step;
@@ -106,11 +107,11 @@ namespace auxfem
   CellSample SteppedCell::accept(const CellMotion &motion)
   {
     connector(motion);
-    const ConnectorEnergy of_connector =
+    const ConnectorEnergy connector_energy =
       law.energy(connector_motion, committed.data(), trial.data());
     energies[cell_kinetic] = cell.kinetic_energy(motion);
-    energies[cell_stored]  = of_connector.stored;
-    energies[cell_dissipated] += of_connector.dissipated;
+    energies[cell_stored]  = connector_energy.stored;
+    energies[cell_dissipated] += connector_energy.dissipated;
     energies[cell_work] -= (load_before + load_now) / 2 *
       (connector_motion.extension - connector_motion.previous_extension);
     committed = trial;
@@ -121,7 +122,7 @@ namespace auxfem
                             load_now,
                             -response.force,
                             energies};
-    refuse_not_finite(sample);
+    require_finite(sample);
     return sample;
   }
 
@@ -130,7 +131,7 @@ namespace auxfem
 
   TwoStepScheme::TwoStepScheme(const Scene &scene) : scene(scene), cell(scene)
   {
-    refuse_uneven_steps(scene);
+    require_equal_steps(scene);
   }
 
   CellSample TwoStepScheme::start()

@@ -9,12 +9,12 @@ namespace auxfem
     /**
      * The paper's grids with a consistent second difference:
      *
-     *   x'(i)  = [x(i+1) - x(i-1)] / (2 dt)
-     *   x''(i) = [x(i+2) - 2 x(i) + x(i-2)] / (4 dt^2)
+     * x'(i)  = [x(i+1) - x(i-1)] / (2 dt) x''(i) = [x(i+2) - 2 x(i) + x(i-2)] /
+     * (4 dt^2)
      *
-     * explicit for x(i+2) and of second order. The grids of even and odd steps
-     * meet in velocities only. Where these matter (dashpots), a difference of
-     * the grids grows about as fast as the motion is damped, whatever the step.
+     * It is explicit for x(i+2) and of second order. Only velocities couple the
+     * grids of even and odd steps. With dashpots, a difference of the grids
+     * grows about as fast as the motion decays, for any step length.
      */
     class CentralDifference : public TwoStepScheme
     {
@@ -38,7 +38,7 @@ namespace auxfem
       {
         const double     dt     = scene.time.step;
         const CellMotion motion = grid.motion(dt);
-        cell.equations().refuse_singular(motion.position[0]);
+        cell.equations().require_regular_mass(motion.position[0]);
         const double     force = cell.load() + cell.connector(motion).force;
         const CellVector a     = cell.equations().acceleration(motion, force);
         grid.shift(2 * motion.position - grid.before() + 4 * dt * dt * a);

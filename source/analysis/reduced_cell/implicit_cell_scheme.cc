@@ -31,8 +31,8 @@ namespace auxfem
       return {pair(state.displacement), pair(*state.velocity)};
     }
 
-    /** Sum of the sizes of the terms of @p M times @p a, row by row. */
-    CellVector size_of_terms(const CellMatrix &M, const CellVector &a)
+    /** Sum of the absolute terms of @p M times @p a, row by row. */
+    CellVector absolute_terms(const CellMatrix &M, const CellVector &a)
     {
       CellVector result;
       for (unsigned int i = 0; i < 2; ++i)
@@ -41,8 +41,8 @@ namespace auxfem
     }
 
     /**
-     * A scheme of lattices on the two unknowns, with Newton's method and
-     * the exact tangent in every iteration.
+     * Applies a time scheme of lattices to the two unknowns, with the full
+     * Newton method.
      */
     class ImplicitCellScheme : public CellScheme
     {
@@ -74,7 +74,7 @@ namespace auxfem
         cell.begin_step(state.step + 1);
         scheme.predict(state, cell.dt(), trial);
         solve();
-        equations().refuse_singular(trial.displacement[0]);
+        equations().require_regular_mass(trial.displacement[0]);
         trial.step = state.step + 1;
         state      = trial;
         return cell.accept(motion_of(state));
@@ -86,13 +86,13 @@ namespace auxfem
       }
 
     private:
-      /** The equations at the trial state. */
+      /** Residual and its scale at the trial state. */
       struct Evaluation
       {
         CellVector        residual; ///< M q'' + h + (f1 + F) b
         ConnectorResponse connector;
-        double            size;  ///< of the residual, in force units (N)
-        double            scale; ///< of the terms it is the sum of (N)
+        double            size;  ///< residual norm in force units (N)
+        double            scale; ///< sum of the norms of its terms (N)
       };
 
       const CellEquations &equations() const
@@ -102,11 +102,12 @@ namespace auxfem
 
       double in_force_units(const CellVector &v) const
       {
-        const double of_moment =
+        const double moment_part =
           std::abs(v[0]) / scene.reduced_cell->bar_length;
-        // std::max would drop a NaN in its second place.
-        return std::isfinite(of_moment) ? std::max(std::abs(v[1]), of_moment)
-                                        : of_moment;
+        // std::max drops a NaN in its second argument.
+        return std::isfinite(moment_part)
+          ? std::max(std::abs(v[1]), moment_part)
+          : moment_part;
       }
 
       Evaluation evaluate()
@@ -119,18 +120,19 @@ namespace auxfem
           equations().velocity_force(rotation, motion.velocity[0]);
         const CellVector b = equations().lever(rotation);
 
-        Evaluation now;
-        now.connector      = cell.connector(motion);
-        const double force = cell.load() + now.connector.force;
-        now.residual       = M * a + h + force * b;
-        now.size           = in_force_units(now.residual);
-        now.scale = in_force_units(size_of_terms(M, a)) + in_force_units(h) +
-          std::abs(cell.load()) + std::abs(now.connector.force);
-        return now;
+        Evaluation evaluation;
+        evaluation.connector = cell.connector(motion);
+        const double force   = cell.load() + evaluation.connector.force;
+        evaluation.residual  = M * a + h + force * b;
+        evaluation.size      = in_force_units(evaluation.residual);
+        evaluation.scale     = in_force_units(absolute_terms(M, a)) +
+          in_force_units(h) + std::abs(cell.load()) +
+          std::abs(evaluation.connector.force);
+        return evaluation;
       }
 
       /** Derivative of the residual by an increment of the unknowns. */
-      CellMatrix tangent(const Evaluation     &now,
+      CellMatrix tangent(const Evaluation     &evaluation,
                          const TangentFactors &factors) const
       {
         const CellMotion motion        = motion_of(trial);
@@ -138,22 +140,23 @@ namespace auxfem
         const double     rotation_rate = motion.velocity[0];
         const CellVector b             = equations().lever(rotation);
         const CellVector b_by_rotation = equations().lever_derivative(rotation);
-        const double     force         = cell.load() + now.connector.force;
+        const double     force = cell.load() + evaluation.connector.force;
 
         CellMatrix       K = factors.mass * equations().mass(rotation);
-        const CellVector by_turn =
+        const CellVector by_rotation =
           equations().mass_derivative(rotation) * pair(*trial.acceleration) +
           equations().velocity_force_by_rotation(rotation, rotation_rate) +
           force * b_by_rotation +
-          now.connector.damping * (b_by_rotation * motion.velocity) * b;
+          evaluation.connector.damping * (b_by_rotation * motion.velocity) * b;
         const CellVector by_rate =
           equations().velocity_force_by_rate(rotation, rotation_rate);
-        const double along = factors.stiffness * now.connector.stiffness +
-          factors.damping * now.connector.damping;
+        const double along =
+          factors.stiffness * evaluation.connector.stiffness +
+          factors.damping * evaluation.connector.damping;
         for (unsigned int i = 0; i < 2; ++i)
           {
             K[i][0] +=
-              factors.stiffness * by_turn[i] + factors.damping * by_rate[i];
+              factors.stiffness * by_rotation[i] + factors.damping * by_rate[i];
             for (unsigned int j = 0; j < 2; ++j)
               K[i][j] += along * b[i] * b[j];
           }
@@ -165,25 +168,25 @@ namespace auxfem
         const TangentFactors factors = scheme.factors(state, cell.dt());
         for (unsigned int iteration = 0;; ++iteration)
           {
-            const Evaluation now = evaluate();
-            if (!std::isfinite(now.size))
-              give_up("the residual is not finite");
-            const double scale = std::max(largest_scale, now.scale);
-            // Below the last digit of its terms no residual can come.
+            const Evaluation evaluation = evaluate();
+            if (!std::isfinite(evaluation.size))
+              throw_failed_step("the residual is not finite");
+            const double scale = std::max(largest_scale, evaluation.scale);
+            // Round-off of its terms bounds the residual from below.
             const double floor =
-              16 * std::numeric_limits<double>::epsilon() * now.scale;
-            if (now.size <= scene.newton.tolerance * scale + floor)
+              16 * std::numeric_limits<double>::epsilon() * evaluation.scale;
+            if (evaluation.size <= scene.newton.tolerance * scale + floor)
               {
                 largest_scale = scale;
                 return;
               }
             if (iteration == scene.newton.maximum_iterations)
-              give_up("Newton's method has not converged in " +
-                      std::to_string(iteration) + " iterations");
-            const CellMatrix K = tangent(now, factors);
+              throw_failed_step("Newton's method has not converged in " +
+                                std::to_string(iteration) + " iterations");
+            const CellMatrix K = tangent(evaluation, factors);
             if (determinant(K) == 0)
-              give_up("the tangent is singular");
-            const CellVector solution = invert(K) * (-now.residual);
+              throw_failed_step("the tangent is singular");
+            const CellVector solution = invert(K) * (-evaluation.residual);
             increment[0]              = solution[0];
             increment[1]              = solution[1];
             scheme.correct(state, increment, cell.dt(), trial);
@@ -191,13 +194,13 @@ namespace auxfem
           }
       }
 
-      [[noreturn]] void give_up(const std::string &reason)
+      [[noreturn]] void throw_failed_step(const std::string &reason)
       {
-        // Just before, rates grow without bounds and no iteration converges.
+        // Close to the singularity rates grow without bounds and Newton fails.
         constexpr double just_before = 4; // steps
-        equations().refuse_singular(state.displacement[0] +
-                                    just_before * cell.dt() *
-                                      (*state.velocity)[0]);
+        equations().require_regular_mass(state.displacement[0] +
+                                         just_before * cell.dt() *
+                                           (*state.velocity)[0]);
         std::ostringstream message;
         message << "The step from t = " << scene.time.time_at(state.step)
                 << " s with dt = " << cell.dt() << " s failed: " << reason

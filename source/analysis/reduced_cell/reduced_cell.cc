@@ -6,7 +6,7 @@ namespace auxfem
 {
   namespace
   {
-    /** Gives samples to a recorder as rows of the history. */
+    /** Passes samples to a recorder as rows of the history. */
     class CellRows : public CellRecorder
     {
     public:

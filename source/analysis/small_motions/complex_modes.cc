@@ -76,7 +76,7 @@ namespace auxfem
     }
 
     /**
-     * Lowest natural frequency of the symmetric share of the stiffness (rad/s).
+     * Lowest natural frequency of the symmetric part of the stiffness (rad/s).
      */
     double lowest_symmetric_frequency(TangentSolver &solver, const State &state)
     {
@@ -206,7 +206,7 @@ namespace auxfem
                         const State   &state,
                         NaturalModes  &found)
   {
-    // A limit just margin the highest frequency hardly coincides with a root.
+    // A limit just above the highest frequency hardly coincides with a root.
     constexpr double    margin = 1.0437;
     std::vector<double> frequencies;
     for (const NaturalMode &mode : found.modes)

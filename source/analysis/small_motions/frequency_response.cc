@@ -142,7 +142,7 @@ namespace auxfem
           }
       }
 
-      /** Row of each peak_rows amplitude. */
+      /** Row of each largest amplitude. */
       const std::vector<std::size_t> &rows() const
       {
         return peak_rows;
@@ -154,7 +154,7 @@ namespace auxfem
       }
 
       /**
-       * Whether an amplitude exceeds the round-off of the peak_rows of its
+       * Whether an amplitude exceeds the round-off of the largest of its
        * kind: displacements and rotations, or forces and moments.
        * @param length converts rotations and moments (m)
        */
@@ -298,7 +298,7 @@ namespace auxfem
       std::optional<HarmonicResponse> response;
 
       /**
-       * Compares at the peak_rows amplitudes and at frequencies over the whole
+       * Compares at the largest amplitudes and at frequencies over the whole
        * band.
        */
       void compare()
@@ -334,7 +334,7 @@ namespace auxfem
     };
 
     /**
-     * Plan at t = 0 without initial velocities and with squared_norm damping.
+     * Plan at t = 0 without initial velocities and with all damping.
      * If the scene requests it, elements are chosen for the waves of the band.
      */
     RunPlan plan_of_vibrations(const Scene &scene)

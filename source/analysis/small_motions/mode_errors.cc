@@ -88,7 +88,7 @@ namespace auxfem
                  const Damping               damping,
                  const std::vector<Complex> &coarse)
       {
-        // Finer elements may have larger roots; search up to 20 % margin.
+        // Finer elements may have larger roots; search up to 20 % above.
         constexpr double margin = 1.2;
         double smallest = std::numeric_limits<double>::infinity(), largest = 0;
         for (const Complex s : coarse)

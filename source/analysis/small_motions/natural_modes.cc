@@ -186,7 +186,7 @@ namespace auxfem
         return layout.sum(sum);
       }
 
-      /** Unit translation of squared_norm local unknowns, including supports.
+      /** Unit translation of all local unknowns, including supports.
        */
       Vector translation(const unsigned int d) const
       {
@@ -227,7 +227,7 @@ namespace auxfem
      * Whether the number of eigenvalues between the shift and the widest gap
      * among the last pairs equals the number found.
      * @param n minimum number of pairs before the gap
-     * @param n_below_shift number of squared_norm eigenvalues below the shift
+     * @param n_below_shift number of all eigenvalues below the shift
      */
     bool are_all_found(Vibration                    &vibration,
                        const std::vector<Eigenpair> &pairs,

@@ -113,7 +113,7 @@ TEST(StaticPath, ReversedLoadsPullTheOtherWay)
 TEST(StaticPath, SupportsMayDriveIt)
 {
   // A soft bar pushes the apex; its upper end goes back while the truss snaps.
-  const double    stiffness = 300, way = 5;
+  const double    stiffness = 300, travel = 5;
   const SceneText scene =
     static_frame(text(-half_span) + " 0; 0 " + text(rise) + "; " +
                    text(half_span) + " 0; 0 " + text(rise + 10),
@@ -123,7 +123,7 @@ TEST(StaticPath, SupportsMayDriveIt)
       .hinge("apex", "1")
       .support("left", "0", "pin")
       .support("right", "2", "pin")
-      .prescribe("pusher", "3", {"0", text(-way) + " * t", "free"})
+      .prescribe("pusher", "3", {"0", text(-travel) + " * t", "free"})
       .mesh(1, 0)
       .time(1, 0.1);
   const FollowedPath path(scene.str());
@@ -131,10 +131,10 @@ TEST(StaticPath, SupportsMayDriveIt)
   for (const FollowedPath::Point &point : path.points)
     {
       const double v = deflection(point);
-      EXPECT_NEAR(way * point.load_factor,
+      EXPECT_NEAR(travel * point.load_factor,
                   v + truss_force(v) / stiffness,
                   1e-8);
-      EXPECT_NEAR(-point.motions[3][1], way * point.load_factor, 1e-12);
+      EXPECT_NEAR(-point.motions[3][1], travel * point.load_factor, 1e-12);
     }
   EXPECT_EQ(path.limits().size(), 2u);
   for (const FollowedPath::Singular &limit : path.limits())
@@ -450,14 +450,14 @@ TEST(StaticPath, LoadsWorkOnTheLeftNullVectorAtLimitPointsAlone)
     for (const FollowedPath::Singular &point :
          FollowedPath(scene).singular_points)
       {
-        ASSERT_TRUE(point.singular.part_of_loads);
+        ASSERT_TRUE(point.singular.load_projection);
         if (point.kind == SingularPoint::Kind::limit)
           {
-            EXPECT_GT(*point.singular.part_of_loads, 0.1);
+            EXPECT_GT(*point.singular.load_projection, 0.1);
           }
         else
           {
-            EXPECT_LT(*point.singular.part_of_loads, 1e-4);
+            EXPECT_LT(*point.singular.load_projection, 1e-4);
           }
         ++n_found[point.kind == SingularPoint::Kind::limit ? 0 : 1];
       }

@@ -55,8 +55,8 @@ namespace auxfem
      * empty and 0 if unknown.
      */
     ///@{
-    Vector bend      = {};
-    double load_bend = 0;
+    Vector curvature      = {};
+    double load_curvature = 0;
     ///@}
 
     /**
@@ -66,9 +66,9 @@ namespace auxfem
     ///@{
     Vector deviation(double length) const;
 
-    double deviation_of_load(const double length) const
+    double load_deviation(const double length) const
     {
-      return length * length / 2 * load_bend;
+      return length * length / 2 * load_curvature;
     }
     ///@}
 
@@ -108,7 +108,7 @@ namespace auxfem
                   Vector           &increment) override;
 
     void undo_increment(const Evaluation &evaluation,
-                        const Vector     &way_back,
+                        const Vector     &undone_increment,
                         double            part) override;
 
     /** @name Distance of the point from the tangent. */
@@ -118,7 +118,7 @@ namespace auxfem
       return metric.length(off_tangent);
     }
 
-    double deviation_of_load() const
+    double load_deviation() const
     {
       return std::abs(load_off_tangent);
     }

@@ -41,11 +41,11 @@ namespace auxfem
   {
     /** Empty if the step has failed. */
     std::optional<PathPoint> point;
-    std::string              why_failed;
+    std::string              failure_reason;
     unsigned int             iterations        = 0;
     double                   relative_residual = 0;
     /** Distance of the point from the tangent (m, 1). */
-    double deviation = 0, deviation_of_load = 0;
+    double deviation = 0, load_deviation = 0;
   };
 
   /**
@@ -79,7 +79,7 @@ namespace auxfem
      * the point last found, and that magnitude (N/m). It has unit length and a
      * positive largest entry. Empty if the stiffness is exactly singular.
      */
-    std::optional<std::pair<Vector, double>> softest();
+    std::optional<std::pair<Vector, double>> softest_mode();
 
     /**
      * Whether the eigenvalue of softest() is below 1e-12 of the largest
@@ -94,7 +94,7 @@ namespace auxfem
      * length. It is zero at a bifurcation, not at a limit point. Empty if the
      * stiffness is exactly singular.
      */
-    std::optional<double> part_of_loads(const PathPoint &point);
+    std::optional<double> load_projection(const PathPoint &point);
 
     /** As Newton::restart(). */
     void restart()
@@ -104,12 +104,12 @@ namespace auxfem
 
     const PathMetric &metric() const
     {
-      return of_path;
+      return path_metric;
     }
 
   private:
     /** As softest() for the current matrix, before conversion to a shape. */
-    std::optional<double> find_softest(Vector &mode);
+    std::optional<double> find_softest_vector(Vector &mode);
     /**
      * Loads in free rows at @p point, including those from prescribed motions.
      */
@@ -124,7 +124,7 @@ namespace auxfem
      */
     std::optional<PathTangent> find_tangent(const Evaluation        &evaluation,
                                             const EvaluationResults &results,
-                                            const Vector            *way);
+                                            const Vector            *sense);
     /**
      * Solves the predicted step.
      * @param end state at its end, moved from
@@ -132,14 +132,14 @@ namespace auxfem
      */
     PathStep solve(const Evaluation &step,
                    Solution         &end,
-                   const Vector     &way,
+                   const Vector     &sense,
                    AddedEquation    *arc_length);
 
     TangentSolver      &solver;
     const Equations    &equations;
     Newton              newton;
     ModeSpace           space;
-    const PathMetric    of_path;
+    const PathMetric    path_metric;
     const NodeRotations rotations;
     const QuasiStatic   rule;
   };
@@ -157,14 +157,14 @@ namespace auxfem
 
     double length() const ///< of the next step (m)
     {
-      return next;
+      return next_length;
     }
 
 
     /** Limits the next step to @p most (m). */
     void limit(const double most)
     {
-      next = std::min(next, most);
+      next_length = std::min(next_length, most);
     }
 
     /**
@@ -181,7 +181,7 @@ namespace auxfem
     bool judge(const PathStep &step, double distance, double turn);
 
     /** Restarts on another branch with the step length @p first (m). */
-    void begin_anew(double first);
+    void restart_branch(double first);
 
     /** Shortens the next attempt after a step without solution. */
     void failed();
@@ -189,16 +189,16 @@ namespace auxfem
     /** Whether the next attempt would be too short. */
     bool is_exhausted() const
     {
-      return next < smallest;
+      return next_length < min_length;
     }
 
     void serialize(CheckpointArchive &archive);
 
   private:
     const double resolution;
-    double       next, smallest;
+    double       next_length, min_length;
     /** Shortest length of failed steps (m). */
-    double too_long         = std::numeric_limits<double>::infinity();
+    double length_limit     = std::numeric_limits<double>::infinity();
     double largest_distance = 0, largest_load = 0;
   };
 } // namespace auxfem

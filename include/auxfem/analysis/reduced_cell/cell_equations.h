@@ -110,7 +110,7 @@ namespace auxfem
      * Throws ComputationError if massless bars are upright or beyond, because M
      * is singular there.
      */
-    void refuse_singular(double rotation) const;
+    void require_regular_mass(double rotation) const;
 
   private:
     const double length, angle_at_rest, bar_mass, part_mass;

@@ -40,7 +40,7 @@ namespace auxfem
   };
 
   /** Throws ComputationError if a number of @p sample is not finite. */
-  void refuse_not_finite(const CellSample &sample);
+  void require_finite(const CellSample &sample);
 
   /** Converts an angle from rad to deg. */
   inline double degrees(const double radians)
