@@ -54,13 +54,13 @@ namespace auxfem
         return largest;
       }
 
-      /** Largest of all quantities that are resolved. */
-      double error_of_reference() const
+      /** Largest error of the reference in any resolved quantity. */
+      double largest_reference_error() const
       {
         double largest = 0;
         for (const RefinementErrors &quantity : errors)
           if (quantity.is_resolved())
-            largest = std::max(largest, quantity.of_reference.value_or(0));
+            largest = std::max(largest, quantity.reference_error.value_or(0));
         return largest;
       }
 
@@ -83,9 +83,11 @@ namespace auxfem
       std::vector<Family> families;
       for (const Refinement &refinement : refinements)
         {
-          Family family{&refinement, settings.of(refinement.runs, runs), {}};
+          Family family{&refinement,
+                        settings.results_for(refinement.runs, runs),
+                        {}};
           for (const MeasuredRun &run :
-               settings.of(refinement.references, runs))
+               settings.results_for(refinement.references, runs))
             family.runs.push_back(run);
           for (const QuantityDefinition &quantity : task.quantities)
             family.errors.push_back(errors_of(refinement,
@@ -98,43 +100,47 @@ namespace auxfem
       return families;
     }
 
-    /** What is refined, in the order of the families, each once. */
-    std::vector<Refined> refined_in(const std::vector<Family> &families)
+    /** Refined parameters in the order of the families, without duplicates. */
+    std::vector<RefinedParameter>
+    refined_in(const std::vector<Family> &families)
     {
-      std::vector<Refined> refined;
+      std::vector<RefinedParameter> refined;
       for (const Family &family : families)
         if (refined.empty() || refined.back() != family.refinement->refined)
           refined.push_back(family.refinement->refined);
       return refined;
     }
 
-    std::string coarseness_text(const Refined refined, const Settings &settings)
+    std::string coarseness_text(const RefinedParameter refined,
+                                const Settings        &settings)
     {
-      return refined == Refined::mesh ? std::to_string(settings.elements())
-        : refined == Refined::mesh_and_time_step
+      return refined == RefinedParameter::mesh
+        ? std::to_string(settings.elements())
+        : refined == RefinedParameter::mesh_and_time_step
         ? std::to_string(settings.elements()) + ", " +
           short_number(settings.time_step)
         : short_number(coarseness(refined, settings));
     }
 
-    std::string heading_of(const Refined refined)
+    std::string heading_of(const RefinedParameter refined)
     {
-      return refined == Refined::mesh            ? "elements a strut"
-        : refined == Refined::mesh_and_time_step ? "elements a strut, step (s)"
-        : refined == Refined::time_step          ? "step (s)"
-        : refined == Refined::time_tolerance     ? "relative tolerance"
-                                                 : "Newton tolerance";
+      return refined == RefinedParameter::mesh ? "elements a strut"
+        : refined == RefinedParameter::mesh_and_time_step
+        ? "elements a strut, step (s)"
+        : refined == RefinedParameter::time_step      ? "step (s)"
+        : refined == RefinedParameter::time_tolerance ? "relative tolerance"
+                                                      : "Newton tolerance";
     }
 
     TextTable table_of(const Family &family, const StudyTask &task)
     {
-      TextTable     table;
-      const Refined refined = family.refinement->refined;
-      table.header          = {heading_of(refined),
-                               "unknowns",
-                               "steps",
-                               "iterations",
-                               "CPU s"};
+      TextTable              table;
+      const RefinedParameter refined = family.refinement->refined;
+      table.header                   = {heading_of(refined),
+                                        "unknowns",
+                                        "steps",
+                                        "iterations",
+                                        "CPU s"};
       for (const QuantityDefinition &quantity : task.quantities)
         {
           table.header.push_back("error of " + quantity.name);
@@ -170,7 +176,7 @@ namespace auxfem
           const QuantityDefinition &quantity = task.quantities[q];
           text += (text.empty() ? "" : ", ") + quantity.name + " " +
             (quantity.exact ? "0 (exact value)"
-                            : error_text(family.errors[q].of_reference));
+                            : error_text(family.errors[q].reference_error));
         }
       const Settings &finest = family.refinement->references.back();
       return "Reference: " + name_of_run(task.scene, finest) + ", " +
@@ -196,7 +202,7 @@ namespace auxfem
       return text;
     }
 
-    std::string picture_name(const Refined refined)
+    std::string picture_name(const RefinedParameter refined)
     {
       std::string name = "error-" + name_of(refined);
       std::replace(name.begin(), name.end(), ' ', '-');
@@ -206,28 +212,29 @@ namespace auxfem
 
     unsigned int colour_of(const Refinement &refinement)
     {
-      const Settings &one     = refinement.runs.front();
-      const Refined   refined = refinement.refined;
-      return refined == Refined::mesh || refined == Refined::mesh_and_time_step
+      const Settings        &one     = refinement.runs.front();
+      const RefinedParameter refined = refinement.refined;
+      return refined == RefinedParameter::mesh ||
+          refined == RefinedParameter::mesh_and_time_step
         ? colour_of_order(one.order)
         : colour_of_scheme(one.scheme);
     }
 
     LogPicture picture_of(const std::vector<Family> &families,
-                          const Refined              refined,
+                          const RefinedParameter     refined,
                           const StudyTask           &task)
     {
       LogPicture picture;
       picture.name         = picture_name(refined);
       picture.title        = "Error by " + name_of(refined);
-      picture.x_label      = refined == Refined::mesh
+      picture.x_label      = refined == RefinedParameter::mesh
              ? "length of an element / length of the strut"
-             : refined == Refined::time_tolerance   ? "relative tolerance"
-             : refined == Refined::newton_tolerance ? "Newton tolerance"
-                                                    : "time step (s)";
+             : refined == RefinedParameter::time_tolerance ? "relative tolerance"
+             : refined == RefinedParameter::newton_tolerance ? "Newton tolerance"
+                                                             : "time step (s)";
       picture.y_label      = "relative error";
-      picture.marks_slopes = refined != Refined::time_tolerance &&
-        refined != Refined::newton_tolerance;
+      picture.marks_slopes = refined != RefinedParameter::time_tolerance &&
+        refined != RefinedParameter::newton_tolerance;
       for (const Family &family : families)
         if (family.refinement->refined == refined)
           for (std::size_t q = 0; q < task.quantities.size(); ++q)
@@ -254,19 +261,21 @@ namespace auxfem
 
     std::vector<Column> csv_columns(const StudyTask &task)
     {
-      std::vector<Column> columns = {
-        {"refined", "", "what is refined in this row and those around it"},
-        {"role", "", "run, or reference"}};
+      std::vector<Column> columns = {{"refined",
+                                      "",
+                                      "parameter that is refined in this row"},
+                                     {"role", "", "run, or reference"}};
       for (const std::vector<Column> &some :
            {columns_of_settings(task.scene), columns_of_run()})
         columns.insert(columns.end(), some.begin(), some.end());
       for (const QuantityDefinition &quantity : task.quantities)
         {
           columns.push_back(
-            {quantity.name + ".value", "", "value, if it is one number"});
+            {quantity.name + ".value", "", "value of a scalar quantity"});
           columns.push_back({quantity.name + ".error", "1", "relative error"});
-          columns.push_back(
-            {quantity.name + ".observed_order", "1", "by the run before"});
+          columns.push_back({quantity.name + ".observed_order",
+                             "1",
+                             "order relative to the previous run"});
           columns.push_back(
             {quantity.name + ".convergence_index",
              "1",
@@ -302,7 +311,7 @@ namespace auxfem
         }
     }
 
-    /** The run that is cheapest for an error, of one family. */
+    /** Cheapest run of a family for an error. */
     struct CheapestRun
     {
       const Family *family;
@@ -319,10 +328,12 @@ namespace auxfem
       }
     };
 
-    /** Of those that refine @p refined, if one has an error of at most
-     * @p allowed. */
+    /**
+     * Cheapest run that refines @p refined and has an error of at most @p
+     * allowed; empty if there is none.
+     */
     std::optional<CheapestRun> cheapest(const std::vector<Family> &families,
-                                        const Refined              refined,
+                                        const RefinedParameter     refined,
                                         const double               allowed)
     {
       std::vector<CheapestRun> runs;
@@ -332,7 +343,7 @@ namespace auxfem
             {
               const auto error = family.largest_error(i);
               if (error && *error <= allowed &&
-                  family.error_of_reference() <= allowed &&
+                  family.largest_reference_error() <= allowed &&
                   family.runs[i].verdict == Verdict::sound)
                 runs.push_back({&family, i});
             }
@@ -344,49 +355,51 @@ namespace auxfem
         });
     }
 
-    /** Gives @p settings what is refined in @p run. */
-    void take(const CheapestRun &run, Settings &settings)
+    /** Copies the refined parameter of @p run to @p settings. */
+    void copy_refined_value(const CheapestRun &run, Settings &settings)
     {
-      const Refined   refined = run.family->refinement->refined;
-      const Settings &its     = run.settings();
-      if (refined == Refined::time_tolerance)
-        settings.time_tolerance = its.time_tolerance;
-      if (refined == Refined::newton_tolerance)
-        settings.newton_tolerance = its.newton_tolerance;
-      if (refined == Refined::mesh || refined == Refined::mesh_and_time_step)
+      const RefinedParameter refined      = run.family->refinement->refined;
+      const Settings        &run_settings = run.settings();
+      if (refined == RefinedParameter::time_tolerance)
+        settings.time_tolerance = run_settings.time_tolerance;
+      if (refined == RefinedParameter::newton_tolerance)
+        settings.newton_tolerance = run_settings.newton_tolerance;
+      if (refined == RefinedParameter::mesh ||
+          refined == RefinedParameter::mesh_and_time_step)
         {
-          settings.order       = its.order;
-          settings.refinements = its.refinements;
+          settings.order       = run_settings.order;
+          settings.refinements = run_settings.refinements;
         }
-      if (refined == Refined::time_step ||
-          refined == Refined::mesh_and_time_step)
+      if (refined == RefinedParameter::time_step ||
+          refined == RefinedParameter::mesh_and_time_step)
         {
-          settings.time_step = its.time_step;
-          settings.scheme    = its.scheme;
+          settings.time_step = run_settings.time_step;
+          settings.scheme    = run_settings.scheme;
         }
     }
 
     /** For an error of at most @p target, to which all that is refined has an
      * equal part. */
     std::optional<Recommendation> recommend(const std::vector<Family> &families,
-                                            const Settings            &own,
-                                            const double               target)
+                                            const Settings &scene_settings,
+                                            const double    target)
     {
-      std::vector<Refined> refined = refined_in(families);
+      std::vector<RefinedParameter> refined = refined_in(families);
       // Two ways to one end.
-      if (std::find(refined.begin(), refined.end(), Refined::time_step) !=
-          refined.end())
+      if (std::find(refined.begin(),
+                    refined.end(),
+                    RefinedParameter::time_step) != refined.end())
         refined.erase(std::remove(refined.begin(),
                                   refined.end(),
-                                  Refined::time_tolerance),
+                                  RefinedParameter::time_tolerance),
                       refined.end());
-      Recommendation recommended{own, "errors by"};
-      for (const Refined one : refined)
+      Recommendation recommended{scene_settings, "errors by"};
+      for (const RefinedParameter one : refined)
         {
           const auto run = cheapest(families, one, target / refined.size());
           if (!run)
             return {};
-          take(*run, recommended.settings);
+          copy_refined_value(*run, recommended.settings);
           recommended.remark += (one == refined.front() ? " " : ", ") +
             name_of(one) + " " +
             error_text(run->family->largest_error(run->number));
@@ -414,14 +427,15 @@ namespace auxfem
           add_csv_rows(family, task.scene, report.rows);
           for (std::size_t q = 0; q < family.errors.size(); ++q)
             if (!family.errors[q].is_resolved())
-              add_finding(unresolved(task.quantities[q]), report.findings);
+              add_finding(unresolved_finding(task.quantities[q]),
+                          report.findings);
           if (!family.refinement->references.empty())
             add_finding_on_reference(family.runs.back(),
                                      "The reference for the " +
                                        name_of(family.refinement->refined),
                                      report.findings);
         }
-      for (const Refined one : refined_in(families))
+      for (const RefinedParameter one : refined_in(families))
         report.pictures.push_back(picture_of(families, one, task));
       report.text +=
         "## What to take\n\nThe cheapest settings for an error, each refined "
@@ -438,11 +452,12 @@ namespace auxfem
   StudyKind convergence_study()
   {
     std::vector<std::string> pictures;
-    for (const Refined refined : {Refined::mesh,
-                                  Refined::time_step,
-                                  Refined::time_tolerance,
-                                  Refined::newton_tolerance,
-                                  Refined::mesh_and_time_step})
+    for (const RefinedParameter refined :
+         {RefinedParameter::mesh,
+          RefinedParameter::time_step,
+          RefinedParameter::time_tolerance,
+          RefinedParameter::newton_tolerance,
+          RefinedParameter::mesh_and_time_step})
       pictures.push_back(picture_name(refined));
     return {"convergence", pictures, plan, report};
   }

@@ -13,18 +13,18 @@ namespace auxfem
 {
   namespace
   {
-    const std::string nothing = "nothing";
+    const std::string nothing_omitted = "nothing";
 
-    /** Whether an effect matters is what the study finds out. */
+    /** The study itself decides whether an effect matters. */
     const std::string keep_all_effects = "Effects/Tolerance=0";
 
     /** The scene without some of its effects. */
     struct Simplification
     {
-      /** What is left out, for people. */
+      /** Name of the omitted effect, for display. */
       std::string              name;
       std::vector<std::string> overrides;
-      /** Why that cannot be done; empty if it can. */
+      /** Reason why the effect cannot be omitted; empty if it can. */
       std::string obstacle;
     };
 
@@ -42,14 +42,16 @@ namespace auxfem
         }
     }
 
-    /** Without inertia motion is a matter of the loads alone. */
+    /**
+     * Assignment that omits an effect; without inertia the analysis is static.
+     */
     std::string assignment_without(const std::string &effect)
     {
       return effect == "Inertia" ? "Time/Scheme=static"
                                  : "Effects/" + effect + "=off";
     }
 
-    /** Names of the switches of what is simulated. */
+    /** Names of the switches of the simulated effects. */
     std::vector<std::string> simulated_effects(const Scene &scene)
     {
       std::vector<std::string> names;
@@ -61,14 +63,16 @@ namespace auxfem
       return names;
     }
 
-    /** The scene as it is, then without each of its effects in turn. */
+    /**
+     * The complete scene, then the scene without each of its effects in turn.
+     */
     std::vector<Simplification> simplifications(const Scene &scene)
     {
       if (scene.context.model != Model::lattice)
         throw InputError(scene.file +
                          ": Study/Kind = effects is for Model = lattice, which "
                          "has effects to leave out");
-      std::vector<Simplification> all = {{nothing, {}, ""}};
+      std::vector<Simplification> all = {{nothing_omitted, {}, ""}};
       for (const std::string &effect :
            simulated_effects(scene_with(scene, {keep_all_effects})))
         {
@@ -78,8 +82,10 @@ namespace auxfem
       return all;
     }
 
-    /** With the effects that auto would leave out, but for those of
-     * @p simplification. */
+    /**
+     * Run with all effects, also those that `auto` would omit, except the
+     * effects of @p simplification.
+     */
     PlannedRun planned_run(const Scene          &scene,
                            const Simplification &simplification)
     {
@@ -100,11 +106,11 @@ namespace auxfem
       return planned;
     }
 
-    /** What leaving something out has done. */
+    /** Change of the results by a simplification. */
     struct EffectChange
     {
       Simplification simplification;
-      /** Of each quantity, relative; empty if the run failed. */
+      /** Relative change of each quantity; empty if the run failed. */
       std::vector<double>   changes;
       std::optional<double> cpu_seconds, spread;
 
@@ -143,7 +149,9 @@ namespace auxfem
       return change;
     }
 
-    /** Whether @p one takes less time than @p whole, by more than both vary. */
+    /**
+     * Whether @p one is faster than @p whole by more than the spread of both.
+     */
     bool saves_time(const EffectChange &one, const EffectChange &whole)
     {
       const double noise =
@@ -151,9 +159,9 @@ namespace auxfem
       return one.cpu_seconds && *one.cpu_seconds * noise < *whole.cpu_seconds;
     }
 
-    /** All effects that could be left out one by one, left out together. */
-    Simplification all_below(const std::vector<EffectChange> &changes,
-                             const double                     tolerance)
+    /** Omits all effects together that can each be omitted alone. */
+    Simplification omit_together(const std::vector<EffectChange> &changes,
+                                 const double                     tolerance)
     {
       Simplification together;
       for (const EffectChange &one : changes)
@@ -226,8 +234,11 @@ namespace auxfem
       return text;
     }
 
-    /** @p changes are of the scene as it is, of each effect left out alone, and
-     * at last, where there are several of them, of @p together. */
+    /**
+     * Recommendation on the effects.
+     * @param changes by nothing, by each effect alone and, if several can be
+     *   omitted, by @p together
+     */
     std::string advice(const std::vector<EffectChange> &changes,
                        const Simplification            &together,
                        const double                     tolerance)
@@ -292,7 +303,7 @@ namespace auxfem
         return report;
 
       std::vector<EffectChange> changes  = changes_of(task, runs);
-      const Simplification      together = all_below(changes, tolerance);
+      const Simplification      together = omit_together(changes, tolerance);
       if (together.overrides.size() > 1)
         changes.push_back(change_by(
           together,

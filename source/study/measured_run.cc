@@ -37,123 +37,127 @@ namespace auxfem
 
     const std::string time_column = "time";
 
-    /** Of lattices and of the reduced cell: keeps some columns of the history
-     * and some fields, and counts unknowns. */
+    /**
+     * Stores the selected columns and fields of a run of a lattice or a reduced
+     * cell, and counts unknowns.
+     */
     class SelectionRecorder : public Recorder
     {
     public:
       SelectionRecorder(const Scene        &scene,
                         const MPI_Comm      communicator,
-                        const Selection    &wanted,
+                        const Selection    &selection,
                         const FractionDone &progress,
                         MeasuredRun        &run)
         : scene(scene)
         , communicator(communicator)
-        , wanted(wanted)
+        , selection(selection)
         , progress(progress)
         , run(run)
       {}
 
-      void begin(const Equations &of_run) override
+      void begin(const Equations &run_equations) override
       {
-        equations = &of_run;
-        if (!wanted.field_times.empty() && of_run.reporting().struts.empty())
+        equations = &run_equations;
+        if (!selection.field_times.empty() &&
+            run_equations.reporting().struts.empty())
           throw InputError(
-            "Quantities: energy norms are of elastic struts, which the scene "
+            "Quantities: energy norms need elastic struts, which the scene "
             "does not have. Compare columns of history.csv");
-        run.unknowns = count(of_run).free_unknowns;
-        history.emplace(scene, of_run, communicator);
-        choose(history->columns());
+        run.unknowns = count(run_equations).free_unknowns;
+        history.emplace(scene, run_equations, communicator);
+        choose_columns(history->columns());
       }
 
       void start(const Solution &solution) override
       {
-        keep(history->values(solution));
-        keep_fields(solution);
+        record_row(history->values(solution));
+        record_fields(solution);
       }
 
       std::optional<double> next_time(const double time) const override
       {
-        const auto next = wanted.field_times.upper_bound(time);
-        return next == wanted.field_times.end() ? std::nullopt
-                                                : std::optional<double>(*next);
+        const auto next = selection.field_times.upper_bound(time);
+        return next == selection.field_times.end()
+          ? std::nullopt
+          : std::optional<double>(*next);
       }
 
       void between(const Solution &solution) override
       {
-        keep_fields(solution);
+        record_fields(solution);
       }
 
       void step(const Solution &solution,
                 const StepReport & /*report*/) override
       {
-        keep(history->values(solution));
+        record_row(history->values(solution));
       }
 
       void begin_rows(const std::vector<Column> &columns,
                       const unsigned int         n_unknowns) override
       {
         run.unknowns = n_unknowns;
-        choose(columns);
+        choose_columns(columns);
       }
 
       void row(const std::vector<double> &values) override
       {
-        keep(values);
+        record_row(values);
       }
 
-      /** Of which it has been told. */
+      /** Number of recorded steps. */
       unsigned long n_steps() const
       {
-        return kept.empty() || kept.front().second->empty()
+        return recorded.empty() || recorded.front().second->empty()
           ? 0
-          : kept.front().second->size() - 1;
+          : recorded.front().second->size() - 1;
       }
 
     private:
-      void choose(const std::vector<Column> &columns)
+      void choose_columns(const std::vector<Column> &columns)
       {
         const std::vector<std::string> names = names_of(columns);
         for (std::size_t i = 0; i < names.size(); ++i)
-          if (names[i] == time_column || wanted.columns.count(names[i]) > 0)
-            kept.emplace_back(i, &run.columns[names[i]]);
+          if (names[i] == time_column || selection.columns.count(names[i]) > 0)
+            recorded.emplace_back(i, &run.columns[names[i]]);
       }
 
-      void keep(const std::vector<double> &row)
+      void record_row(const std::vector<double> &row)
       {
-        for (const auto &[column, values] : kept)
+        for (const auto &[column, values] : recorded)
           values->push_back(row[column]);
         progress(row.front() / scene.time.end_time);
       }
 
-      void keep_fields(const Solution &solution)
+      void record_fields(const Solution &solution)
       {
-        // Times of steps are products, those that are wanted were read.
+        // Step times are products and differ from requested times by round-off.
         const double round_off = 1e-9 * scene.time.end_time;
-        for (const double time : wanted.field_times)
+        for (const double time : selection.field_times)
           if (std::abs(solution.state.time - time) <= round_off)
             run.fields[time] = field_of(*equations, solution, communicator);
       }
 
       const Scene        &scene;
       const MPI_Comm      communicator;
-      const Selection    &wanted;
+      const Selection    &selection;
       const FractionDone &progress;
       MeasuredRun        &run;
       const Equations    *equations = nullptr; ///< from begin() on
 
       std::optional<History>                                     history;
-      std::vector<std::pair<std::size_t, std::vector<double> *>> kept;
+      std::vector<std::pair<std::size_t, std::vector<double> *>> recorded;
     };
 
-    /** So that the peak is that of what follows, where the system can do so. */
-    void forget_peak_memory()
+    /** Resets the peak memory, if the system permits. */
+    void reset_peak_memory()
     {
       malloc_trim(0);
       std::ofstream("/proc/self/clear_refs") << "5";
     }
 
-    /** nlohmann writes what is not finite as null. */
+    /** Numbers of a JSON array; nlohmann writes non-finite ones as null. */
     std::vector<double> numbers_of(const Json &json)
     {
       std::vector<double> numbers;
@@ -168,11 +172,11 @@ namespace auxfem
 
 
 
-  void MeasuredRun::add_repetition(const MeasuredRun &again)
+  void MeasuredRun::add_repetition(const MeasuredRun &repetition)
   {
-    cpu_seconds      = std::min(cpu_seconds, again.cpu_seconds);
-    wall_seconds     = std::min(wall_seconds, again.wall_seconds);
-    most_cpu_seconds = std::max(most_cpu_seconds, again.cpu_seconds);
+    cpu_seconds     = std::min(cpu_seconds, repetition.cpu_seconds);
+    wall_seconds    = std::min(wall_seconds, repetition.wall_seconds);
+    max_cpu_seconds = std::max(max_cpu_seconds, repetition.cpu_seconds);
     ++repetitions;
   }
 
@@ -182,15 +186,15 @@ namespace auxfem
   {
     if (repetitions == 1 || cpu_seconds <= 0)
       return {};
-    return most_cpu_seconds / cpu_seconds - 1;
+    return max_cpu_seconds / cpu_seconds - 1;
   }
 
 
 
   bool MeasuredRun::has(const Selection &selection) const
   {
-    const auto is_in = [](const auto &kept) {
-      return [&kept](const auto &name) { return kept.count(name) > 0; };
+    const auto is_in = [](const auto &recorded) {
+      return [&recorded](const auto &name) { return recorded.count(name) > 0; };
     };
     return std::all_of(selection.columns.begin(),
                        selection.columns.end(),
@@ -219,7 +223,7 @@ namespace auxfem
                  {"factorizations", run.factorizations},
                  {"cpu_seconds", run.cpu_seconds},
                  {"wall_seconds", run.wall_seconds},
-                 {"most_cpu_seconds", run.most_cpu_seconds},
+                 {"most_cpu_seconds", run.max_cpu_seconds},
                  {"repetitions", run.repetitions},
                  {"memory_bytes", run.memory}};
     for (const auto &[name, values] : run.columns)
@@ -234,17 +238,17 @@ namespace auxfem
   MeasuredRun measured_run_of(const Json &json)
   {
     MeasuredRun run;
-    run.exit_state       = json.at("exit");
-    run.verdict          = static_cast<Verdict>(json.at("verdict").get<int>());
-    run.unknowns         = json.at("unknowns");
-    run.steps            = json.at("steps");
-    run.iterations       = json.at("iterations");
-    run.factorizations   = json.at("factorizations");
-    run.cpu_seconds      = json.at("cpu_seconds");
-    run.wall_seconds     = json.at("wall_seconds");
-    run.most_cpu_seconds = json.at("most_cpu_seconds");
-    run.repetitions      = json.at("repetitions");
-    run.memory           = json.at("memory_bytes");
+    run.exit_state      = json.at("exit");
+    run.verdict         = static_cast<Verdict>(json.at("verdict").get<int>());
+    run.unknowns        = json.at("unknowns");
+    run.steps           = json.at("steps");
+    run.iterations      = json.at("iterations");
+    run.factorizations  = json.at("factorizations");
+    run.cpu_seconds     = json.at("cpu_seconds");
+    run.wall_seconds    = json.at("wall_seconds");
+    run.max_cpu_seconds = json.at("most_cpu_seconds");
+    run.repetitions     = json.at("repetitions");
+    run.memory          = json.at("memory_bytes");
     if (json.contains("columns"))
       for (const auto &[name, values] : json.at("columns").items())
         run.columns[name] = numbers_of(values);
@@ -258,8 +262,10 @@ namespace auxfem
 
   namespace
   {
-    /** A decision that changes from run to run would be an error of its own. */
-    Scene without_decisions_on_the_way(const Scene &scene)
+    /**
+     * Fixes decisions that could differ between runs and would cause errors.
+     */
+    Scene with_fixed_decisions(const Scene &scene)
     {
       return scene.context.model == Model::lattice &&
           scene.effects.large_rotation == Switch::automatic
@@ -273,10 +279,10 @@ namespace auxfem
                           const Selection    &selection,
                           const FractionDone &progress)
   {
-    const Scene       scene = without_decisions_on_the_way(planned);
+    const Scene       scene = with_fixed_decisions(planned);
     MeasuredRun       run;
     SelectionRecorder recorder(scene, communicator, selection, progress, run);
-    forget_peak_memory();
+    reset_peak_memory();
     const double cpu_before = cpu_seconds();
     const auto   start      = Clock::now();
     try
@@ -304,8 +310,8 @@ namespace auxfem
     run.wall_seconds =
       mpi::max(std::chrono::duration<double>(Clock::now() - start).count(),
                communicator);
-    run.most_cpu_seconds = run.cpu_seconds;
-    run.memory           = mpi::sum(peak_memory(), communicator);
+    run.max_cpu_seconds = run.cpu_seconds;
+    run.memory          = mpi::sum(peak_memory(), communicator);
     return run;
   }
 
@@ -325,21 +331,21 @@ namespace auxfem
   {
     namespace fs = std::filesystem;
 
-    const std::array<std::string, 3> without_influence = {"Output",
-                                                          "Study",
-                                                          "Quantities"};
+    const std::array<std::string, 3> irrelevant_subsections = {"Output",
+                                                               "Study",
+                                                               "Quantities"};
 
-    /** Without what does not change a run. */
+    /** Values of all parameters that influence the results of a run. */
     std::string influential_values(ParameterSubsection root)
     {
       root.subsections.erase(
         std::remove_if(root.subsections.begin(),
                        root.subsections.end(),
                        [](const ParameterSubsection &subsection) {
-                         return std::find(without_influence.begin(),
-                                          without_influence.end(),
+                         return std::find(irrelevant_subsections.begin(),
+                                          irrelevant_subsections.end(),
                                           subsection.name) !=
-                           without_influence.end();
+                           irrelevant_subsections.end();
                        }),
         root.subsections.end());
       return values_text(root, "");
@@ -383,29 +389,29 @@ namespace auxfem
 
 
 
-  std::optional<MeasuredRun> kept_run(const std::string &folder,
+  std::optional<MeasuredRun> load_run(const std::string &folder,
                                       const std::string &key)
   {
     std::ifstream stream(file_of(folder, key));
     try
       {
         const Json json = Json::parse(stream);
-        // Another run may have the same hash.
+        // Different runs may have equal hashes.
         if (json.at("key") == key)
           return measured_run_of(json.at("run"));
       }
     catch (const Json::exception &)
       {
-        // There is none, or its file is damaged.
+        // The file is missing or damaged.
       }
     return {};
   }
 
 
 
-  void keep_run(const std::string &folder,
-                const std::string &key,
-                const MeasuredRun &run)
+  void store_run(const std::string &folder,
+                 const std::string &key,
+                 const MeasuredRun &run)
   {
     if (const std::error_code error = make_output_subfolder(folder))
       throw ComputationError("Cannot make the folder " + folder + ": " +

@@ -28,7 +28,7 @@ namespace auxfem
       return quantity;
     }
 
-    /** Those of the displacement of a probe. */
+    /** Columns of the displacement of a probe. */
     std::vector<std::string>
     displacement_of(const std::string              &probe,
                     const std::vector<std::string> &columns)
@@ -58,9 +58,9 @@ namespace auxfem
       return quantities;
     }
 
-    void refuse_what_is_not_there(const QuantityDefinition       &quantity,
-                                  const std::vector<std::string> &columns,
-                                  const double                    end_time)
+    void require_existing(const QuantityDefinition       &quantity,
+                          const std::vector<std::string> &columns,
+                          const double                    end_time)
     {
       for (const std::string &column : quantity.columns)
         if (!is_among(columns, column))
@@ -72,13 +72,13 @@ namespace auxfem
                          ": the time is not between 0 and the end time");
     }
 
-    void refuse_norm_of_nothing(const QuantityDefinition &quantity,
-                                const Scene              &scene)
+    void require_energy_norm(const QuantityDefinition &quantity,
+                             const Scene              &scene)
     {
       if (scene.context.model != Model::lattice)
-        throw InputError(quantity.path +
-                         ": energy norms are for Model = lattice, whose struts "
-                         "they are of. Compare columns of history.csv");
+        throw InputError(
+          quantity.path +
+          ": energy norms need Model = lattice, because they are integrals over struts. Compare columns of history.csv");
       if (quantity.measure == Measure::total_energy_norm &&
           !scene.time.scheme->is_dynamic())
         throw InputError(quantity.path + ": in statics, Time/Scheme = " +
@@ -86,7 +86,7 @@ namespace auxfem
                          ", there is no kinetic energy. Allowed: energy norm");
     }
 
-    /** Not a number if one is none. */
+    /** Norm of the values; NaN if one of them is NaN. */
     double norm_of(const QuantityValues &values)
     {
       double largest = 0, squares = 0;
@@ -127,9 +127,9 @@ namespace auxfem
                                      : scene.study.quantities;
     for (const QuantityDefinition &quantity : quantities)
       {
-        refuse_what_is_not_there(quantity, columns, scene.time.end_time);
+        require_existing(quantity, columns, scene.time.end_time);
         if (quantity.is_field())
-          refuse_norm_of_nothing(quantity, scene);
+          require_energy_norm(quantity, scene);
       }
     return quantities;
   }
@@ -176,7 +176,7 @@ namespace auxfem
   {
     if (quantity.is_field())
       {
-        // None is later than the end.
+        // The last field is that of the end time.
         const auto field = quantity.time ? run.fields.find(*quantity.time)
                                          : std::prev(run.fields.end());
         return {energy_roots(field->second,

@@ -19,12 +19,11 @@ namespace auxfem
 {
   namespace
   {
-    /** The polynomial through some values one after the other, by Neville. */
+    /** Polynomial through consecutive values, by Neville's algorithm. */
     class Polynomial
     {
     public:
-      /** Through @p n values, less if there are no more, as even as can be
-       * around number @p middle. */
+      /** Interpolates at most @p n values, centred at number @p middle. */
       Polynomial(const RecordedHistory &history,
                  const std::size_t      middle,
                  const std::size_t      n)
@@ -92,7 +91,7 @@ namespace auxfem
 
   double integral_of(const RecordedHistory &history)
   {
-    // Two points of Gauss are exact for cubic polynomials.
+    // Two Gauss points are exact for cubic polynomials.
     const double point = std::sqrt(1. / 3.);
     double       sum   = 0;
     for (std::size_t i = 1; i < history.times.size(); ++i)
@@ -131,7 +130,7 @@ namespace auxfem
       return values;
     }
 
-    /** One after the other: what MPI and files take. */
+    /** Serializes elements to numbers, for MPI and files. */
     std::vector<double> flat(const std::vector<Element> &elements)
     {
       std::vector<double> numbers;
@@ -162,17 +161,18 @@ namespace auxfem
                           number[3],
                           {},
                           {}};
-          const std::size_t of_strains = number[4], of_velocities = number[5];
+          const std::size_t n_strain_values   = number[4],
+                            n_velocity_values = number[5];
           number += 6;
-          element.strains.assign(number, number + of_strains);
-          number += of_strains;
-          element.velocities.assign(number, number + of_velocities);
-          number += of_velocities;
+          element.strains.assign(number, number + n_strain_values);
+          number += n_strain_values;
+          element.velocities.assign(number, number + n_velocity_values);
+          number += n_velocity_values;
           elements.push_back(std::move(element));
         }
     }
 
-    /** Rules of Gauss on [0, 1], each made once. */
+    /** Cache of Gauss rules on [0, 1]. */
     class GaussRules
     {
     public:
@@ -185,8 +185,10 @@ namespace auxfem
       std::map<unsigned int, dealii::QGauss<1>> rules;
     };
 
-    /** Adds the values at @p x in [0, 1] of the polynomials through @p values,
-     * those of @p n_values at each point of @p gauss, times @p factor. */
+    /**
+     * Appends @p factor times the interpolation of @p values at @p x in [0, 1].
+     * There are @p n_values values at each point of @p gauss.
+     */
     void add_values_at(const double               x,
                        const dealii::QGauss<1>   &gauss,
                        const std::vector<double> &values,
@@ -220,7 +222,7 @@ namespace auxfem
   {
     const DofNumbering  &numbering = equations.model().numbering;
     const Lattice       &lattice   = equations.model().lattice;
-    std::vector<Element> mine;
+    std::vector<Element> local_elements;
     for (const StrutGroup &struts : equations.reporting().struts)
       for (unsigned int e = struts.forces->elements().begin;
            e < struts.forces->elements().end;
@@ -232,16 +234,18 @@ namespace auxfem
             continue;
           const ScaledMotion motion =
             struts.forces->scaled_motion(solution.state, e);
-          mine.push_back({interval.strut,
-                          interval.begin,
-                          interval.end,
-                          lattice.length(lattice.struts[interval.strut]) *
-                            (interval.end - interval.begin),
-                          joined_values(motion.strains),
-                          joined_values(motion.velocities)});
+          local_elements.push_back(
+            {interval.strut,
+             interval.begin,
+             interval.end,
+             lattice.length(lattice.struts[interval.strut]) *
+               (interval.end - interval.begin),
+             joined_values(motion.strains),
+             joined_values(motion.velocities)});
         }
     RecordedField field;
-    add_elements(over_all_ranks(flat(mine), communicator), field.elements);
+    add_elements(over_all_ranks(flat(local_elements), communicator),
+                 field.elements);
     std::sort(field.elements.begin(),
               field.elements.end(),
               [](const Element &one, const Element &other) {
@@ -269,7 +273,7 @@ namespace auxfem
     GaussRules              rules;
     for (const Element &element : field.elements)
       {
-        // Squares of velocities are of twice the order, which is n.
+        // Squares of velocities have the order 2 n.
         const dealii::QGauss<1> &gauss =
           rules.with_points(element.n_points() + 1);
         for (unsigned int q = 0; q < gauss.size(); ++q)

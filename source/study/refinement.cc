@@ -21,8 +21,8 @@ namespace auxfem
 
     std::vector<unsigned int> orders(const Scene &scene)
     {
-      const unsigned int own = scene.discretization.order;
-      return values_or(tried_orders(scene, {own}), own);
+      const unsigned int scene_order = scene.discretization.order;
+      return values_or(tried_orders(scene, {scene_order}), scene_order);
     }
 
     std::string order_title(const unsigned int order)
@@ -30,7 +30,7 @@ namespace auxfem
       return "order " + std::to_string(order);
     }
 
-    /** With the order, if there is one. */
+    /** Title from scheme and, for meshes, order. */
     std::string scheme_title(const Scene &scene, const Settings &settings)
     {
       return (has_mesh(scene) ? order_title(settings.order) + ", " : "") +
@@ -44,7 +44,10 @@ namespace auxfem
         return;
       for (const unsigned int order : orders(scene))
         {
-          Refinement refinement{Refined::mesh, order_title(order), {}, {}};
+          Refinement refinement{RefinedParameter::mesh,
+                                order_title(order),
+                                {},
+                                {}};
           Settings   settings = settings_of(scene);
           settings.order      = order;
           for (const unsigned int mesh : meshes(scene))
@@ -52,8 +55,8 @@ namespace auxfem
               settings.refinements = mesh;
               refinement.runs.push_back(settings);
             }
-          // All orders have the same limit, which the highest is nearest to;
-          // but to extrapolate takes runs of one order.
+          // All orders have the same limit, and the highest is closest to it.
+          // Extrapolation needs runs of one order.
           if (!scene.study.extrapolates)
             settings.order = orders(scene).back();
           refinement.references =
@@ -69,7 +72,7 @@ namespace auxfem
         return;
       for (const std::string &scheme : tried_schemes(scene))
         {
-          Refinement refinement{Refined::time_step, scheme, {}, {}};
+          Refinement refinement{RefinedParameter::time_step, scheme, {}, {}};
           Settings   settings = settings_of(scene);
           settings.scheme     = scheme;
           for (const double step : steps(scene))
@@ -77,7 +80,7 @@ namespace auxfem
               settings.time_step = step;
               refinement.runs.push_back(settings);
             }
-          // All schemes have the same limit, too.
+          // All schemes have the same limit.
           if (!scene.study.extrapolates)
             settings.scheme = tried_schemes(scene).front();
           refinement.references.assign(2, settings);
@@ -86,11 +89,13 @@ namespace auxfem
         }
     }
 
-    /** @p member of the settings is one of @p tolerances; @p factor: by which
-     * references are finer. */
+    /**
+     * Refines the tolerance @p member of the settings.
+     * @param factor ratio of the tolerances of successive references
+     */
     template <class Member>
     void add_tolerances(const Scene               &scene,
-                        const Refined              refined,
+                        const RefinedParameter     refined,
                         const std::vector<double> &tolerances,
                         const Member               member,
                         const double               factor,
@@ -124,7 +129,7 @@ namespace auxfem
           {
             settings.order  = order;
             settings.scheme = scheme;
-            Refinement refinement{Refined::mesh_and_time_step,
+            Refinement refinement{RefinedParameter::mesh_and_time_step,
                                   scheme_title(scene, settings),
                                   {},
                                   {}};
@@ -141,7 +146,7 @@ namespace auxfem
           }
     }
 
-    /** A value for every quantity of a run, if it came to the end. */
+    /** Value of a quantity in a run; empty if the run failed. */
     using Values = std::optional<QuantityValues>;
 
     std::optional<double> difference(const Values &one, const Values &other)
@@ -153,7 +158,7 @@ namespace auxfem
                                    : std::nullopt;
     }
 
-    /** Norm of the difference, not relative. */
+    /** Absolute norm of the difference. */
     std::optional<double> change(const Values &one, const Values &other)
     {
       if (!one || !other)
@@ -163,38 +168,43 @@ namespace auxfem
                                    : std::nullopt;
     }
 
-    /** The order with which @p coarse falls to @p fine; none if it does not. */
-    std::optional<double> order_of_fall(const std::optional<double> &coarse,
-                                        const std::optional<double> &fine,
-                                        const double                 ratio)
+    /**
+     * Convergence order from @p coarse to @p fine; empty if one is not
+     * positive.
+     */
+    std::optional<double> convergence_order(const std::optional<double> &coarse,
+                                            const std::optional<double> &fine,
+                                            const double                 ratio)
     {
       if (!coarse || !fine || *fine <= 0 || *coarse <= 0)
         return {};
       return std::log(*coarse / *fine) / std::log(ratio);
     }
 
-    /** What remains of the change from @p middle to @p fine if changes go on
-     * falling as they do, as a part of that change; none if they do not fall.
+    /**
+     * Remaining error of @p fine over the change from @p middle to @p fine, if
+     * changes continue to decrease at the same rate; empty if they do not
+     * decrease.
      */
-    std::optional<double> remaining_part(const Values &coarse,
-                                         const Values &middle,
-                                         const Values &fine,
-                                         const double  ratio)
+    std::optional<double> remaining_fraction(const Values &coarse,
+                                             const Values &middle,
+                                             const Values &fine,
+                                             const double  ratio)
     {
       const auto order =
-        order_of_fall(change(coarse, middle), change(middle, fine), ratio);
+        convergence_order(change(coarse, middle), change(middle, fine), ratio);
       if (!order || *order <= 0)
         return {};
       return 1 / (std::pow(ratio, *order) - 1);
     }
 
-    /** The limit of three values, each @p ratio finer than the one before. */
+    /** Richardson limit of three values with the refinement ratio @p ratio. */
     Values limit_of(const Values &coarse,
                     const Values &middle,
                     const Values &fine,
                     const double  ratio)
     {
-      const auto part = remaining_part(coarse, middle, fine, ratio);
+      const auto part = remaining_fraction(coarse, middle, fine, ratio);
       if (!part)
         return fine;
       QuantityValues limit = *fine;
@@ -209,8 +219,10 @@ namespace auxfem
         coarseness(refinement.refined, refinement.references[1]);
     }
 
-    /** Error of the finest reference: what remains of its change, or the whole
-     * of it if the runs are of another kind. */
+    /**
+     * Error of the finest reference: the remaining part of its change, or the
+     * whole change if the runs have another order or scheme.
+     */
     std::optional<double> error_of_finest(const Refinement &refinement,
                                           const Values     &last_run,
                                           const Values     &finer,
@@ -219,13 +231,13 @@ namespace auxfem
       const Settings &run       = refinement.runs.back();
       const Settings &reference = refinement.references.front();
       const auto      whole     = difference(finer, finest);
-      const auto      part      = remaining_part(last_run,
-                                       finer,
-                                       finest,
-                                       ratio_of_references(refinement));
-      const bool      is_alike =
+      const auto      part      = remaining_fraction(last_run,
+                                           finer,
+                                           finest,
+                                           ratio_of_references(refinement));
+      const bool      is_same_kind =
         run.order == reference.order && run.scheme == reference.scheme;
-      return whole && part && is_alike ? *part * *whole : whole;
+      return whole && part && is_same_kind ? *part * *whole : whole;
     }
 
     std::optional<double> convergence_index(const Values &coarse,
@@ -234,7 +246,7 @@ namespace auxfem
                                             const double  ratio)
     {
       constexpr double safety = 1.25;
-      const auto       part   = remaining_part(coarse, middle, fine, ratio);
+      const auto       part   = remaining_fraction(coarse, middle, fine, ratio);
       if (!part)
         return {};
       return safety * *part * *difference(middle, fine);
@@ -243,7 +255,7 @@ namespace auxfem
 
 
 
-  const std::string &name_of(const Refined refined)
+  const std::string &name_of(const RefinedParameter refined)
   {
     static const std::array<std::string, 5> names = {{"mesh",
                                                       "time step",
@@ -265,15 +277,15 @@ namespace auxfem
         add_mesh_refinements(scene, refinements);
         add_time_step_refinements(scene, refinements);
       }
-    // A quarter of the error takes steps half as long.
+    // A quarter of the error requires half the step length.
     add_tolerances(scene,
-                   Refined::time_tolerance,
+                   RefinedParameter::time_tolerance,
                    scene.study.time_tolerances,
                    &Settings::time_tolerance,
                    4,
                    refinements);
     add_tolerances(scene,
-                   Refined::newton_tolerance,
+                   RefinedParameter::newton_tolerance,
                    scene.study.newton_tolerances,
                    &Settings::newton_tolerance,
                    10,
@@ -286,12 +298,13 @@ namespace auxfem
 
 
 
-  double coarseness(const Refined refined, const Settings &settings)
+  double coarseness(const RefinedParameter refined, const Settings &settings)
   {
-    return refined == Refined::mesh          ? 1. / settings.elements()
-      : refined == Refined::time_tolerance   ? *settings.time_tolerance
-      : refined == Refined::newton_tolerance ? settings.newton_tolerance
-                                             : settings.time_step;
+    return refined == RefinedParameter::mesh        ? 1. / settings.elements()
+      : refined == RefinedParameter::time_tolerance ? *settings.time_tolerance
+      : refined == RefinedParameter::newton_tolerance
+      ? settings.newton_tolerance
+      : settings.time_step;
   }
 
 
@@ -325,13 +338,14 @@ namespace auxfem
                                finer,
                                reference,
                                ratio_of_references(refinement));
-        result.of_reference = extrapolates
+        result.reference_error = extrapolates
           ? difference(values[n + 1], reference)
           : error_of_finest(refinement, values[n - 1], finer, reference);
       }
 
-    // A reference that is a fifth as wrong changes an order by a third at most.
-    constexpr double well_above = 5;
+    // With five times the error of the reference, an order changes by at most a
+    // third.
+    constexpr double min_error_ratio = 5;
     for (std::size_t i = 0; i < n; ++i)
       {
         RunError one;
@@ -339,9 +353,9 @@ namespace auxfem
         if (values[i] && quantity.is_number())
           one.value = values[i]->numbers.front();
         if (i > 0 && one.error &&
-            *one.error > well_above * result.of_reference.value_or(0))
+            *one.error > min_error_ratio * result.reference_error.value_or(0))
           one.order =
-            order_of_fall(result.runs.back().error, one.error, ratio(i));
+            convergence_order(result.runs.back().error, one.error, ratio(i));
         if (i > 1)
           one.convergence_index = convergence_index(values[i - 2],
                                                     values[i - 1],
@@ -352,8 +366,8 @@ namespace auxfem
     return result;
   }
 
-  std::string recommendations_text(const Scene     &scene,
-                                   const Recommend &recommend)
+  std::string recommendations_text(const Scene       &scene,
+                                   const Recommender &recommend)
   {
     constexpr std::array<std::pair<double, const char *>, 6> targets = {
       {{1e-6, "0.0001 %"},
@@ -362,7 +376,7 @@ namespace auxfem
        {1e-3, "0.1 %"},
        {1e-2, "1 %"},
        {1e-1, "10 %"}}};
-    const Settings          own = settings_of(scene);
+    const Settings          scene_settings = settings_of(scene);
     std::string             text;
     std::optional<Settings> latest;
     for (const auto &[target, name] : targets)
@@ -372,7 +386,7 @@ namespace auxfem
           continue;
         latest = recommended->settings;
         const std::string changes =
-          command_line_text(overrides(own, recommended->settings));
+          command_line_text(overrides(scene_settings, recommended->settings));
         text = "- for " + std::string(name) + ":" +
           (changes.empty() ? " the scene as it is" : changes) + "  (" +
           recommended->remark + ")\n" + text;

@@ -85,7 +85,7 @@ namespace auxfem
       }
     catch (const InputError &error)
       {
-        throw InputError("A simulation of the study cannot be done, that with" +
+        throw InputError("The study contains an invalid simulation, with" +
                          command_line_text(overrides) + ":\n" + error.what());
       }
   }
@@ -94,7 +94,7 @@ namespace auxfem
 
   std::string short_number(const double value)
   {
-    // 20 us read and halved is not 1e-05 to the last digit.
+    // Twelve digits hide round-off, such as that of 20 us halved.
     constexpr int digits = 12;
     char          text[32];
     const auto    end = std::to_chars(text,
@@ -121,20 +121,20 @@ namespace auxfem
 
   std::vector<PlannedRun> SettingsList::planned_runs(const Scene &scene) const
   {
-    const Settings          own = settings_of(scene);
+    const Settings          scene_settings = settings_of(scene);
     std::vector<PlannedRun> planned;
     for (std::size_t i = 0; i < list.size(); ++i)
       {
-        planned.push_back({name_of_run(scene, list[i]),
-                           scene_with(scene, overrides(own, list[i])),
-                           repetitions[i]});
+        planned.push_back(
+          {name_of_run(scene, list[i]),
+           scene_with(scene, overrides(scene_settings, list[i])),
+           repetitions[i]});
         if (planned.back().scene.time.scheme->is_dynamic() !=
             scene.time.scheme->is_dynamic())
           throw InputError(
             scene.file + ": Study/Schemes: " + list[i].scheme +
-            " computes something else than Time/Scheme = " + own.scheme +
-            ", statics or dynamics, so that they cannot be "
-            "compared. Remove one of them");
+            " cannot be compared with Time/Scheme = " + scene_settings.scheme +
+            ", because only one of them is dynamic. Remove one of them");
       }
     return planned;
   }
@@ -142,8 +142,8 @@ namespace auxfem
 
 
   std::vector<MeasuredRun>
-  SettingsList::of(const std::vector<Settings>    &settings,
-                   const std::vector<MeasuredRun> &runs) const
+  SettingsList::results_for(const std::vector<Settings>    &settings,
+                            const std::vector<MeasuredRun> &runs) const
   {
     std::vector<MeasuredRun> result;
     result.reserve(settings.size());

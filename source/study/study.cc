@@ -55,7 +55,7 @@ namespace auxfem
       return std::to_string(n) + " " + word + (n == 1 ? "" : "s");
     }
 
-    /** What stands before the first simulation. */
+    /** Lines printed before the first simulation. */
     std::string overview(const StudyTask               &task,
                          const std::vector<PlannedRun> &plan)
     {
@@ -68,7 +68,7 @@ namespace auxfem
       return text + '\n';
     }
 
-    /** The lines of a study on the screen and in the log. */
+    /** Console output and log of a study. */
     class StudyLines
     {
     public:
@@ -121,18 +121,20 @@ namespace auxfem
       const Clock::time_point start;
     };
 
-    /** Draws and says what could not be drawn; returns Markdown that shows the
-     * pictures. */
-    std::string draw_all(const StudyReport &report,
-                         const std::string &folder,
-                         StudyLines        &lines)
+    /**
+     * Draws all pictures and reports failures; returns Markdown with the
+     * pictures.
+     */
+    std::string draw_pictures(const StudyReport &report,
+                              const std::string &folder,
+                              StudyLines        &lines)
     {
       std::string text;
       for (const LogPicture &picture : report.pictures)
-        if (draw(picture, folder))
+        if (draw_picture(picture, folder))
           text += "![" + picture.title + "](" + picture.name + ".svg)\n\n";
         else
-          lines.print("  Not drawn, since gnuplot is missing or failed: " +
+          lines.print("  Not drawn, because gnuplot is missing or failed: " +
                       picture.name + ".gnuplot");
       return text;
     }
@@ -151,7 +153,7 @@ namespace auxfem
         task.scene.study.kind + "\n\n";
       replace_file(folder + "/study.md",
                    heading + report.text + '\n' +
-                     draw_all(report, folder, lines));
+                     draw_pictures(report, folder, lines));
       lines.print('\n' + report.text);
       lines.print(verdict_text(report.findings));
       lines.print("Tables and pictures are in " + folder +
@@ -196,7 +198,7 @@ namespace auxfem
                       const MPI_Comm       communicator,
                       const FolderOptions &options)
   {
-    // Mistakes in it must not cost the results of an earlier run.
+    // Errors of the scene must not destroy the results of an earlier run.
     const StudyTask               task = task_of(scene, communicator);
     const std::vector<PlannedRun> plan = kind_of(task.scene).plan(task);
 
@@ -224,9 +226,9 @@ namespace auxfem
     catch (const Interrupted &)
       {
         if (lines)
-          lines->print(
-            "Interrupted. What is done is kept in " + folder + runs_folder +
-            ": the same study, called once more, goes on from there.");
+          lines->print("Interrupted. Completed simulations are stored in " +
+                       folder + runs_folder +
+                       ". Run the same study again to continue.");
         throw;
       }
     on_first_rank(communicator, [&]() { write(report, task, folder, *lines); });

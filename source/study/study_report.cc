@@ -92,7 +92,7 @@ namespace auxfem
 
   std::string percent_text(const std::optional<double> &part)
   {
-    // -0.2 % is no number for people.
+    // This avoids printing -0 %.
     const double whole = part ? std::round(100 * *part) : 0;
     return part ? decimal_text(whole == 0 ? 0 : whole, 0) + " %" : "-";
   }
@@ -189,14 +189,12 @@ namespace auxfem
 
 
 
-  Finding unresolved(const QuantityDefinition &quantity)
+  Finding unresolved_finding(const QuantityDefinition &quantity)
   {
     return {
       Verdict::doubtful,
       "The reference does not resolve the quantity \"" + quantity.name +
-        "\", whose own error is more than 10 %: as if it were zero but for "
-        "round-off. It is left out of what is recommended; choose others "
-        "in Quantities, or finer runs.",
+        "\": its error in the reference exceeds 10 %, for example because it is zero up to round-off. Recommendations ignore it. Choose other Quantities, or finer runs.",
       0,
       ""};
   }
@@ -221,7 +219,7 @@ namespace auxfem
   {
     if (!reference.completed())
       add_finding({Verdict::not_to_be_used,
-                   what + " failed, so that errors are not known: " +
+                   what + " failed, so errors are unknown: " +
                      first_line(reference.exit_state),
                    0,
                    ""},
@@ -237,7 +235,9 @@ namespace auxfem
 
   namespace
   {
-    /** @p text between quotes, in which gnuplot knows no escapes. */
+    /**
+     * Quotes @p text for gnuplot, which has no escapes within single quotes.
+     */
     std::string quoted(const std::string &text)
     {
       std::string result = "'";
@@ -259,7 +259,7 @@ namespace auxfem
       return text;
     }
 
-    /** Told apart also by who sees red and green alike (Okabe and Ito 2008). */
+    /** Palette for colour-blind readers (Okabe and Ito 2008). */
     constexpr std::array<const char *, 8> colours = {{"#0072B2",
                                                       "#D55E00",
                                                       "#009E73",
@@ -269,7 +269,7 @@ namespace auxfem
                                                       "#000000",
                                                       "#8B6914"}};
 
-    /** Those of gnuplot from 4 on are easily told apart. */
+    /** Numbers of gnuplot styles; marks from 4 on are easily distinguished. */
     constexpr unsigned int n_dashes = 5, n_marks = 10, first_mark = 4;
 
     std::string text_of(const LineStyle &style)
@@ -294,16 +294,17 @@ namespace auxfem
 
     using Point = std::pair<double, double>;
 
-    /** A part of a curve that is straight, with a slope that is a whole number.
-     */
+    /** A straight part of a curve with an integer slope. */
     struct Slope
     {
       int   number;
       Point from, to;
     };
 
-    /** The last of @p curve over three points, whose slopes from one to the next
-     * are alike: there curves are farthest from each other. */
+    /**
+     * Last straight part of @p curve over three points, where curves are
+     * farthest apart.
+     */
     std::optional<Slope> slope_of(const Curve &curve)
     {
       constexpr double alike = 0.15;
@@ -322,7 +323,7 @@ namespace auxfem
       return {};
     }
 
-    /** Each slope once, where the first curve has it. */
+    /** Distinct slopes, each at the first curve with it. */
     std::vector<Slope> slopes_in(const LogPicture &picture)
     {
       std::vector<Slope> slopes;
@@ -335,7 +336,7 @@ namespace auxfem
       return slopes;
     }
 
-    /** How far down the picture a curve's mark is: a part of the range of y. */
+    /** Factor by which the mark lies below its curve. */
     double factor_below(const LogPicture &picture)
     {
       double least = std::numeric_limits<double>::max(), largest = 0;
@@ -348,7 +349,7 @@ namespace auxfem
       return std::pow(largest / least, -0.03);
     }
 
-    /** Lines of exactly these slopes, a little below the curves. */
+    /** Commands for lines of these exact slopes below the curves. */
     std::string slope_marks(const LogPicture &picture)
     {
       const auto place = [](const double x, const double y) {
@@ -380,7 +381,7 @@ namespace auxfem
       data_blocks(picture) +
       "set logscale xy\n"
       "set format '%.0e'\n"
-      // Room at the left, for the names of slopes.
+      // The left margin has room for the names of slopes.
       "set autoscale fix\n"
       "set offsets graph 0.12, graph 0.03, graph 0.05, graph 0.05\n"
       "set grid\n"
@@ -412,7 +413,7 @@ namespace auxfem
 
 
 
-  bool draw(const LogPicture &picture, const std::string &folder)
+  bool draw_picture(const LogPicture &picture, const std::string &folder)
   {
     replace_file(folder + "/" + picture.name + ".gnuplot",
                  gnuplot_script(picture));

@@ -18,7 +18,7 @@ namespace auxfem
   {
     namespace mpi = dealii::Utilities::MPI;
 
-    /** How a rank's part of the runs ended. */
+    /** Outcome of the runs of one rank. */
     struct Outcome
     {
       std::string wrong_input; ///< empty: none
@@ -46,7 +46,7 @@ namespace auxfem
 
   double PlannedRun::price() const
   {
-    // Struts cost by their nodes; every step has a floor of its own.
+    // Each step has a fixed cost and a cost per node.
     const double nodes =
       std::ldexp(scene.discretization.order, scene.discretization.refinements);
     return repetitions * scene.time.n_steps() * (0.3 + nodes);
@@ -110,7 +110,7 @@ namespace auxfem
         tasks.push_back(
           {&planned, key_of(planned.scene, by_ranks ? 1 : n_ranks), {}});
       }
-    find_kept(tasks);
+    load_stored_runs(tasks);
     for (const Task &task : tasks)
       price_in_all += task.price_left();
     if (by_ranks)
@@ -127,39 +127,37 @@ namespace auxfem
 
 
 
-  void StudyRuns::find_kept(std::vector<Task> &tasks) const
+  void StudyRuns::load_stored_runs(std::vector<Task> &tasks) const
   {
     if (folder.empty())
       return;
-    Json kept = Json::array();
+    Json stored = Json::array();
     on_first_rank(communicator, [&]() {
       for (const Task &task : tasks)
         {
-          const auto run = kept_run(folder, task.key);
-          kept.push_back(run && run->has(selection) ? json_of(*run) : Json());
+          const auto run = load_run(folder, task.key);
+          stored.push_back(run && run->has(selection) ? json_of(*run) : Json());
         }
     });
-    kept = Json::parse(text_of_rank(0, text_of(kept), communicator));
+    stored = Json::parse(text_of_rank(0, text_of(stored), communicator));
     for (std::size_t i = 0; i < tasks.size(); ++i)
-      if (!kept[i].is_null())
-        tasks[i].result = measured_run_of(kept[i]);
+      if (!stored[i].is_null())
+        tasks[i].result = measured_run_of(stored[i]);
   }
 
 
 
   void StudyRuns::compute_in_turn(std::vector<Task> &tasks)
   {
-    unsigned int most_repetitions = 0;
+    unsigned int max_repetitions = 0;
     for (const Task &task : tasks)
       {
-        most_repetitions =
-          std::max(most_repetitions, task.planned->repetitions);
+        max_repetitions = std::max(max_repetitions, task.planned->repetitions);
         if (task.is_done())
           report(task, /*is_reused=*/true);
       }
-    // In rounds, so that a time when the machine is slow does not fall upon one
-    // of them alone.
-    for (unsigned int round = 0; round < most_repetitions; ++round)
+    // Rounds spread a temporary slowdown of the machine over all runs.
+    for (unsigned int round = 0; round < max_repetitions; ++round)
       for (Task &task : tasks)
         if (!task.is_done() && task.n_done() <= round)
           {
@@ -179,7 +177,7 @@ namespace auxfem
         open.push_back(i);
       else
         report(tasks[i], /*is_reused=*/true);
-    // The dearest first, each to the rank that has least to do.
+    // The most expensive runs go first, each to the rank with the least load.
     std::stable_sort(open.begin(),
                      open.end(),
                      [&tasks](const std::size_t one, const std::size_t other) {
@@ -198,7 +196,7 @@ namespace auxfem
     price_in_all = load[rank];
 
     Outcome outcome;
-    Json    mine = Json::object();
+    Json    local_results = Json::object();
     for (const std::size_t i : open)
       {
         if (rank_of[i] != rank || outcome.signal != 0)
@@ -207,7 +205,7 @@ namespace auxfem
           {
             measure(tasks[i], MPI_COMM_SELF);
             report(tasks[i], /*is_reused=*/false);
-            mine[std::to_string(i)] = json_of(*tasks[i].result);
+            local_results[std::to_string(i)] = json_of(*tasks[i].result);
           }
         catch (const Interrupted &interruption)
           {
@@ -221,10 +219,10 @@ namespace auxfem
     throw_if_any(texts_of_all_ranks(outcome.wrong_input, communicator),
                  over_all_ranks<int>({outcome.signal}, communicator));
     for (const std::string &text :
-         texts_of_all_ranks(text_of(mine), communicator))
+         texts_of_all_ranks(text_of(local_results), communicator))
       {
-        const Json of_rank = Json::parse(text);
-        for (const auto &[number, run] : of_rank.items())
+        const Json rank_results = Json::parse(text);
+        for (const auto &[number, run] : rank_results.items())
           tasks[std::stoul(number)].result = measured_run_of(run);
       }
     for (const auto &[i, by_rank] : rank_of)
@@ -236,8 +234,8 @@ namespace auxfem
 
   void StudyRuns::measure(Task &task, const MPI_Comm on_ranks)
   {
-    const bool speaks = mpi::this_mpi_process(communicator) == 0;
-    progress.name     = task.planned->name;
+    const bool is_first_rank = mpi::this_mpi_process(communicator) == 0;
+    progress.name            = task.planned->name;
     progress.result.reset();
     const double      before = task.price_left();
     const double      price = task.planned->price() / task.planned->repetitions;
@@ -248,7 +246,7 @@ namespace auxfem
                   [&](const double fraction) {
                     progress.fraction =
                       (price_done + fraction * price) / price_in_all;
-                    if (speaks)
+                    if (is_first_rank)
                       listener(progress);
                   });
     if (task.result)
@@ -257,7 +255,7 @@ namespace auxfem
       task.result = run;
     price_done += before - task.price_left();
     if (!folder.empty() && mpi::this_mpi_process(on_ranks) == 0)
-      keep_run(folder, task.key, *task.result);
+      store_run(folder, task.key, *task.result);
   }
 
 

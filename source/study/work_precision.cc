@@ -11,14 +11,16 @@ namespace auxfem
   {
     const std::string work_precision_picture = "work-precision";
 
-    /** The settings that are compared, and what they are measured against. */
+    /** Compared settings and their references. */
     struct Grid
     {
       std::vector<Settings> runs; ///< the finest mesh and step last
-      /** Two, the finest last; none where all values are known exactly. */
+      /**
+       * Two references, the finest last; none if all exact values are known.
+       */
       std::vector<Settings> references;
-      /** The last run, with Newton's method to much more than its tolerance. */
-      Settings solved_better;
+      /** The last run with a much smaller Newton tolerance. */
+      Settings tightly_solved;
 
       const Settings &finest() const
       {
@@ -49,7 +51,8 @@ namespace auxfem
 
       Grid grid;
       auto schemes = tried_schemes(scene);
-      // The first is that of the references, and belongs to the last run.
+      // The references use the first scheme, which must be that of the last
+      // run.
       std::reverse(schemes.begin(), schemes.end());
       for (const std::string &scheme : schemes)
         for (const unsigned int order : orders)
@@ -80,8 +83,8 @@ namespace auxfem
           finer_meshes(scene, grid.finest(), /*raises_order=*/true);
       halve_time_steps(grid.references);
       constexpr double much = 1000;
-      grid.solved_better    = grid.finest();
-      grid.solved_better.newton_tolerance /= much;
+      grid.tightly_solved   = grid.finest();
+      grid.tightly_solved.newton_tolerance /= much;
       return grid;
     }
 
@@ -91,7 +94,7 @@ namespace auxfem
       SettingsList list;
       list.add(grid.runs, repetitions);
       list.add(grid.references, 1);
-      list.add({grid.solved_better}, 1);
+      list.add({grid.tightly_solved}, 1);
       return list;
     }
 
@@ -101,28 +104,30 @@ namespace auxfem
         .planned_runs(task.scene);
     }
 
-    /** One run with its error and where that comes from, each the largest of
-     * all quantities; none where a run failed that it would need. */
+    /**
+     * One run with its error and the parts of mesh and time step, each the
+     * largest over all quantities; empty if a required run failed.
+     */
     struct GridRun
     {
       Settings              settings;
       MeasuredRun           run;
       std::optional<double> error, by_mesh, by_step;
-      /** No cheaper one has a smaller error. */
+      /** Whether no cheaper run has a smaller error. */
       bool is_best = false;
     };
 
-    /** All quantities of one run, if it came to the end. */
+    /** All quantities of one run; empty if it failed. */
     using AllValues = std::optional<std::vector<QuantityValues>>;
 
-    /** What the runs of a grid show. */
+    /** Results of the runs of a grid. */
     struct WorkPrecision
     {
       std::vector<GridRun>  runs; ///< by processor time
-      std::optional<double> of_reference, by_newton;
-      /** Quantities that no error is measured by. */
+      std::optional<double> reference_error, by_newton;
+      /** Quantities that do not count in errors. */
       std::vector<QuantityDefinition> unresolved;
-      /** None if all values are exact. */
+      /** Finest reference; none if all values are exact. */
       std::optional<MeasuredRun> reference;
     };
 
@@ -155,18 +160,21 @@ namespace auxfem
                            return one.run.cpu_seconds < other.run.cpu_seconds;
                          });
         mark_best(found.runs);
-        found.by_newton =
-          largest_difference(values(grid.solved_better), values(grid.finest()));
+        found.by_newton = largest_difference(values(grid.tightly_solved),
+                                             values(grid.finest()));
         if (grid.references.empty())
           return found;
-        found.of_reference =
+        found.reference_error =
           largest_difference(values(grid.references[0]), finest);
-        found.reference = list.of({grid.references[1]}, all).front();
+        found.reference = list.results_for({grid.references[1]}, all).front();
         return found;
       }
 
     private:
-      /** Whether the references agree on it, or it is known. */
+      /**
+       * Whether the references agree on the quantity or its exact value is
+       * known.
+       */
       bool is_resolved(const std::size_t quantity) const
       {
         if (task.quantities[quantity].exact)
@@ -178,7 +186,7 @@ namespace auxfem
           unresolved_error;
       }
 
-      /** Of the quantities that are resolved. */
+      /** Largest relative difference of the resolved quantities. */
       std::optional<double> largest_difference(const AllValues &one,
                                                const AllValues &other) const
       {
@@ -199,7 +207,7 @@ namespace auxfem
 
       AllValues values(const Settings &settings) const
       {
-        const MeasuredRun run = list.of({settings}, all).front();
+        const MeasuredRun run = list.results_for({settings}, all).front();
         if (!run.completed())
           return {};
         std::vector<QuantityValues> result;
@@ -208,7 +216,7 @@ namespace auxfem
         return result;
       }
 
-      /** With exact values where they are known. */
+      /** Reference values, exact ones where known. */
       AllValues reference() const
       {
         AllValues result = grid.references.empty()
@@ -230,7 +238,7 @@ namespace auxfem
         const AllValues own        = values(settings);
         const AllValues fine_mesh  = values(on_finest_mesh);
         return {settings,
-                list.of({settings}, all).front(),
+                list.results_for({settings}, all).front(),
                 largest_difference(own, finest),
                 largest_difference(own, fine_mesh),
                 largest_difference(fine_mesh, finest)};
@@ -363,7 +371,7 @@ namespace auxfem
     {
       std::vector<GridRun> good;
       for (const GridRun &one : found.runs)
-        if (found.of_reference.value_or(0) <= target && one.error &&
+        if (found.reference_error.value_or(0) <= target && one.error &&
             *one.error <= target && one.run.verdict == Verdict::sound)
           good.push_back(one);
       const auto best = cheapest_of(
@@ -423,10 +431,10 @@ namespace auxfem
       report.text = "## Error and price\n\n" + table_text(found, with_mesh) +
         "\nErrors are the largest of all quantities" +
         (found.reference ? ". The reference's own error, estimated: " +
-             error_text(found.of_reference)
+             error_text(found.reference_error)
                          : ", against exact values") +
-        ". Newton's tolerance is behind a part of " +
-        error_text(found.by_newton) + ".\n\n## What to take\n\n" +
+        ". Newton's tolerance contributes " + error_text(found.by_newton) +
+        ".\n\n## What to take\n\n" +
         recommendations_text(task.scene, [&](const double target) {
                       return recommend_run(found, with_mesh, target);
                     });
@@ -435,7 +443,7 @@ namespace auxfem
         report.rows.push_back(row_of(one, task.scene));
       report.pictures.push_back(picture_of(found, with_mesh));
       for (const QuantityDefinition &quantity : found.unresolved)
-        add_finding(unresolved(quantity), report.findings);
+        add_finding(unresolved_finding(quantity), report.findings);
       if (found.reference)
         add_finding_on_reference(*found.reference,
                                  "The reference",

@@ -10,7 +10,7 @@
 
 namespace auxfem
 {
-  /** What a checkpoint file holds. */
+  /** Content of a checkpoint file. */
   struct CheckpointContent
   {
     struct Section
@@ -19,25 +19,24 @@ namespace auxfem
       std::string bytes;
     };
 
-    /** Of the auxfem that took it. */
+    /** Version of auxfem that wrote the checkpoint. */
     std::string program_version;
-    /** Of the run that took it. */
+    /** Number of ranks of the run that wrote it. */
     unsigned int         n_ranks = 1;
     std::vector<Section> sections;
   };
 
   /**
    * The last two checkpoints of a run, checkpoint_a and checkpoint_b in its
-   * folder. They are written in turn, so that one is left if the other gets
-   * lost. One file holds what all ranks have to keep: what moves into place in
-   * one go cannot be of different steps on different ranks. What is there is
-   * looked at before the first is written. To be used on one rank.
+   * folder. They are written alternately, so that one survives the loss of the
+   * other. One file holds the data of all ranks, so that all belong to the same
+   * step. Used on one rank.
    *
-   * A file is: 16 bytes that name the format, its version, which checkpoint of
-   * the run it is, the version of auxfem, the number of ranks, the number of
-   * sections; each section with its name, its bytes and the CRC-32 (ISO 3309)
-   * of both; nothing after them. Integers have 8 bytes, the lowest first; texts
-   * have their length before them. The head has a CRC-32, too.
+   * File format: 16 bytes with the name of the format, its version, the number
+   * of the checkpoint, the version of auxfem, the numbers of ranks and of
+   * sections, and a CRC-32 (ISO 3309). Each section follows with name, bytes
+   * and CRC-32. Integers have 8 bytes, little-endian; texts follow their
+   * length.
    */
   class CheckpointFiles
   {
@@ -45,12 +44,11 @@ namespace auxfem
     explicit CheckpointFiles(const std::string &folder);
 
     /**
-     * Puts @p content in the place of the older checkpoint, or of one that
-     * cannot be read. When it returns, the disk has it and what was written to
-     * @p files before: neither the end of the process nor a power cut loses it,
-     * and either before leaves both checkpoints as they were. Throws
-     * ComputationError if it cannot be written, and InputError rather than
-     * replace what only a later auxfem can read.
+     * Replaces the older or an unreadable checkpoint by @p content. On return,
+     * it and all data in @p files are on disk and survive a power failure; an
+     * earlier failure leaves both checkpoints unchanged. Throws
+     * ComputationError if writing fails, and InputError instead of replacing a
+     * file that only a later auxfem can read.
      */
     void write(const CheckpointContent        &content,
                const std::vector<std::string> &files = {});
@@ -58,18 +56,18 @@ namespace auxfem
     struct Found
     {
       CheckpointContent content;
-      /** What is wrong with the file that is not used; empty if nothing is. */
+      /** Defect of the file that is not used; empty if there is none. */
       std::string warning;
     };
 
     /**
-     * The newest checkpoint that is undamaged. Throws InputError if there is
-     * none, or if one of the two is in a later version of the format.
+     * Loads the newest undamaged checkpoint. Throws InputError if there is
+     * none, or if one of the two has a later format version.
      */
     Found newest() const;
 
   private:
-    /** Where the next one goes. */
+    /** Target of the next write(). */
     struct Next
     {
       std::uint64_t number;
@@ -80,14 +78,14 @@ namespace auxfem
     std::optional<Next> next; ///< from the first write() on
   };
 
-  /** A checkpoint among those of its run. */
+  /** A checkpoint with its number within the run. */
   struct NumberedCheckpoint
   {
     std::uint64_t     number; ///< the larger, the newer
     CheckpointContent content;
   };
 
-  /** Says what part of a checkpoint file is damaged, e.g. `its head`. */
+  /** Error with the damaged part of a checkpoint file, e.g. `its head`. */
   class DamagedCheckpoint : public std::runtime_error
   {
   public:
@@ -96,7 +94,7 @@ namespace auxfem
     {}
   };
 
-  /** A checkpoint file is whole, but in another version of the format. */
+  /** Error for an intact checkpoint file with another format version. */
   class OtherCheckpointFormat : public std::runtime_error
   {
   public:
@@ -108,18 +106,20 @@ namespace auxfem
     const std::uint64_t version;
   };
 
-  /** The version of the format that is written, the only one that is read. */
+  /** Format version; auxfem reads only this one. */
   inline constexpr std::uint64_t checkpoint_format_version = 2;
 
-  /** Writes a file as CheckpointFiles describes it, section after section: none
-   * is held twice.
-   * @param number the larger, the newer */
+  /**
+   * Writes a file in the format of CheckpointFiles, section by section, so that
+   * no section is copied.
+   * @param number increases from checkpoint to checkpoint
+   */
   void write_checkpoint(std::uint64_t            number,
                         const CheckpointContent &content,
                         std::ostream            &stream);
 
   /**
-   * What write_checkpoint() was given. Throws DamagedCheckpoint and
+   * Reads a file of write_checkpoint(). Throws DamagedCheckpoint and
    * OtherCheckpointFormat.
    */
   NumberedCheckpoint read_checkpoint(const std::string &bytes);

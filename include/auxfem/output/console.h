@@ -13,7 +13,7 @@
 
 namespace auxfem
 {
-  /** How far a run has come, for one line. */
+  /** Progress of a run, for one line. */
   struct Progress
   {
     unsigned long step     = 0;
@@ -26,63 +26,60 @@ namespace auxfem
     unsigned int retries           = 0;
     double       relative_residual = 0;
 
-    /** Error of the energy balance over the largest energy so far, where known.
-     */
+    /** Error of the energy balance over the largest energy so far, if known. */
     std::optional<double> relative_balance;
 
     double seconds = 0; ///< wall time since the first step was begun (s)
-    /** Time (s) the first step began at; not 0 in a run that was resumed. */
+    /** Start time of the first step (s); not 0 in a resumed run. */
     double begin_time = 0;
 
-    /** On a path of equilibria, of which `time` is the arc length (m) and the
-     * number of steps the largest possible. */
+    /**
+     * Position on a path of equilibria. Then `time` is the arc length (m) and
+     * the number of steps an upper bound.
+     */
     std::optional<PathPosition> path;
 
-    /** Part of the time that is done, in [0, 1]. */
+    /** Completed fraction of the time, in [0, 1]. */
     double fraction() const
     {
       return end_time > 0 ? std::min(1., std::max(0., time / end_time)) : 1;
     }
   };
 
-  /** @p text in indented lines that fit on a screen, without the last line
-   * break. */
+  /**
+   * @p text in indented lines that fit a screen, without the final line break.
+   */
   std::string indented(const std::string &text);
 
   /**
    * One line of fewer than 100 characters: step, time, time step, iterations,
-   * residual, energy balance, time left; on a path load factor and number of
-   * negative eigenvalues in place of times.
+   * residual, energy balance, remaining time. On a path, load factor and number
+   * of negative eigenvalues replace times.
    */
   std::string format_progress(const Progress &progress);
 
-  /**
-   * A time such as `0:07`, `12:30`, `3:05:00` (minutes and seconds; from one
-   * hour on with hours).
-   */
+  /** Duration as `0:07`, `12:30` or `3:05:00` (hours from one hour on). */
   std::string format_duration(double seconds);
 
   /**
-   * Characters a line of standard output holds; 0 if that is not the terminal
-   * of a program of one process.
+   * Width of the terminal in characters; 0 if standard output is no terminal or
+   * there are several processes.
    */
   unsigned int terminal_width(unsigned int n_processes);
 
   /**
-   * Screen and log of a run. On a terminal the progress is one line rewritten
-   * in place, at most ten times a second; else it is a plain line for each
-   * twentieth of the time, on a path for each tenth point. The log has those
-   * plain lines in both cases, and every step that had to be repeated. To be
-   * made on one rank only.
+   * Screen and log of a run, on one rank. On a terminal, one progress line is
+   * rewritten at most ten times a second. Otherwise and in the log, there is a
+   * plain line for each twentieth of the time, or each tenth point of a path.
+   * The log also lists every repeated step.
    */
   class Console
   {
   public:
     /**
-     * @param screen where lines are shown.
-     * @param terminal_width characters a line of @p screen holds if it is a
-     *   terminal, see terminal_width(); 0 if it is none.
-     * @param log the log; both streams must outlive the console.
+     * @param screen, log must outlive the console
+     * @param terminal_width width of @p screen, see terminal_width(); 0: it is
+     *   no terminal
      */
     Console(std::ostream &screen,
             unsigned int  terminal_width,
@@ -101,15 +98,15 @@ namespace auxfem
     void print_to_log(const std::string &text);
 
     /**
-     * Shows @p text in place of the former one where the screen is a terminal,
-     * at most ten times a second; else and in the log it is left out.
+     * Replaces the progress line of a terminal by @p text, at most ten times a
+     * second; does nothing otherwise.
      */
     void show(const std::string &text);
 
-    /** Shows and logs the progress of a finished step if it is time to. */
+    /** Shows and logs the progress of a finished step if it is due. */
     void progress(const Progress &progress);
 
-    /** Shows and logs the progress last given, unless that was done. */
+    /** Shows and logs the latest progress, unless that was done. */
     void end_progress();
 
   private:
@@ -126,19 +123,22 @@ namespace auxfem
     int                     twentieth        = -1;
     double                  last_rewrite     = 0;
     double                  last_show        = 0;
-    /** Of the open progress line. */
+    /** Length of the open progress line. */
     std::size_t line_length = 0;
   };
 
   /**
-   * Folder, log and screen of a run that tells no Recorder, as its questions
-   * have no course in time.
+   * Folder, log and screen of an analysis without time history, which has no
+   * Recorder.
    */
   class RunReport
   {
   public:
-    /** Makes the folder and prints the overview. @p scene must outlive the
-     * object. Throws as RunFolder. Collective. */
+    /**
+     * Makes the folder and prints the overview. Throws as RunFolder.
+     * Collective.
+     * @param scene must outlive the object
+     */
     RunReport(const Scene          &scene,
               const Equations      &equations,
               const FileRules      &rules,
@@ -149,8 +149,10 @@ namespace auxfem
     void print(const std::string &text);
     void claim_series(const std::vector<std::string> &names);
 
-    /** Writes summary.json with @p found, prints where results are, and the
-     * verdict. */
+    /**
+     * Writes summary.json with @p found; prints the folder of the results and
+     * the verdict.
+     */
     void finish(const Json &found, const std::vector<Finding> &findings);
     ///@}
 

@@ -12,7 +12,7 @@
 
 namespace auxfem
 {
-  /** A column of a table: its name in the header, its unit, what it holds. */
+  /** A column of a table: name in the header, unit, meaning. */
   struct Column
   {
     std::string name;
@@ -23,7 +23,7 @@ namespace auxfem
   /**
    * A table, mostly of numbers, in a comma-separated file that grows by rows:
    * one header line with the names, then numbers with 15 significant digits.
-   * Every row is on its way to the disk when append() returns.
+   * append() flushes every row.
    */
   class CsvTable
   {
@@ -35,8 +35,8 @@ namespace auxfem
     CsvTable(const std::string &file, const std::vector<Column> &columns);
 
     /**
-     * Goes on with @p file, of which the first @p length bytes are kept. Throws
-     * InputError if it is shorter or has other columns, or cannot be written.
+     * Continues @p file after its first @p length bytes. Throws InputError if
+     * it is shorter, has other columns or cannot be written.
      */
     CsvTable(const std::string         &file,
              const std::vector<Column> &columns,
@@ -46,20 +46,19 @@ namespace auxfem
     std::size_t length() const;
 
     /**
-     * Appends one row, a number for each column; numbers that are not finite
-     * appear as `nan`, `inf`. Throws ComputationError if the disk takes no
-     * more.
+     * Appends one row with a number for each column; non-finite numbers appear
+     * as `nan`, `inf`. Throws ComputationError if writing fails.
      */
     void append(const std::vector<double> &row);
 
-    /** As append(), for a row of words and of numbers already written out. */
+    /** As append(), for a row of texts. */
     void append_text(const std::vector<std::string> &row);
 
   private:
     void write_line();
 
     std::string file;
-    /** Asked for where it stands, also by what is constant. */
+    /** Mutable, because length() asks for its position. */
     mutable std::ofstream stream;
     std::string           line;
     std::size_t           n_columns;
@@ -72,22 +71,22 @@ namespace auxfem
   void write_column_reference(const std::string         &file,
                               const std::vector<Column> &columns);
 
-  /** Energies of a run as its history has seen them so far (J). */
+  /** Energies of a run recorded in its history so far (J). */
   struct EnergyRecord
   {
     Energies latest;
     double   balance         = 0; ///< the latest error of the balance
     double   largest_balance = 0; ///< the largest |balance|
-    /** Of mechanical, dissipated energy and work. */
+    /** Largest mechanical or dissipated energy or work. */
     double largest_energy = 0;
 
-    /** Takes note of @p energies; the first ones are those the balance starts from. */
+    /** Records @p energies; the balance starts from the first ones. */
     void add(const Energies &energies);
 
-    /** After the first add(), or with the latest @p energies. */
+    /** Saves after the first add(), or restores with the latest @p energies. */
     void serialize(const Energies &energies, CheckpointArchive &archive);
 
-    /** @p energy over the largest energy; 0 as long as there is no energy. */
+    /** @p energy over the largest energy; 0 without energy. */
     double relative(double energy) const;
 
   private:
@@ -95,16 +94,15 @@ namespace auxfem
   };
 
   /**
-   * Columns of history.csv for energies: the sum of each kind that @p ledger
-   * has, then its causes of dissipation and of work one by one, then the
-   * balance.
+   * Energy columns of history.csv: the sum of each kind in @p ledger, each
+   * cause of dissipation and work, and the balance.
    */
   std::vector<Column> energy_columns(const EnergyLedger &ledger);
 
   /** The numbers in these columns after the latest add(). */
   std::vector<double> energy_values(const EnergyRecord &record);
 
-  /** The energies in summary.json: what the columns hold at the end. */
+  /** Final energies for summary.json. */
   Json json_of_energies(const EnergyRecord &record);
 } // namespace auxfem
 

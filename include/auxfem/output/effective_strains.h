@@ -14,15 +14,15 @@ namespace auxfem
   /**
    * Strains of the lattice as a whole: along x the mean displacement of the
    * joint set `right` minus that of `left`, over the mean distance of these
-   * joints along x at rest; so for `bottom` and `top` along y, `back` and
-   * `front` along z. Axes are left out along which one of the sets does not
-   * exist or the two are not apart.
+   * joints along x at rest; likewise for `bottom` and `top` along y, `back` and
+   * `front` along z. Axes without both sets, or with coincident sets, have no
+   * strain.
    */
   class EffectiveStrains
   {
   public:
     /**
-     * Throws InputError if no axis is left.
+     * Throws InputError if no axis has a strain.
      * @param model must outlive the object.
      */
     explicit EffectiveStrains(const LatticeModel &model);
@@ -36,14 +36,14 @@ namespace auxfem
       return with_strain;
     }
 
-    /** `strain.x` and so on, for each of the axes. */
+    /** Columns `strain.x` etc. of the axes. */
     std::vector<Column> columns() const;
 
     /** This rank's share of each strain, to be summed over the ranks. */
     std::vector<double> values(const State &state) const;
 
   private:
-    /** A strain is the sum of displacements times factors (1/m). */
+    /** A displacement times a factor (1/m), a term of a strain. */
     struct Term
     {
       int    unknown; ///< local number, owned by this rank
@@ -51,13 +51,13 @@ namespace auxfem
     };
 
     std::vector<unsigned int>      with_strain;
-    std::vector<std::vector<Term>> terms; ///< for each of them
+    std::vector<std::vector<Term>> terms; ///< by axis with a strain
   };
 
   /**
-   * The axis along which the lattice is loaded: the only one along which
-   * joints of its opposite sides are moved, pushed or thrown, or plates, line
-   * loads or gravity act. y if there is none or several.
+   * Axis along which the lattice is loaded: the only one with prescribed
+   * motions, loads or initial velocities of joints on opposite sides, plates,
+   * line loads or gravity. It is y if there is none or several.
    */
   unsigned int loaded_axis(const RunPlan &plan, const Lattice &lattice);
 
@@ -76,31 +76,29 @@ namespace auxfem
       return loaded;
     }
 
-    /**
-     * Takes note of the strains @p values along @p axes at @p time (s).
-     */
+    /** Records the strains @p values along @p axes at @p time (s). */
     void add(double                           time,
              const std::vector<unsigned int> &axes,
              const double                    *values);
 
     void serialize(CheckpointArchive &archive);
 
-    /** When it was (s). */
+    /** Time of the largest strain (s). */
     double time() const
     {
       return time_then;
     }
 
-    /** Strain along an axis then; nothing if that has none. */
+    /** Strain along @p axis at that time; empty if the axis has none. */
     std::optional<double> along(const unsigned int axis) const
     {
       return strains[axis];
     }
 
     /**
-     * Effective Poisson's ratio of a lateral axis: minus the strain along it
-     * over that along the loaded one. Nothing for the latter, if either has no
-     * strain, or as long as that of the loaded axis is zero.
+     * Effective Poisson's ratio: minus the strain along the lateral @p axis
+     * over that along the loaded one. Empty for the loaded axis, for axes
+     * without strain, and while the loaded strain is zero.
      */
     std::optional<double> poissons_ratio(unsigned int axis) const;
 

@@ -13,29 +13,27 @@
 namespace auxfem
 {
   /**
-   * The rows of `history.csv`: numbers of a state. Columns: `time`, or
-   * `arc_length`, `load_factor`, `negative_eigenvalues` and `determinant`; for
-   * a probe P `P.ux`, `P.uy`, `P.phi` (if all its joints rotate) and in
-   * dynamics `P.vx`, `P.vy`, means over its joints; for a probe on rigid parts
-   * the columns of RigidPartProbe; for a support S `S.rx`, `S.ry`, `S.m`, force
-   * and moment of the support on the lattice summed over its joints (forces
-   * have no part in `S.m`); for a group of connectors C `C.force`,
-   * `C.extension`, sums over the group; if wanted those of EffectiveStrains;
-   * for a plate P `P.ux`, `P.uy`, its displacement, `P.fx`, `P.fy`, the force
-   * of the struts on it, and `P.penetration`; those of energy_columns(), with
-   * `balance`, which should be zero. Units and
-   * meaning are in `history.units.csv`.
+   * Rows of `history.csv`. Columns: `time`, or `arc_length`, `load_factor`,
+   * `negative_eigenvalues` and `determinant`; for a probe P `P.ux`, `P.uy`,
+   * `P.phi` (if all its joints rotate) and in dynamics `P.vx`, `P.vy`, means
+   * over its joints; for a probe on rigid parts the columns of RigidPartProbe;
+   * for a support S `S.rx`, `S.ry`, `S.m`, force and moment on the lattice
+   * summed over its joints (`S.m` excludes moments of forces); for a group of
+   * connectors C `C.force`, `C.extension`, sums over the group; if requested
+   * those of EffectiveStrains; for a plate P `P.ux`, `P.uy`, its displacement,
+   * `P.fx`, `P.fy`, the force of the struts on it, and `P.penetration`; those
+   * of energy_columns(). Units and meanings are in `history.units.csv`.
    *
-   * In space probes have also `P.uz` and `P.vz`, and for `P.phi` the mean
-   * rotation vector `P.phi_x`, `P.phi_y`, `P.phi_z`, which counts on past whole
-   * turns; supports have `S.rz`, and for `S.m` the moments `S.mx`, `S.my`,
-   * `S.mz`.
+   * In space probes also have `P.uz` and `P.vz`, and instead of `P.phi` the
+   * mean rotation vector `P.phi_x`, `P.phi_y`, `P.phi_z`, which includes whole
+   * turns; supports have `S.rz`, and instead of `S.m` the moments `S.mx`,
+   * `S.my`, `S.mz`.
    */
   class History
   {
   public:
     /**
-     * Finds the probes. Throws InputError as refuse_columns_of_nothing().
+     * Locates the probes. Throws InputError as refuse_columns_of_nothing().
      * @param equations must outlive the history.
      */
     History(const Scene     &scene,
@@ -48,18 +46,23 @@ namespace auxfem
     }
 
     /**
-     * The numbers of the row of a solution, as of the rows before: whole turns
-     * are counted. Collective: one reduction.
+     * Row of a solution, with whole turns counted from the previous rows.
+     * Collective: one reduction.
      */
     const std::vector<double> &values(const Solution &solution);
 
-    /** @name Columns that are linear in displacements and reactions: of probes on
-     * joints, and of supports. */
+    /**
+     * @name Columns of probes on joints and of supports, which are linear in
+     * displacements and reactions
+     */
     ///@{
     std::vector<Column> sum_columns() const;
 
-    /** Their values for small @p displacements, rotations as vectors in the
-     * global frame, and @p reactions, of all local unknowns. Collective. */
+    /**
+     * Values of sum_columns() for small @p displacements and @p reactions,
+     * values of all local unknowns; rotations as vectors in the global frame.
+     * Collective.
+     */
     std::vector<double> sums(const Vector &displacements,
                              const Vector &reactions) const;
     ///@}
@@ -70,23 +73,26 @@ namespace auxfem
       return record;
     }
 
-    /** Takes note of the energies and rotations of a state that gets no row. */
+    /** Records energies and rotations of a state without a row. */
     void note(const State &state);
 
-    /** At @p state, the one last given to values() or note(). Collective. */
+    /**
+     * Saves or restores at @p state, the last one of values() or note().
+     * Collective.
+     */
     void serialize(const State &state, CheckpointArchive &archive);
 
     /**
-     * Largest |rotation| (rad) in all rows so far, of nodes of this rank; in
-     * those before serialize() of all ranks. In space only those of probes and
-     * rigid parts count revolutions.
+     * Largest |rotation| (rad) in all rows so far, of nodes of this rank;
+     * before serialize(), of all ranks. In space only probes and rigid parts
+     * count revolutions.
      */
     double largest_rotation() const
     {
       return rotation_so_far;
     }
 
-    /** Effective strains in all rows so far; none unless they are wanted. */
+    /** Largest effective strains in all rows so far, if requested. */
     const LargestStrain &largest_strain() const
     {
       return strain_so_far;
@@ -111,7 +117,10 @@ namespace auxfem
 
     void define_probe(const ProbeDefinition &probe,
                       const SceneContext    &context);
-    /** A column for a mean over @p joints; @p column has its name in the probe. */
+    /**
+     * Defines a column for a mean over @p joints; @p column has its name within
+     * the probe.
+     */
     void define_mean(const ProbeDefinition           &probe,
                      const std::vector<unsigned int> &joints,
                      const Column                    &column,
@@ -121,12 +130,15 @@ namespace auxfem
     void define_connectors(const ConnectorForces &group);
     void define_plates(const PlateContact &plates);
 
-    /** Sums of this rank from column @p column on; returns the column after them. */
+    /**
+     * Writes sums of this rank from column @p column on; returns the next
+     * column.
+     */
     unsigned int add_unknown_sums(const State &state, unsigned int column);
     unsigned int add_rigid_part_values(const State &state, unsigned int column);
     unsigned int add_connector_sums(const Solution &solution,
                                     unsigned int    column);
-    /** Of all ranks already. */
+    /** As above, but summed over all ranks. */
     unsigned int add_plates(const Solution &solution, unsigned int column);
     unsigned int add_strains(const State &state, unsigned int column);
     double value(Quantity quantity, const State &state, int unknown) const;
@@ -134,13 +146,13 @@ namespace auxfem
     const Equations    &equations;
     MPI_Comm            communicator;
     std::vector<Column> column_list;
-    /** Columns that say where on the way a row lies. */
+    /** Number of columns for time or position on a path. */
     unsigned int                n_of_position = 1;
     std::vector<UnknownSum>     unknown_sums;
     RigidPartRotations          part_rotations;
     std::vector<RigidPartProbe> rigid_part_probes;
     RotationVectors             rotation_vectors;
-    /** If wanted. */
+    /** Effective strains, if requested. */
     std::optional<EffectiveStrains> strains;
     LargestStrain                   strain_so_far;
     std::vector<double>             row;
@@ -149,8 +161,8 @@ namespace auxfem
   };
 
   /**
-   * Throws InputError if a probe of @p scene names no joint of @p lattice, or if
-   * effective strains are wanted of a lattice without sides.
+   * Throws InputError if a probe of @p scene matches no joint of @p lattice, or
+   * if effective strains are requested for a lattice without sides.
    */
   void refuse_columns_of_nothing(const Scene &scene, const Lattice &lattice);
 } // namespace auxfem

@@ -13,7 +13,7 @@
 
 namespace auxfem
 {
-  /** What is stored at each point of a graphics file. */
+  /** A field stored at each point of a graphics file. */
   struct GraphicsField
   {
     std::string  name;
@@ -22,21 +22,21 @@ namespace auxfem
   };
 
   /**
-   * Lines in space with fields, for the writers of deal.II: what its DataOut
-   * cannot draw, as it is no mesh (connectors) or lies on a curve (arcs).
+   * Lines in space with fields, for the writers of deal.II. DataOut cannot draw
+   * them, because they have no mesh (connectors) or are curved (arcs).
    */
   class LineGraphics : public dealii::DataOutInterface<1, 3>
   {
   public:
     explicit LineGraphics(const std::vector<GraphicsField> &fields);
 
-    /** Whether there is no line. */
+    /** Whether there are no lines. */
     bool empty() const
     {
       return patches.empty();
     }
 
-    /** Numbers stored at each point. */
+    /** Number of values stored at each point. */
     unsigned int n_components() const;
 
     /**
@@ -71,10 +71,10 @@ namespace auxfem
   };
 
   /**
-   * A series of graphics files in time: on one rank `NAME/NAME_00000.vtu`, on
-   * several `NAME/NAME_00000.pvtu` with a `.vtu` for each; and `NAME.pvd`, the
-   * record, which lists them with their times and is whole at any moment. All
-   * in one folder, with relative paths.
+   * A time series of graphics files: `NAME/NAME_00000.vtu` on one rank,
+   * `NAME/NAME_00000.pvtu` with a `.vtu` for each rank on several. The record
+   * `NAME.pvd` lists them with their times and is complete at any moment. All
+   * paths are relative to one folder.
    */
   class GraphicsSeries
   {
@@ -86,51 +86,53 @@ namespace auxfem
                    MPI_Comm           communicator);
 
     /**
-     * Writes the files for one more time (s). Throws ComputationError on all
-     * ranks if one cannot write, std::bad_alloc on a rank without memory to.
-     * Collective.
+     * Writes the files of one time (s). Throws ComputationError on all ranks if
+     * one cannot write, std::bad_alloc on a rank without memory. Collective.
      */
     void write(LineGraphics &graphics, double time);
 
-    /** That of the record and of the folder. */
+    /** Name of the record and of the folder. */
     const std::string &series_name() const
     {
       return name;
     }
 
-    /** Whether @p archive restores a series. */
+    /** Whether @p archive contains the series. */
     static bool is_in(const CheckpointArchive &archive,
                       const std::string       &series);
 
     /**
-     * The number of files so far. A restored series numbers files on; the
-     * record NAME.pvd lists those that follow.
+     * Saves or restores the number of files. A restored series continues the
+     * numbering and the record.
      */
     void serialize(CheckpointArchive &archive);
 
   private:
     static std::string record_name(const std::string &series);
 
-    /** Returns the name of the file that stands for all ranks. */
+    /**
+     * Writes the files of all ranks; returns the name of the file that
+     * represents them.
+     */
     std::string write_pieces(LineGraphics &graphics) const;
 
     /**
-     * Adds a file to the record, over the end of the record and with a new end,
-     * so that a series costs no more than its length. Throws ComputationError
-     * if that fails; the record is then as it was.
+     * Adds a file to the record by overwriting only its end, so that the cost
+     * is linear in the number of files. Throws ComputationError on failure,
+     * with the record unchanged.
      */
     void append_to_record(double time, const std::string &file);
 
-    /** Removes what stands behind the entries. */
+    /** Truncates the record after its entries. */
     void restore_record(const std::string &record) const;
-    /** Those that are not in the record. */
+    /** Removes files that are not in the record. */
     void remove_later_files() const;
 
     std::string  folder;
     std::string  name;
     MPI_Comm     communicator;
     unsigned int n_written = 0;
-    /** Where the next entry of the record begins; 0: there is no record. */
+    /** Position of the next entry in the record; 0: there is no record. */
     std::streamoff end_of_entries = 0;
   };
 
@@ -138,17 +140,15 @@ namespace auxfem
   std::string field_name(const std::string &name);
 
   /**
-   * Files for ParaView of a scene with contact: `plates.pvd` with the outlines
-   * of plates, if there are any, and `contacts.pvd` with a short line, from the
-   * axis to the face of the strut, at every point that touches. The geometry is
-   * that at rest, as in `solution.pvd`; `displacement` is the vector for Warp
-   * By Vector.
+   * Files for ParaView of a scene with contact. `plates.pvd` has the outlines
+   * of plates, if any; `contacts.pvd` has a short line from the axis to the
+   * face of the strut at every contact point. The geometry is that at rest;
+   * `displacement` is the vector for Warp By Vector.
    *
    * Fields of contacts: displacement (m), force on the strut (N), gap (m,
    * negative: penetration), numbers of the strut and of the plate or other
-   * strut that it touches, -1 for none. Fields of
-   * plates: displacement (m), force of the struts on the plate (N), number of
-   * the plate.
+   * strut that it touches, -1 for none. Fields of plates: displacement (m),
+   * force of the struts on the plate (N), number of the plate.
    */
   class ContactGraphics
   {
@@ -158,14 +158,18 @@ namespace auxfem
                     const std::string &folder,
                     const std::string &prefix);
 
-    /** Names of the series; without plates that of contacts begins with the
-     * first touch. */
+    /**
+     * Names of the series. Without plates the series of contacts starts at the
+     * first contact.
+     */
     std::vector<std::string> series() const;
 
-    /** Throws ComputationError if the disk takes no more. Collective. */
+    /**
+     * Writes the files. Throws ComputationError if writing fails. Collective.
+     */
     void write(const Solution &solution);
 
-    /** The numbers of files so far. */
+    /** Saves or restores the numbers of files. */
     void serialize(CheckpointArchive &archive);
 
   private:
@@ -179,7 +183,7 @@ namespace auxfem
     const double                  size;   ///< of the lattice (m)
     const std::string             folder, contacts_name;
     std::optional<GraphicsSeries> contact_series;
-    /** If there are any. */
+    /** Series of plates, if there are any. */
     std::optional<GraphicsSeries> plate_series;
   };
 } // namespace auxfem

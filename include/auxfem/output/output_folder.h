@@ -21,24 +21,24 @@
 namespace auxfem
 {
   /**
-   * Opens @p file to be written in @p mode, unless it is a link, a device or a
-   * pipe: output never ends up outside of its folder. The stream has failed if
-   * that is not possible, and errno says why.
+   * Opens @p file for writing in @p mode, unless it is a link, a device or a
+   * pipe, so that output never leaves its folder. On failure the stream has
+   * failed and errno is set.
    */
   std::ofstream open_output_file(const std::string &file,
                                  std::ios::openmode mode = std::ios::out);
 
-  /** Makes the folder @p path in an output folder; a link is an error. */
+  /** Makes the folder @p path within an output folder; a link is an error. */
   std::error_code make_output_subfolder(const std::string &path);
 
-  /** Message of an errno; for a link in words that help. */
+  /** Message of an errno, with an explanation for links. */
   std::string output_error_text(int error);
 
   /**
-   * Runs @p action on rank 0 of @p communicator only; if it throws, all ranks
-   * throw the same (InputError, Interrupted, or ComputationError for all else),
-   * so that none waits for another for ever; but std::bad_alloc is thrown on
-   * rank 0 only. Collective.
+   * Runs @p action on rank 0 of @p communicator only. If it throws, all ranks
+   * throw the same (InputError, Interrupted, otherwise ComputationError), so
+   * that none waits forever; std::bad_alloc is thrown on rank 0 only.
+   * Collective.
    */
   template <typename Action>
   void on_first_rank(const MPI_Comm communicator, const Action &action)
@@ -97,7 +97,7 @@ namespace auxfem
     throw ComputationError(message);
   }
 
-  /** What the operating system and MPI took before the run could begin (s). */
+  /** Times before the start of a run (s). */
   struct StartTimes
   {
     double program = 0; ///< wall time of loading the program and its libraries
@@ -105,7 +105,7 @@ namespace auxfem
     double cpu     = 0; ///< processor time of both
   };
 
-  /** What is written into a folder, by name. */
+  /** Names of files and series that are written to a folder. */
   struct FolderContents
   {
     std::vector<std::string> files;
@@ -116,28 +116,30 @@ namespace auxfem
     std::vector<std::string> names() const;
   };
 
-  /** Which files a run spares in the folder of its results. */
+  /** Rules on existing files in the output folder of a run. */
   struct FileRules
   {
-    /** Files that the run reads: never replaced. */
+    /** Files that the run reads; they are never replaced. */
     std::vector<std::string> input_files;
-    /** Files that auxfem has not written are replaced as well. */
+    /** Whether files that auxfem has not written may be replaced. */
     bool replaces_files_of_others = false;
-    /** Results of other kinds of runs, which go with those that are replaced,
-     * where auxfem has written them and the run does not read them. */
+    /**
+     * Results of other kinds of runs, which are removed too if auxfem has
+     * written them and the run does not read them.
+     */
     std::vector<std::string> results_of_other_kinds = {};
   };
 
-  /** How a run treats the folder of results that the scene names. */
+  /** Options for the output folder of a run. */
   struct FolderOptions
   {
-    FileRules  rules = {}; ///< for files that lie in the folder before the run
-    StartTimes start = {}; ///< of this rank, for the summary
-    /** A checkpoint from which the run continues, instead of starting. */
+    FileRules  rules = {}; ///< for files in the folder before the run
+    StartTimes start = {}; ///< start times of this rank, for the summary
+    /** Checkpoint from which the run continues, if any. */
     std::optional<CheckpointData> checkpoint = {};
   };
 
-  /** What becomes of results that auxfem has left in a folder. */
+  /** Treatment of results of an earlier run in the folder. */
   enum class FormerResults
   {
     removed,
@@ -145,34 +147,36 @@ namespace auxfem
   };
 
   /**
-   * A folder for results, which belongs to this process while the object lives:
-   * a second one is refused. What auxfem has written into it is listed in a
-   * file, `.auxfem-files`, so that the next run replaces that and nothing else.
-   * To be used on one rank.
+   * A folder for results, locked by this process while the object lives. The
+   * file `.auxfem-files` lists the files that auxfem has written, so that the
+   * next run replaces only those. Used on one rank.
    */
   class OutputFolder
   {
   public:
     /**
-     * Makes the folder @p path if there is none, and removes what auxfem has
-     * written into it earlier and @p contents would write again, or what else
-     * the rules name. Throws InputError, before anything is removed, if
+     * Makes the folder @p path if needed. Removes files that auxfem has written
+     * and that @p contents would replace or the rules name. Throws InputError,
+     * before anything is removed, if
      * - the folder cannot be made or written to,
      * - another process writes into it,
      * - a file or folder to be written is a link,
      * - a file that the run reads would be replaced,
-     * - other files that auxfem has not written would be, unless the
-     *   rules allow it.
+     * - a file that auxfem has not written would be replaced, unless the rules
+     *   allow it.
      */
     OutputFolder(const std::string    &path,
                  const FolderContents &contents,
                  const FileRules      &rules,
                  FormerResults         former_results = FormerResults::removed);
 
-    /** Notes that auxfem writes the series @p name. */
+    /** Registers the series @p name as written by auxfem. */
     void claim_series(const std::string &name);
 
-    /** Refuses the folder because of @p what, for the @p reason of an errno. */
+    /**
+     * Throws InputError on the folder because of @p what, with the errno @p
+     * reason.
+     */
     [[noreturn]] void refuse(const std::string &what, int reason) const;
 
   private:
@@ -199,7 +203,7 @@ namespace auxfem
     void read_list();
     void write_list();
 
-    /** Files in the folder, by name, that @p contents would replace. */
+    /** Names of files in the folder that @p contents would replace. */
     std::vector<std::string> former(const FolderContents &contents) const;
     bool                     is_own(const std::string &name) const;
     bool                     is_one_of(const std::string              &name,
@@ -213,38 +217,39 @@ namespace auxfem
     void remove_results_of_other_kinds(const FileRules &rules);
 
     const std::string path;
-    /** Holds the lock, which the system releases at the end of the process. */
+    /**
+     * File with the lock, which the system releases at the end of the process.
+     */
     Descriptor list;
     /** Names of files, and of folders with a slash at their end. */
     std::set<std::string> own;
   };
 
-  /** @p rules that spare all files @p scene was read from, too. */
+  /** @p rules that also protect all files that @p scene was read from. */
   FileRules with_inputs_of(const Scene &scene, FileRules rules);
 
   /**
-   * The folder of a run, with original.prm, the file as the user gave it,
-   * parameters.prm, all values used, and the log. To be used on one rank.
+   * Output folder of a run with original.prm (the user's file), parameters.prm
+   * (all values) and the log. Used on one rank.
    */
   class RunFolder
   {
   public:
     /**
-     * Makes the folder that @p scene names, whose files are spared, and removes
-     * the results of an earlier run in it, unless they are continued: then the
-     * log is. Throws InputError that says why the folder cannot be used, see
-     * OutputFolder.
-     * @param further that the run writes, besides those of a simulation.
+     * Makes the folder of @p scene and removes the results of an earlier run,
+     * unless the run continues them and the log. Input files are kept. Throws
+     * InputError if the folder cannot be used, see OutputFolder.
+     * @param further contents besides those of a simulation
      */
     RunFolder(const Scene          &scene,
               const FileRules      &rules,
               const FolderContents &further        = {},
               FormerResults         former_results = FormerResults::removed);
 
-    /** Notes that the run writes the series @p name. */
+    /** Registers the series @p name as written by the run. */
     void claim_series(const std::string &name);
 
-    /** log.txt, which is read on terminals. */
+    /** Stream to log.txt with printable characters only. */
     std::ostream &log()
     {
       return log_stream;
@@ -261,8 +266,8 @@ namespace auxfem
   };
 
   /**
-   * Replaces @p file by @p text in one move, so that a reader finds the old or
-   * the new text. Throws ComputationError if it cannot be written.
+   * Replaces @p file by @p text atomically, so that a reader finds the old or
+   * the new text. Throws ComputationError if writing fails.
    */
   void replace_file(const std::string &file, const std::string &text);
 } // namespace auxfem

@@ -10,9 +10,8 @@
 namespace auxfem
 {
   /**
-   * Chosen rotations in space as rotation vectors since rest (rad), counted on
-   * past whole turns from state to state. None in the plane, where rotations
-   * are numbers.
+   * Rotation vectors (rad) of selected nodes in space, with whole turns counted
+   * from state to state. Empty in the plane, where rotations are numbers.
    */
   class RotationVectors
   {
@@ -20,28 +19,31 @@ namespace auxfem
     /** @param model must outlive the object. */
     explicit RotationVectors(const LatticeModel &model);
 
-    /** Chooses the rotation that local unknown @p unknown, a spin, belongs to.
-     */
+    /** Selects the rotation with the local unknown @p unknown, a spin. */
     void choose(int unknown);
 
     /**
-     * Goes on to @p state. The sum of turns in between tells apart vectors
-     * that mean the same rotation, so it may be large about a fixed axis; about
-     * axes that change it must stay below half a turn.
+     * Updates the vectors to @p state. About a fixed axis the rotation in
+     * between may be large; about changing axes it must stay below half a turn.
      */
     void follow(const State &state);
 
-    /** At @p state, the one last followed. */
+    /** Saves or restores at @p state, the last one of follow(). */
     void serialize(const State &state, CheckpointArchive &archive);
 
-    /** The entry of local unknown @p unknown (rad), a spin of a chosen one. */
+    /**
+     * Entry (rad) of local unknown @p unknown, a spin of a selected rotation.
+     */
     double operator[](int unknown) const;
 
     /** Largest angle (rad). */
     double largest() const;
 
   private:
-    /** Names of the chosen ones, the same on any number of ranks. */
+    /**
+     * Serial numbers of the selected rotations, the same on any number of
+     * ranks.
+     */
     std::vector<unsigned int> numbers() const;
 
     struct Rotation
@@ -56,8 +58,8 @@ namespace auxfem
   };
 
   /**
-   * Rotation vectors of the rigid parts this rank reports on, counted on past
-   * half turns from state to state.
+   * Rotation vectors of the rigid parts that this rank reports, with half turns
+   * counted from state to state.
    */
   class RigidPartRotations
   {
@@ -65,12 +67,18 @@ namespace auxfem
     /** @param equations must outlive the object. */
     explicit RigidPartRotations(const Equations &equations);
 
-    /** Goes on to @p state; parts must not have turned by half a turn since the last. */
+    /**
+     * Updates the vectors to @p state; parts must have turned by less than half
+     * a turn since the last one.
+     */
     void follow(const State &state);
 
     void serialize(CheckpointArchive &archive);
 
-    /** By the number of the part in RigidPartConditions::report() (rad). */
+    /**
+     * Rotation vectors (rad) by number of the part in
+     * RigidPartConditions::report().
+     */
     const std::vector<SpaceVector> &values() const
     {
       return rotations;
@@ -88,9 +96,8 @@ namespace auxfem
    * A probe P on rigid parts, written `rigid: STRUTS` or `rigid: STRUTS @
    * JOINTS`, where the name of a definition (`Rigid parts/NAME`) may stand for
    * the struts: `P.phi`, in space `P.phi_x`, `P.phi_y`, `P.phi_z`, the mean
-   * rotation of the parts the struts belong to, counted on past half turns, and
-   * with joints `P.fx`, `P.fy`, in space `P.fz`, the sum of the forces these
-   * exert on the parts.
+   * rotation of the parts of the struts, with half turns counted. With joints
+   * also `P.fx`, `P.fy`, in space `P.fz`, the sum of their forces on the parts.
    */
   class RigidPartProbe
   {
@@ -99,8 +106,8 @@ namespace auxfem
     static bool is_one(const ProbeDefinition &definition);
 
     /**
-     * Finds parts and joints. Throws InputError for sets that do not exist,
-     * struts none of which is rigid, and joints none of which is of the parts.
+     * Locates parts and joints. Throws InputError for missing sets, and if no
+     * strut is rigid or no joint belongs to the parts.
      * @param equations must outlive the probe.
      */
     RigidPartProbe(const ProbeDefinition &definition,
@@ -116,7 +123,7 @@ namespace auxfem
 
     /**
      * This rank's share of each column, to be summed over the ranks.
-     * @param rotations as followed up to @p state.
+     * @param rotations rotation vectors at @p state
      */
     std::vector<double> values(const State              &state,
                                const RigidPartRotations &rotations) const;
@@ -124,8 +131,8 @@ namespace auxfem
   private:
     struct Part
     {
-      unsigned int              report; ///< number on this rank
-      std::vector<unsigned int> joints; ///< indices into its forces
+      unsigned int              report; ///< number of the part on this rank
+      std::vector<unsigned int> joints; ///< indices into its joint forces
     };
 
     std::string       name;

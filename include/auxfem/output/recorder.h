@@ -16,25 +16,26 @@
 
 namespace auxfem
 {
-  /** What makes a point of a path of equilibria singular. */
+  /** A singular point of a path of equilibria. */
   struct SingularPoint
   {
     enum class Kind
     {
-      limit,      ///< the load factor turns round
+      limit,      ///< the load factor has an extremum
       bifurcation ///< another branch crosses
     };
     Kind kind;
-    /** What is known of the stiffness before and after it on the path. */
+    /** Stiffness data before and after the point on the path. */
     PathPosition before, after;
-    /** Of the stiffness there, of all local unknowns; its largest entry is
-     * positive. */
+    /**
+     * Null vector of the stiffness, values of all local unknowns; its largest
+     * entry is positive.
+     */
     Vector null_vector;
-    /** PathStepper::part_of_loads(). */
+    /** See PathStepper::load_projection(). */
     std::optional<double> load_projection = {};
 
-    /** How many directions become singular at once; 1 where that is not known.
-     */
+    /** Number of eigenvalues that change sign at once; 1 if unknown. */
     unsigned long multiplicity() const
     {
       if (!before.n_negative || !after.n_negative)
@@ -44,7 +45,9 @@ namespace auxfem
         : *before.n_negative - *after.n_negative;
     }
 
-    /** Whether the equilibria after it are less stable than those before. */
+    /**
+     * Whether the equilibria after the point are less stable than those before.
+     */
     bool destabilizes() const
     {
       if (before.n_negative && after.n_negative)
@@ -53,42 +56,50 @@ namespace auxfem
     }
   };
 
-  /** A sentence on how the elements were found, without the last line break. */
+  /** Sentence on the choice of the elements, without the final line break. */
   std::string order_search_text(const OrderReport &report);
 
-  /** A sentence on what the run says of their error, without the last line
-   * break. */
+  /**
+   * Sentence on the estimated discretization error, without the final line
+   * break.
+   */
   std::string mesh_error_text(const OrderReport &report);
 
-  /** All of it for summary.json. */
+  /** Report on the choice of elements for summary.json. */
   Json json_of(const OrderReport &report);
 
   struct Column;
   struct Scene;
 
-  /** How a run ended and what it took. */
+  /** Outcome and effort of a run. */
   struct RunResult
   {
-    /** `completed` or the reason it was not. */
+    /** `completed`, or the reason of an early end. */
     std::string exit_state;
-    double      time = 0; ///< reached (s)
+    double      time = 0; ///< final time (s)
     Work        work;
-    /** What the run found out about its own results, the worst first. */
+    /** Findings on the results, the worst first. */
     std::vector<Finding> findings;
 
-    /** Estimated error of the time integration, relative to the largest
-     * displacements, where steps follow it. */
+    /**
+     * Estimated error of the time integration over the largest displacements,
+     * if it controls the steps.
+     */
     std::optional<double> time_error = {};
 
-    /** With Discretization/Order = auto. */
+    /** Report on the choice of elements; with Discretization/Order = auto. */
     std::optional<OrderReport> orders = {};
 
-    /** Largest penetration after a step or a part of one, over the thickness of
-     * the strut; with contact. */
+    /**
+     * Largest penetration after a step or substep over the strut thickness;
+     * with contact.
+     */
     std::optional<double> largest_penetration = {};
 
-    /** Estimated error of small displacements that the run chose, relative to
-     * the largest ones. */
+    /**
+     * Estimated error of the chosen small-displacement kinematics over the
+     * largest displacements.
+     */
     std::optional<double> small_displacement_error = {};
 
     bool completed() const
@@ -98,9 +109,9 @@ namespace auxfem
   };
 
   /**
-   * Receives what an analysis computes, while it does: a folder of files, a
-   * table in memory. Each recorder takes what it needs. Lattices call the first
-   * group of functions, on all ranks together; other models record rows.
+   * Receives the results of an analysis while it runs, for example to write
+   * files. Lattices call the first group of functions on all ranks; other
+   * models record rows.
    */
   class Recorder
   {
@@ -110,8 +121,8 @@ namespace auxfem
     /** @name Lattices. */
     ///@{
     /**
-     * Before begin(), with Discretization/Order = auto: a step is done of the
-     * run @p search, whose motion tells which elements to take.
+     * Called before begin() with Discretization/Order = auto, after a step of
+     * the run @p search, which determines the elements.
      */
     virtual void search_step(const RunPlan & /*search*/,
                              const State & /*state*/,
@@ -126,27 +137,31 @@ namespace auxfem
     virtual void start(const Solution & /*solution*/)
     {}
 
-    /** @name Checkpoints: what a run needs to go on from the middle. */
+    /** @name Checkpoints, from which a run can continue. */
     ///@{
-    /** The one that the run is to go on from, in place of its start; nullptr:
-     * it starts. */
+    /**
+     * Checkpoint from which the run continues; nullptr: it starts at the
+     * beginning.
+     */
     virtual const CheckpointData *restart_checkpoint() const
     {
       return nullptr;
     }
 
-    /** The latest one. Collective. */
+    /** Stores the latest checkpoint. Collective. */
     virtual void take(CheckpointData /*checkpoint*/)
     {}
 
-    /** The run ends, or is interrupted: another one goes on from the checkpoint
-     * taken last. Collective. */
+    /**
+     * Writes the latest checkpoint, because the run ends or is interrupted.
+     * Collective.
+     */
     virtual void keep_checkpoint()
     {}
 
     /**
-     * Saves what the recorder remembers of the solutions it has been told of,
-     * @p solution the last; or restores it in place of start().
+     * Saves the state of the recorder after @p solution, the last one received;
+     * or restores it instead of start().
      */
     virtual void serialize(const Solution & /*solution*/,
                            CheckpointArchive & /*archive*/)
@@ -154,37 +169,45 @@ namespace auxfem
     ///@}
 
     /**
-     * The first time after @p time (s) for which the recorder wants a solution
-     * wherever steps end; nothing if there is none. The same on all ranks.
+     * First time after @p time (s) at which the recorder needs an interpolated
+     * solution; empty if there is none. The same on all ranks.
      */
     virtual std::optional<double> next_time(double /*time*/) const
     {
       return {};
     }
 
-    /** The solution at such a time, before the step that it lies in, or that
-     * ends there, is done. */
+    /**
+     * Receives the solution at a time of next_time(), before step() for the
+     * step that contains it.
+     */
     virtual void between(const Solution & /*solution*/)
     {}
 
-    /** On a path of equilibria a singular point was found at @p solution, which
-     * lies between the last step and the next. */
+    /**
+     * Receives a singular point of a path, at @p solution between the last step
+     * and the next.
+     */
     virtual void singular_point(const Solution & /*solution*/,
                                 const SingularPoint & /*point*/)
     {}
 
-    /** A step of the scene is done. */
+    /** Called after each step of the scene. */
     virtual void step(const Solution & /*solution*/,
                       const StepReport & /*report*/)
     {}
 
-    /** @p last is the last accepted solution, also after a failure. */
+    /**
+     * Called at the end with the last accepted solution, also after a failure.
+     */
     virtual void finish(const Solution & /*last*/, const RunResult & /*result*/)
     {}
     ///@}
 
-    /** @name Analyses of another model than a lattice: rows of numbers. On the
-     * first rank alone. */
+    /**
+     * @name Models other than lattices: rows of numbers, on the first rank
+     * only.
+     */
     ///@{
     virtual void begin_rows(const std::vector<Column> & /*columns*/,
                             unsigned int /*n_unknowns*/)
@@ -195,20 +218,20 @@ namespace auxfem
     ///@}
   };
 
-  /** When to write something: at the multiples of an interval. */
+  /** Sampling times: multiples of an interval. */
   class OutputTimes
   {
   public:
     /**
-     * @param interval (s); none: never.
-     * @param nearness of times that are the same (s), much less
+     * @param interval sampling interval (s); none: never
+     * @param nearness tolerance for equal times (s), much less
      */
     OutputTimes(std::optional<double> interval, double nearness);
 
-    /** The first of them after @p time (s). */
+    /** First sampling time after @p time (s). */
     std::optional<double> after(double time) const;
 
-    /** Whether @p time (s) is one of them. */
+    /** Whether @p time (s) is a sampling time. */
     bool has(double time) const;
 
   private:
@@ -217,10 +240,9 @@ namespace auxfem
   };
 
   /**
-   * Keeps the history of a lattice in memory and writes nothing: the columns of
-   * history.csv with a row for each step of the scene, or for each of the times
-   * that Output/Time between rows asks for; of a resumed run for those that
-   * follow. The same on all ranks.
+   * Stores the history of a lattice in memory: the columns of history.csv with
+   * a row for each step, or for each time of Output/Time between rows. A
+   * resumed run has only later rows. The same on all ranks.
    */
   class MemoryRecorder : public Recorder
   {
@@ -263,8 +285,10 @@ namespace auxfem
       return row_list;
     }
 
-    /** The numbers of a column, from t = 0 on. Throws InputError if there is no
-     * such column. */
+    /**
+     * Values of a column from t = 0 on. Throws InputError if the column does
+     * not exist.
+     */
     std::vector<double> column(const std::string &name) const;
 
   private:

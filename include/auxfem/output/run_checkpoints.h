@@ -14,36 +14,42 @@
 
 namespace auxfem
 {
-  /** What a run has left in its folder for one that goes on from there. */
+  /**
+   * Data of an interrupted run in its folder, from which another run continues.
+   */
   struct RestartedRun
   {
     std::string folder;
-    /** The file that the scene was read from, from the root of all folders. */
+    /** Absolute path of the scene file. */
     std::string scene_file;
     /** Scene::all_parameters. */
     std::string parameters;
-    /** Checksums (CRC-32) of the other files that it was read from, by name. */
+    /** Checksums (CRC-32) of the other input files, by name. */
     std::map<std::string, unsigned int> input_files;
-    /** Those of this rank; of all ranks where there were others. */
+    /**
+     * Checkpoint data of this rank; of all ranks if their number has changed.
+     */
     CheckpointData records;
-    /** What is wrong with a newer checkpoint; empty: nothing. */
+    /** Defect of a newer checkpoint; empty: none. */
     std::string warning;
   };
 
-  /** Whether the checksums of @p run are those of its files now: the name of
-   * one that has changed, or is gone; empty: they are. */
+  /**
+   * Name of an input file of @p run that has changed or is missing; empty if
+   * there is none.
+   */
   std::string changed_input_file(const RestartedRun &run);
 
   /**
-   * Finds the last checkpoint in @p folder. Throws InputError if there is none
-   * that can be used. Every rank reads it.
+   * Reads the last checkpoint in @p folder on every rank. Throws InputError if
+   * there is no usable one.
    */
   RestartedRun find_run_to_resume(const std::string &folder,
                                   MPI_Comm           communicator);
 
   /**
-   * Writes checkpoints of a run into its folder, so rarely that they take less
-   * than a 300th of its time, beside the first and the last. All functions are
+   * Writes checkpoints of a run to its folder, so rarely that they take less
+   * than 1/300 of its time, except the first and the last. All functions are
    * collective.
    */
   class RunCheckpoints
@@ -52,13 +58,12 @@ namespace auxfem
     /** @param scene must outlive the object. */
     RunCheckpoints(const Scene &scene, MPI_Comm communicator);
 
-    /** Whether another one takes no more than that. */
+    /** Whether another checkpoint stays within this time. */
     bool is_due();
 
     /**
-     * Writes one with the @p records of all ranks; @p files belong to it, and
-     * are on the disk before it. Throws ComputationError if the disk takes no
-     * more.
+     * Writes a checkpoint with the @p records of all ranks, after syncing @p
+     * files, which belong to it. Throws ComputationError if writing fails.
      */
     void write(CheckpointData records, const std::vector<std::string> &files);
 

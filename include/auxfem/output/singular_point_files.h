@@ -14,18 +14,17 @@
 namespace auxfem
 {
   /**
-   * By what the shape of a mode, of all local unknowns, is multiplied to be
-   * seen in pictures of @p scene: ModesDefinition::amplitude (m per shape).
-   * Collective.
+   * Factor of a mode shape, values of all local unknowns, in pictures of @p
+   * scene, from ModesDefinition::amplitude (m per shape). Collective.
    */
   double shape_amplitude(const Scene     &scene,
                          const Equations &equations,
                          const Vector    &shape);
 
-  /** What a path of equilibria writes beside the files of other runs. */
+  /** Files that a path of equilibria writes besides those of other runs. */
   FolderContents path_contents();
 
-  /** The kind in words, e.g. `limit point`. */
+  /** Name of the kind, e.g. `limit point`. */
   std::string text_of(SingularPoint::Kind kind);
 
   /** One line for the screen on singular point @p number (from 1 on). */
@@ -40,8 +39,11 @@ namespace auxfem
   class SingularPointFiles
   {
   public:
-    /** Throws InputError as the files do. @p scene, equations must outlive the
-     * object. @param restart_checkpoint what serialize() has saved; nullptr: nothing. */
+    /**
+     * Throws InputError as CsvTable and VtuWriter do.
+     * @param scene, equations must outlive the object
+     * @param restart_checkpoint data of serialize(); nullptr: none
+     */
     SingularPointFiles(const Scene          &scene,
                        const Equations      &equations,
                        MPI_Comm              communicator,
@@ -50,13 +52,13 @@ namespace auxfem
     /** Adds a point, at @p at. */
     void write(const State &at, const SingularPoint &point);
 
-    /** What files there are. */
+    /** Saves or restores the number and positions of the files. */
     void serialize(CheckpointArchive &archive);
 
     /** Names of the files and series that a checkpoint relies on. */
     std::vector<std::string> files() const;
 
-    /** How many there are. */
+    /** Number of points so far. */
     unsigned int number() const
     {
       return n_written;

@@ -20,7 +20,7 @@ namespace auxfem
     unsigned int joints   = 0;
     unsigned int struts   = 0;
     unsigned int elements = 0;
-    /** Elastic struts by their elements. */
+    /** Number of elastic struts by division into elements. */
     std::map<StrutDivision, unsigned int> struts_of_division;
     unsigned int                          connectors  = 0;
     unsigned int                          rigid_parts = 0;
@@ -28,7 +28,7 @@ namespace auxfem
     unsigned int unknowns = 0;
     /** Displacements and rotations that are not prescribed. */
     unsigned int free_unknowns = 0;
-    /** Of rigid parts, each with a multiplier. */
+    /** Constraints of rigid parts, each with a multiplier. */
     unsigned int constraints = 0;
     unsigned int ranks       = 1;
   };
@@ -36,16 +36,18 @@ namespace auxfem
   /** Counts of @p equations. Collective. */
   Counts count(const Equations &equations);
 
-  /** What a run took from the machine. */
+  /** Memory and time of a run. */
   struct Resources
   {
-    /** Peak of the rank that used most (bytes). */
+    /** Largest peak of a rank (bytes). */
     unsigned long largest_memory = 0;
     unsigned long memory         = 0; ///< sum of the ranks' peaks (bytes)
     double        cpu_seconds    = 0; ///< over all ranks
-    double        wall_seconds   = 0; ///< of the run, on the slowest rank
-    PhaseTimes    wall;               ///< of the slowest rank in each phase
-    /** Before the run; wall times of the slowest rank, processor time of all.
+    double        wall_seconds   = 0; ///< wall time of the slowest rank
+    PhaseTimes    wall; ///< wall time of the slowest rank by phase
+    /**
+     * Times before the run: wall times of the slowest rank, processor time of
+     * all.
      */
     StartTimes start;
   };
@@ -53,42 +55,45 @@ namespace auxfem
   /** Processor time of this process since its start (s). */
   double cpu_seconds();
 
-  /** The most memory that this process has had in use (bytes). */
+  /** Peak memory of this process (bytes). */
   unsigned long peak_memory();
 
   /**
    * Resources of all ranks since their start. Collective.
-   * @param start, wall_seconds, wall times of this rank.
+   * @param start, wall_seconds, wall times of this rank
    */
   Resources gather_resources(const StartTimes &start,
                              double            wall_seconds,
                              const PhaseTimes &wall,
                              MPI_Comm          communicator);
 
-  /** All that summary.json says about a run. */
+  /** Content of summary.json. */
   struct Summary
   {
     Counts        counts;
     Work          totals;
     Resources     resources;
     EnergyRecord  energies;
-    LargestStrain strain;               ///< if effective strains are wanted
+    LargestStrain strain;               ///< if effective strains are requested
     double        largest_rotation = 0; ///< rad
-    /** Over the thickness of the strut; only with plates. */
+    /** Largest penetration over the strut thickness; with plates only. */
     std::optional<double> largest_penetration;
-    double                time = 0; ///< reached (s)
-    /** Reached, on a path of equilibria; `time` is the arc length (m) then. */
+    double                time = 0; ///< final time (s)
+    /**
+     * Final position on a path of equilibria; `time` is then the arc length
+     * (m).
+     */
     std::optional<PathPosition> path;
     /** See RunResult. */
     std::optional<double>      time_error, small_displacement_error;
     std::optional<OrderReport> orders;
-    /** What the user should know of the scene (output/notes.h). */
+    /** Notes on the scene, see notes_on(). */
     std::vector<std::string> notes;
-    /** What is simulated. */
+    /** Simulated and omitted effects. */
     std::vector<EffectDecision> decisions;
-    /** `completed` or the reason it was not. */
+    /** `completed`, or the reason of an early end. */
     std::string exit_state;
-    /** What the run found out about its results, the worst first. */
+    /** Findings on the results, the worst first. */
     std::vector<Finding> findings;
   };
 
@@ -99,8 +104,8 @@ namespace auxfem
   std::string version_text();
 
   /**
-   * The first members of every summary.json: program, date, scene, @p exit_state
-   * and the @p time reached (s).
+   * First members of every summary.json: program, date, scene, @p exit_state
+   * and the final @p time (s).
    */
   Json
   json_of_run(const Scene &scene, const std::string &exit_state, double time);
@@ -128,8 +133,8 @@ namespace auxfem
   std::string summary_json(const Scene &scene, const Summary &summary);
 
   /**
-   * Counts, then the effects simulated and left out, each with its reason, and
-   * @p notes; lines without the last line break.
+   * Lines with counts, simulated and omitted effects with their reasons, and @p
+   * notes, without the final line break.
    */
   std::string overview_text(const Scene                       &scene,
                             const Counts                      &counts,

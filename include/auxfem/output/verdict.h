@@ -11,7 +11,7 @@
 
 namespace auxfem
 {
-  /** How far the results of a run can be relied on, from good to bad. */
+  /** Reliability of the results of a run, from good to bad. */
   enum class Verdict
   {
     sound,
@@ -19,23 +19,24 @@ namespace auxfem
     not_to_be_used
   };
 
-  /** Something a run has found out about its own results. */
+  /** A finding of a run on its own results. */
   struct Finding
   {
-    Verdict     verdict;  ///< what it alone makes of the run
-    std::string text;     ///< a sentence or two, with what to do
-    double      time;     ///< s, since when, or when it was worst
-    std::string location; ///< e.g. `joint 3`; empty if it is everywhere
+    Verdict     verdict;  ///< verdict on the run from this finding alone
+    std::string text;     ///< one or two sentences with advice
+    double      time;     ///< begin or maximum (s)
+    std::string location; ///< e.g. `joint 3`; empty: everywhere
   };
 
-  /** That a run has ended at @p time (s) before its first step was done. */
+  /**
+   * Finding: the run has ended at @p time (s) before the end of its first step.
+   */
   Finding nothing_computed(double time);
 
-  /** That a run has ended at @p time (s) before its end, by a signal or a
-   * failure. */
+  /** Finding: a signal or a failure has ended the run early at @p time (s). */
   Finding incomplete(double time);
 
-  /** The worst of @p findings; sound without any. */
+  /** Worst verdict of @p findings; sound without any. */
   Verdict verdict_of(const std::vector<Finding> &findings);
 
   /** `sound`, `doubtful`, `not to be used`. */
@@ -48,14 +49,14 @@ namespace auxfem
   std::string verdict_text(const std::vector<Finding> &findings);
 
   /**
-   * Judges a run by its energies: their balance, in both directions, and what
-   * the time integration gives or takes, over the energy that came in
+   * Judges a run by the error of its energy balance and by energy gained or
+   * lost by the time integration, relative to the energy input
    * (doc/user/verdict.md).
    */
   class EnergyJudgement
   {
   public:
-    /** What runs have energies for. */
+    /** Kind of run. */
     enum class Kind
     {
       motion,
@@ -66,16 +67,18 @@ namespace auxfem
 
     explicit EnergyJudgement(Kind kind);
 
-    /** Of t = 0. */
+    /** Starts with the energies at t = 0. */
     void start(const Energies &energies);
 
-    /** Whether the balance at a state that is to be added asks for a finding,
-     * unless it is round-off. */
+    /**
+     * Whether the balance of a state, before it is added, is beyond the limit
+     * of a finding, if it is not round-off.
+     */
     bool is_off(const Energies &energies) const;
 
     /**
-     * Of an accepted state at @p time (s).
-     * @param round_off of the balance (J)
+     * Adds an accepted state at @p time (s).
+     * @param round_off round-off of the balance (J)
      */
     void add(const Energies &energies, double time, double round_off = 0);
 
@@ -85,7 +88,7 @@ namespace auxfem
 
   private:
     Finding error_finding(double moved) const;
-    /** What to do about an error. */
+    /** Advice against an error. */
     std::string advice() const;
 
     const Kind    kind;
@@ -94,11 +97,10 @@ namespace auxfem
   };
 
   /**
-   * What the user should know of a scene that is allowed, but may not be what
-   * was meant: of the time scheme with rigid parts, functions of time
-   * (time_function_notes()), sections too thick for their struts and, with
-   * contact, struts that overlap at rest. A text each, for the screen and
-   * summary.json.
+   * Notes on a valid scene that may be unintended: time scheme with rigid
+   * parts, functions of time (time_function_notes()), sections too thick for
+   * their struts, and struts that overlap at rest with contact. Texts for the
+   * screen and summary.json.
    */
   std::vector<std::string> notes_on(const Equations &equations);
 } // namespace auxfem

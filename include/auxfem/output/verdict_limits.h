@@ -4,13 +4,13 @@
 namespace auxfem
 {
   /**
-   * Relative error of a result from which on it is doubtful.
+   * Relative error above which a result is doubtful.
    * @tuned judgement: 8 steps a period with the trapezoidal rule
    */
   inline constexpr double doubtful_error = 0.05;
 
   /**
-   * Relative error of a result from which on it is not to be used.
+   * Relative error above which a result is not to be used.
    * @tuned judgement: 3.6 steps a period with the trapezoidal rule
    */
   inline constexpr double unusable_error = 0.25;

@@ -12,11 +12,11 @@
 namespace auxfem
 {
   /**
-   * Files for ParaView: `solution.pvd` with the elastic struts, several
-   * straight pieces an element, `rigid_parts.pvd` and `connectors.pvd` with
-   * what their names say; each only if the scene has any. The geometry is that
-   * at rest; `displacement` is the vector for Warp By Vector, `radius` the one
-   * for Tube. Every element and connector is written by one rank.
+   * Files for ParaView: `solution.pvd` with the elastic struts (several
+   * straight pieces per element), `rigid_parts.pvd` and `connectors.pvd`, each
+   * if the scene has any. The geometry is that at rest; `displacement` is the
+   * vector for Warp By Vector, `radius` the one for Tube. One rank writes each
+   * element and connector.
    *
    * Fields of struts: displacement (m), velocity (m/s, in dynamics), rotation
    * (rad), axial_force, shear_force (N), bending_moment (N m),
@@ -24,20 +24,21 @@ namespace auxfem
    * and mpi_rank, and `set_NAME`, 1 inside and 0 outside, for the user's strut
    * sets. In space rotation is the rotation vector, d1, d2, d3 are the section
    * axes now, and forces are axial_force, shear_force_2, shear_force_3 (N),
-   * torque, bending_moment_2, bending_moment_3 (N m), by these axes. Fields of
-   * connectors: displacement (m), force (N), extension (m), dissipated_energy
-   * (J), numbers of group and cell. Fields of rigid parts: displacement (m),
-   * velocity (m/s, in dynamics), rotation (rad, within half a turn), force (N),
-   * which the joint there exerts on the part, zero between joints, numbers of
+   * torque, bending_moment_2, bending_moment_3 (N m), about these axes. Fields
+   * of connectors: displacement (m), force (N), extension (m),
+   * dissipated_energy (J), numbers of group and cell. Fields of rigid parts:
+   * displacement (m), velocity (m/s, in dynamics), rotation (rad, within half a
+   * turn), force (N) of the joint on the part, zero between joints, numbers of
    * part, definition and cell.
    */
   class VtuWriter
   {
   public:
     /**
-     * Makes the subfolders of @p folder. Throws InputError if that fails. Collective, as is write().
-     * @param scene, equations must outlive the writer.
-     * @param prefix of the names of all series.
+     * Makes the subfolders of @p folder. Throws InputError on failure. All
+     * writing functions are collective, too.
+     * @param scene, equations must outlive the writer
+     * @param prefix prefix of the names of all series
      */
     VtuWriter(const Scene       &scene,
               const Equations   &equations,
@@ -49,12 +50,12 @@ namespace auxfem
     std::vector<std::string> series() const;
 
     /**
-     * Writes the elastic struts at @p state. Throws ComputationError if the disk
-     * takes no more.
+     * Writes the elastic struts at @p state. Throws ComputationError if writing
+     * fails.
      */
     void write_struts(const State &state);
 
-    /** Those of one polynomial order. */
+    /** Adds the struts of one polynomial order. */
     void add_struts(const StrutForces &struts,
                     const State       &state,
                     LineGraphics      &graphics) const;
@@ -65,22 +66,23 @@ namespace auxfem
     /** As write_struts(), for connectors; nothing without any. */
     void write_connectors(const Solution &solution);
 
-    /** As write_struts(), for plates and what touches them; see
-     * ContactGraphics. */
+    /** As write_struts(), for plates and contacts; see ContactGraphics. */
     void write_contacts(const Solution &solution);
 
-    /** The numbers of files so far. */
+    /** Saves or restores the numbers of files. */
     void serialize(CheckpointArchive &archive);
 
   private:
     using SetMembers = std::vector<bool>; ///< by strut
 
     std::vector<GraphicsField> strut_fields() const;
-    /** Appends those of strut_fields() that @p point knows. */
+    /** Appends the values of strut_fields() at @p point. */
     void                       append_point(const StrutPoint   &point,
                                             std::vector<float> &values) const;
     std::vector<GraphicsField> rigid_part_fields() const;
-    /** Lines of one part: its struts, else from its first joint to the others.
+    /**
+     * Lines of one part: its struts, or lines from its first joint to the
+     * others.
      */
     std::vector<std::vector<dealii::Point<3>>>
     rigid_part_lines(const RigidPart &part) const;

@@ -17,7 +17,7 @@
 
 namespace auxfem
 {
-  /** What of a simulation a study wants to know. */
+  /** Columns and fields of a simulation that a study records. */
   struct Selection
   {
     std::set<std::string> columns; ///< of history.csv
@@ -25,26 +25,28 @@ namespace auxfem
     std::set<double> field_times;
   };
 
-  /** One simulation of a study: what it gave and what it took. */
+  /** Results and cost of one simulation of a study. */
   struct MeasuredRun
   {
-    /** `completed` or the reason it was not. */
+    /** `completed`, or the reason of the failure. */
     std::string   exit_state;
     Verdict       verdict  = Verdict::sound;
-    unsigned long unknowns = 0; ///< 0: not known, as it failed at once
+    unsigned long unknowns = 0; ///< 0: unknown after an early failure
     unsigned long steps = 0, iterations = 0, factorizations = 0;
-    /** Of all ranks together, without the start of the program (s); the least
-     * of all repetitions. */
+    /**
+     * Processor time summed over ranks (s), without program start; minimum of
+     * all repetitions.
+     */
     double cpu_seconds  = 0;
     double wall_seconds = 0;
-    /** The longest of all repetitions (s). */
-    double       most_cpu_seconds = 0;
-    unsigned int repetitions      = 1;
-    /** Peak of the process, or sum over the ranks' (bytes). */
+    /** Maximum of all repetitions (s). */
+    double       max_cpu_seconds = 0;
+    unsigned int repetitions     = 1;
+    /** Peak memory, summed over ranks (bytes). */
     unsigned long memory = 0;
-    /** The columns of history.csv that were asked for, and `time`. */
+    /** Selected columns of history.csv, and `time`. */
     std::map<std::string, std::vector<double>> columns;
-    /** The fields that were asked for, by time (s). */
+    /** Selected fields, by time (s). */
     std::map<double, RecordedField> fields;
 
     bool completed() const
@@ -52,60 +54,65 @@ namespace auxfem
       return exit_state == "completed";
     }
 
-    /** Takes note of the times of the same simulation once more. */
-    void add_repetition(const MeasuredRun &again);
+    /** Merges the times of a repetition. */
+    void add_repetition(const MeasuredRun &repetition);
 
-    /** How much longer than the shortest the longest repetition took, relative;
-     * none of a single one. */
+    /**
+     * Relative excess of the longest over the shortest repetition; empty for a
+     * single one.
+     */
     std::optional<double> spread() const;
 
-    /** Whether all of @p selection is there. */
+    /** Whether all of @p selection is recorded. */
     bool has(const Selection &selection) const;
 
-    /** One of the columns over time. */
+    /** History of one column. */
     RecordedHistory history(const std::string &column) const;
   };
 
   Json        json_of(const MeasuredRun &run);
   MeasuredRun measured_run_of(const Json &json);
 
-  /** How much of a run is done, in [0, 1]. */
+  /** Receives the completed fraction of a run, in [0, 1]. */
   using FractionDone = std::function<void(double)>;
 
   /**
-   * Computes @p scene and writes nothing. A computation that fails is noted in
-   * the result. Throws InputError and Interrupted. Collective.
-   * @param selection what is kept; of columns those that there are.
+   * Computes @p scene without output. The result reports a failed computation.
+   * Throws InputError and Interrupted. Collective.
+   * @param selection data to record; missing columns are ignored
    */
   MeasuredRun measure_run(const Scene        &scene,
                           MPI_Comm            communicator,
                           const Selection    &selection,
                           const FractionDone &progress);
 
-  /** The names of the columns that the history of @p scene has. Collective;
-   * finds what the set-up shows to be wrong with the scene (InputError). */
+  /**
+   * Names of the history columns of @p scene. Throws InputError for errors
+   * found during set-up. Collective.
+   */
   std::vector<std::string> history_columns(const Scene &scene,
                                            MPI_Comm     communicator);
 
   /**
-   * All that the result of a simulation of @p scene on @p n_ranks ranks depends
-   * on: program, parameters, files that are read. Output, Study and Quantities
-   * do not belong to it.
+   * Key of a simulation of @p scene on @p n_ranks ranks: program version,
+   * parameters and input files. Output, Study and Quantities have no influence.
    */
   std::string key_of(const Scene &scene, unsigned int n_ranks);
 
-  /** The run of @p key in @p folder, unless it was never finished there or is
-   * not readable. */
-  std::optional<MeasuredRun> kept_run(const std::string &folder,
+  /**
+   * Loads the run of @p key from @p folder; empty if it is missing or
+   * unreadable.
+   */
+  std::optional<MeasuredRun> load_run(const std::string &folder,
                                       const std::string &key);
 
   /**
-   * Writes @p run, in one move, to where kept_run() finds it. Throws
-   * ComputationError if it cannot.
+   * Stores @p run atomically for load_run(). Throws ComputationError on
+   * failure.
    */
-  void keep_run(const std::string &folder,
-                const std::string &key,
-                const MeasuredRun &run);
+  void store_run(const std::string &folder,
+                 const std::string &key,
+                 const MeasuredRun &run);
 } // namespace auxfem
 
 #endif

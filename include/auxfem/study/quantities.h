@@ -11,71 +11,77 @@
 namespace auxfem
 {
   /**
-   * What a study compares the runs of @p scene by: the quantities it defines,
-   * else the displacements of its probes, else the strain energy; with the
-   * reduced cell those of angle and force on the
-   * foundation. Throws InputError for a column that is none of @p columns, those
-   * of history.csv, for a time after the end, and for a norm of what the scene
-   * does not have.
+   * Quantities by which a study compares runs of @p scene: those of the scene,
+   * else probe displacements, else the strain energy; for the reduced cell
+   * angle and foundation force. Throws InputError for a column missing in @p
+   * columns (of history.csv), for a time after the end, and for an unavailable
+   * norm.
    */
   std::vector<QuantityDefinition>
   compared_quantities(const Scene                    &scene,
                       const std::vector<std::string> &columns);
 
-  /** What they are computed from. */
+  /** Columns and fields needed for @p quantities. */
   Selection selection_for(const std::vector<QuantityDefinition> &quantities,
                           double                                 end_time);
 
-  /** A number, the values of a history or those of a field, where runs are
-   * compared. */
+  /**
+   * Values of a quantity at the points of comparison: one number, a history or
+   * a field.
+   */
   struct QuantityValues
   {
     std::vector<double> numbers;
-    /** Whether the norm of numbers is the root of the sum of their squares, as
-     * energies are sums, and not the largest. */
+    /**
+     * Whether the norm is the root of the sum of squares, as for energies,
+     * instead of the maximum.
+     */
     bool is_field = false;
   };
 
-  /** Where histories and fields of several runs are compared. */
+  /**
+   * Times and points at which histories and fields of several runs are
+   * compared.
+   */
   struct Comparison
   {
     std::vector<double> times; ///< s
-    /** By the time of the field (s). */
+    /** Points, by time of the field (s). */
     std::map<double, std::vector<FieldPoint>> points;
   };
 
   /**
-   * At the times of the completed one of @p runs that has fewest, but for the
-   * start; at the Gauss points of the one that has most.
+   * Uses the times of the completed run with the fewest, except the start, and
+   * the Gauss points of the run with the most.
    */
   Comparison comparison_of(const std::vector<MeasuredRun> &runs);
 
-  /** @p quantity in @p run, which has been completed. */
+  /** Value of @p quantity in @p run, which must be completed. */
   QuantityValues value_of(const QuantityDefinition &quantity,
                           const MeasuredRun        &run,
                           const Comparison         &comparison);
 
-  /** Its exact value, if that is known. */
+  /** Exact value of @p quantity, if known. */
   std::optional<QuantityValues>
   exact_value_of(const QuantityDefinition &quantity,
                  double                    end_time,
                  const Comparison         &comparison);
 
-  /** Norm of the difference between @p values and @p others; not a number if one
-   * of them is none. */
+  /**
+   * Norm of the difference between @p values and @p others; NaN if one is NaN.
+   */
   double norm_of_change(const QuantityValues &values,
                         const QuantityValues &others);
 
   /**
-   * Norm of the difference between @p values and @p reference over that of the
-   * latter; the difference itself if that is zero; not a number if one of them
-   * is none.
+   * Norm of the difference between @p values and @p reference over the norm of
+   * @p reference, or the absolute norm if that is zero; NaN if one is NaN.
    */
   double relative_difference(const QuantityValues &values,
                              const QuantityValues &reference);
 
   /**
-   * Relative error from which on nothing is measured by a reference.
+   * Relative error of a reference above which it measures nothing.
    * @tuned judgement
    */
   constexpr double unresolved_error = 0.1;

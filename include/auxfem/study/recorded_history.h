@@ -12,10 +12,9 @@
 namespace auxfem
 {
   /**
-   * A quantity as a run has recorded it: values at increasing times, two at
-   * least. What lies between them is taken from the polynomial through the
-   * nearest ones, so that a comparison of runs does not see the steps of the
-   * record, but the errors of the runs.
+   * Recorded quantity of a run: at least two values at increasing times. Values
+   * in between are interpolated by polynomials, so that comparisons show the
+   * errors of the runs and not the sampling.
    */
   struct RecordedHistory
   {
@@ -24,13 +23,13 @@ namespace auxfem
   };
 
   /**
-   * The value at @p time (s), which must not lie outside: one that was recorded
-   * if there is one, else of the polynomial of fourth degree through the five
-   * nearest (of lower degree through fewer, if there are no more).
+   * Value at @p time (s) within the record: the recorded one if it exists, else
+   * that of the polynomial through the five nearest values (fewer if there are
+   * fewer).
    */
   double value_at(const RecordedHistory &history, double time);
 
-  /** The largest value and its time. */
+  /** A maximum and its time. */
   struct Maximum
   {
     double time; ///< s
@@ -38,23 +37,22 @@ namespace auxfem
   };
 
   /**
-   * The maximum of the polynomial through the five values around the largest
-   * one; the largest itself at either end of the record.
+   * Maximum of the polynomial through the five values around the largest one;
+   * at either end of the record, the largest value itself.
    */
   Maximum maximum_of(const RecordedHistory &history);
 
-  /** The integral over all times, of cubic polynomials piece by piece. */
+  /** Integral over all times, by piecewise cubic polynomials. */
   double integral_of(const RecordedHistory &history);
 
-  /** @p history with all values of the other sign. */
+  /** @p history with the sign of all values changed. */
   RecordedHistory negative(RecordedHistory history);
 
   class Equations;
 
   /**
-   * Strains and velocities of all struts at one time, as a run has recorded
-   * them: polynomials element by element, scaled as ScaledMotion, by their
-   * values at Gauss points.
+   * Strains and velocities of all struts at one time, scaled as ScaledMotion.
+   * Each element has polynomials, given by values at Gauss points.
    */
   struct RecordedField
   {
@@ -63,16 +61,18 @@ namespace auxfem
       unsigned int strut;
       double       begin, end; ///< fractions of the strut's length
       double       length;     ///< of the element (m)
-      /** Six numbers at each of n Gauss points. */
+      /** Six strains at each of n Gauss points. */
       std::vector<double> strains;
-      /** Three at each of n + 1 Gauss points; empty without inertia. */
+      /**
+       * Three velocities at each of n + 1 Gauss points; empty without inertia.
+       */
       std::vector<double> velocities;
 
       /** The number n of Gauss points. */
       unsigned int n_points() const;
     };
 
-    /** By strut, and along each. */
+    /** Elements, sorted by strut and along each strut. */
     std::vector<Element> elements;
   };
 
@@ -84,7 +84,7 @@ namespace auxfem
   Json          json_of(const RecordedField &field);
   RecordedField recorded_field_of(const Json &json);
 
-  /** A point of a strut with its part in an integral along all struts. */
+  /** A quadrature point of an integral along all struts. */
   struct FieldPoint
   {
     unsigned int strut;
@@ -93,16 +93,16 @@ namespace auxfem
   };
 
   /**
-   * Gauss points at which energies of @p field are integrated exactly, and of
-   * fields of no higher order whose elements are made of whole ones of it. By
-   * strut, and along each.
+   * Gauss points that integrate energies of @p field exactly, and those of
+   * coarser fields on unions of its elements. Sorted by strut and along each
+   * strut.
    */
   std::vector<FieldPoint> integration_points(const RecordedField &field);
 
   /**
-   * Values of @p field at @p points, so scaled that the sum of the squares is
-   * the energy (J): strain energy, and if @p with_velocities kinetic energy of
-   * displacements, which is zero without inertia.
+   * Values of @p field at @p points, scaled so that their sum of squares is the
+   * strain energy (J). If @p with_velocities, the kinetic energy of
+   * displacements is added, which is zero without inertia.
    */
   std::vector<double> energy_roots(const RecordedField           &field,
                                    const std::vector<FieldPoint> &points,

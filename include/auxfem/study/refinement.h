@@ -11,8 +11,8 @@
 
 namespace auxfem
 {
-  /** What becomes finer from one simulation to the next. */
-  enum class Refined
+  /** Parameter that is refined from one simulation to the next. */
+  enum class RefinedParameter
   {
     mesh,
     time_step,
@@ -21,40 +21,44 @@ namespace auxfem
     mesh_and_time_step
   };
 
-  /** E.g. `time step`. */
-  const std::string &name_of(Refined refined);
+  /** Name of the parameter, e.g. `time step`. */
+  const std::string &name_of(RefinedParameter refined);
 
   /**
-   * Simulations that differ in what is refined, from coarse to fine, and two
-   * that are finer than all of them, the finest last, which they are measured
-   * against; none where exact values are known of all quantities.
+   * Simulations that differ in one refined parameter, from coarse to fine, and
+   * two finer references, the finest last. There are no references if the exact
+   * values of all quantities are known.
    */
   struct Refinement
   {
-    Refined refined;
-    /** What the runs have in common, e.g. `order 2`. */
+    RefinedParameter refined;
+    /** Common property of the runs, e.g. `order 2`. */
     std::string           title;
     std::vector<Settings> runs;
     std::vector<Settings> references;
   };
 
   /**
-   * The refinements that the study of @p scene asks for: of the mesh for each
-   * order, of the time step for each scheme, of Newton's tolerance.
+   * Refinements that the study of @p scene requests: mesh for each order, time
+   * step for each scheme, tolerances.
    */
   std::vector<Refinement> refinements_of(const Scene &scene);
 
-  /** How far @p settings are refined: halves when elements, time step or
-   * tolerance do. */
-  double coarseness(Refined refined, const Settings &settings);
+  /**
+   * Value of the refined parameter of @p settings, proportional to element
+   * length, time step or tolerance.
+   */
+  double coarseness(RefinedParameter refined, const Settings &settings);
 
   /** The error of one quantity in one run of a refinement. */
   struct RunError
   {
-    /** Relative; none for a run that failed. */
+    /** Relative error; empty for a failed run. */
     std::optional<double> error;
-    /** Of the fall of the error from the run before; none where either error is
-     * not well above that of the reference. */
+    /**
+     * Convergence order relative to the previous run; empty unless both errors
+     * clearly exceed that of the reference.
+     */
     std::optional<double> order;
     /**
      * Grid convergence index: error bound relative to the value, estimated from
@@ -63,7 +67,7 @@ namespace auxfem
      * 1998, eq. 5.6.1, with the safety factor 1.25 of three meshes).
      */
     std::optional<double> convergence_index;
-    /** The value, of quantities that are one number. */
+    /** Value of a scalar quantity. */
     std::optional<double> value;
   };
 
@@ -71,22 +75,26 @@ namespace auxfem
   struct RefinementErrors
   {
     std::vector<RunError> runs;
-    /** Relative, estimated from both references; none if the value is exact, a
-     * reference failed or there is none. */
-    std::optional<double> of_reference;
+    /**
+     * Relative error of the reference, estimated from both references; empty if
+     * the value is exact or a reference failed.
+     */
+    std::optional<double> reference_error;
 
-    /** Whether the reference is better than a guess; it is not where the
-     * quantity is zero but for round-off, as by symmetry. */
+    /**
+     * Whether the reference is usable. It is not if the quantity is zero up to
+     * round-off, for example by symmetry.
+     */
     bool is_resolved() const
     {
-      return of_reference.value_or(0) < unresolved_error;
+      return reference_error.value_or(0) < unresolved_error;
     }
   };
 
   /**
    * Errors of @p quantity.
-   * @param runs in the order of Refinement::runs, then references.
-   * @param extrapolates whether the reference is the limit that both point to.
+   * @param runs results in the order of Refinement::runs, then references
+   * @param extrapolates whether the Richardson limit is the reference
    */
   RefinementErrors errors_of(const Refinement               &refinement,
                              const QuantityDefinition       &quantity,
@@ -98,20 +106,23 @@ namespace auxfem
   struct Recommendation
   {
     Settings settings;
-    /** What the user should know of them, in brackets after them. */
+    /** Remark for the user, printed in brackets. */
     std::string remark;
   };
 
-  /** The cheapest for a relative error of at most @p target, if there is one. */
-  using Recommend = std::function<std::optional<Recommendation>(double target)>;
+  /**
+   * Returns the cheapest settings for a relative error of at most @p target, if
+   * any.
+   */
+  using Recommender =
+    std::function<std::optional<Recommendation>(double target)>;
 
   /**
-   * Lines of what @p recommend says for errors from 10 % down to a ten-thousandth
-   * of a percent, ready for the command line; each recommendation with the
-   * smallest error that it serves for.
+   * Lines with the results of @p recommend for errors from 10 % to 0.0001 %, as
+   * command line options; each with the smallest error that it meets.
    */
-  std::string recommendations_text(const Scene     &scene,
-                                   const Recommend &recommend);
+  std::string recommendations_text(const Scene       &scene,
+                                   const Recommender &recommend);
 } // namespace auxfem
 
 #endif

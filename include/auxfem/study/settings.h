@@ -11,18 +11,18 @@
 
 namespace auxfem
 {
-  /** What decides on the error of a simulation and on its price. */
+  /** Settings that determine the error and the cost of a simulation. */
   struct Settings
   {
-    unsigned int order            = 1; ///< of the struts' elements
-    unsigned int refinements      = 0; ///< 2^n elements a strut
+    unsigned int order            = 1; ///< order of the struts' elements
+    unsigned int refinements      = 0; ///< 2^n elements per strut
     double       time_step        = 1; ///< s
     double       newton_tolerance = 1;
     std::string  scheme; ///< as in Time/Scheme
     /** Time/Relative tolerance. */
     std::optional<double> time_tolerance = {};
 
-    /** Elements a strut. */
+    /** Number of elements per strut. */
     unsigned long elements() const
     {
       return 1ul << refinements;
@@ -31,46 +31,51 @@ namespace auxfem
 
   bool operator==(const Settings &one, const Settings &other);
 
-  /** Those of @p scene. */
+  /** Settings of @p scene. */
   Settings settings_of(const Scene &scene);
 
   /**
-   * Assignments of the command line that turn a scene of the settings @p from
-   * into one of @p to.
+   * Command line assignments that change a scene from the settings @p from to
+   * @p to.
    */
   std::vector<std::string> overrides(const Settings &from, const Settings &to);
 
-  /** What follows `auxfem FILE.prm` on a command line for these overrides. */
+  /** Options after `auxfem FILE.prm` for these overrides. */
   std::string command_line_text(const std::vector<std::string> &overrides);
 
   /**
-   * The simulation of @p scene with other parameters. Throws InputError if they
-   * are wrong.
+   * Simulation of @p scene with other parameters. Throws InputError if they are
+   * invalid.
    */
   Scene scene_with(const Scene                    &scene,
                    const std::vector<std::string> &overrides);
 
-  /** @p value with twelve digits, zeros at the end left out. */
+  /** @p value with at most twelve digits, without trailing zeros. */
   std::string short_number(double value);
 
-  /** The different settings that a study computes a scene with, each once. */
+  /** Distinct settings of the simulations of a study. */
   class SettingsList
   {
   public:
     /**
-     * Does nothing with those that are in the list.
-     * @param repetitions how often they are computed, for their time.
+     * Adds settings that are not in the list yet.
+     * @param repetitions number of computations, for timing
      */
     void add(const std::vector<Settings> &settings, unsigned int repetitions);
 
-    /** The simulations of @p scene with them. Throws InputError if one is wrong,
-     * or has another limit than the scene. */
+    /**
+     * Simulations of @p scene with these settings. Throws InputError if one is
+     * invalid or converges to another limit than the scene.
+     */
     std::vector<PlannedRun> planned_runs(const Scene &scene) const;
 
-    /** Those of @p runs, the results of planned_runs(), that were done with
-     * @p settings, which must be in the list. */
-    std::vector<MeasuredRun> of(const std::vector<Settings>    &settings,
-                                const std::vector<MeasuredRun> &runs) const;
+    /**
+     * Selects from @p runs, the results of planned_runs(), those with @p
+     * settings, which must be in the list.
+     */
+    std::vector<MeasuredRun>
+    results_for(const std::vector<Settings>    &settings,
+                const std::vector<MeasuredRun> &runs) const;
 
   private:
     std::size_t index(const Settings &settings) const;
@@ -79,10 +84,12 @@ namespace auxfem
     std::vector<unsigned int> repetitions;
   };
 
-  /** E.g. `order 2, 4 elements a strut, newmark, step 2e-05 s`. */
+  /**
+   * Name of a run, e.g. `order 2, 4 elements a strut, newmark, step 2e-05 s`.
+   */
   std::string name_of_run(const Scene &scene, const Settings &settings);
 
-  /** @p values sorted by @p is_coarser, each once. */
+  /** @p values sorted by @p is_coarser, without duplicates. */
   template <class Value, class Order>
   std::vector<Value> sorted_values(std::vector<Value> values,
                                    const Order       &is_coarser)
@@ -101,42 +108,46 @@ namespace auxfem
   }
 
   /**
-   * @name What a study tries of each parameter, from coarse to fine
-   * Empty where the user wants the value of the scene alone.
+   * @name Values of each parameter that a study tries, from coarse to fine.
+   * Empty if only the value of the scene is used.
    */
   ///@{
-  /** @param automatic what `auto` stands for. */
+  /** @param automatic values for `auto` */
   std::vector<unsigned int>
   tried_orders(const Scene &scene, const std::vector<unsigned int> &automatic);
 
-  /** @param further `auto` stands for the value of the scene, and so many
-   * refinements after it. */
+  /**
+   * @param further number of refinements beyond the value of the scene for
+   *   `auto`
+   */
   std::vector<unsigned int> tried_refinements(const Scene &scene,
                                               unsigned int further);
 
-  /** @param factors `auto` stands for the value of the scene times each; in
-   * statics, which may be followed in any steps, for that value alone. */
+  /**
+   * @param factors multiples of the value of the scene for `auto`; in statics
+   *   only that value, because any step length is valid
+   */
   std::vector<double> tried_time_steps(const Scene               &scene,
                                        const std::vector<double> &factors);
 
-  /** One at least. */
+  /** Schemes to try, at least one. */
   std::vector<std::string> tried_schemes(const Scene &scene);
   ///@}
 
   /** Highest order of struts in the space of @p scene. */
   unsigned int highest_order(const Scene &scene);
 
-  /** Whether struts are divided into elements at all. */
+  /** Whether the scene has a mesh. */
   bool has_mesh(const Scene &scene);
 
   /**
-   * Two meshes finer than that of @p settings, the finest last: of one order
-   * more if @p raises_order and there is one.
+   * Two meshes finer than that of @p settings, the finest last; one order
+   * higher if @p raises_order and possible.
    */
   std::vector<Settings>
   finer_meshes(const Scene &scene, const Settings &settings, bool raises_order);
 
-  /** Halves the time steps: the first once, the second twice, and so on. */
+  /** Halves the first time step once, the second twice, and so on. */
   void halve_time_steps(std::vector<Settings> &settings);
 } // namespace auxfem
 

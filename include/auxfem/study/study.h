@@ -13,37 +13,41 @@
 
 namespace auxfem
 {
-  /** A scene that is studied and what it is looked at by. */
+  /** A studied scene and the quantities by which runs are compared. */
   struct StudyTask
   {
     const Scene                    &scene;
     std::vector<QuantityDefinition> quantities;
   };
 
-  /** One line of the table of studies: a question to a scene. */
+  /** A kind of study, an entry of the registry. */
   struct StudyKind
   {
-    /** As in Study/Kind. */
+    /** Name in Study/Kind. */
     std::string name;
 
-    /** Names that its pictures may have. */
+    /** Names of all possible pictures. */
     std::vector<std::string> pictures;
 
-    /** The simulations it takes, each once. Throws InputError for one that is
-     * wrong, or if there is nothing to compare. */
+    /**
+     * Distinct simulations of the study. Throws InputError if one is invalid or
+     * there is nothing to compare.
+     */
     std::vector<PlannedRun> (*plan)(const StudyTask &task);
 
-    /** What they show; @p runs are those of plan(), @p further does what they
-     * give reason for. Collective. */
+    /**
+     * Report on @p runs, the results of plan(); @p further computes additional
+     * runs. Collective.
+     */
     StudyReport (*report)(const StudyTask                &task,
                           const std::vector<MeasuredRun> &runs,
                           StudyRuns                      &further);
   };
 
-  /** All studies the program knows (study/register.cc). */
+  /** All kinds of studies. */
   const std::vector<StudyKind> &study_registry();
 
-  /** @name Entries of the table, one per file; only register.cc needs them. */
+  /** @name Entries of the registry, one per file */
   ///@{
   StudyKind convergence_study();
   StudyKind work_precision_study();
@@ -51,9 +55,9 @@ namespace auxfem
   ///@}
 
   /**
-   * The study that @p scene asks for, in memory.
-   * @param folder where runs are kept, see StudyRuns.
-   * @param listener is told of them, on the first rank.
+   * Computes the study of @p scene in memory.
+   * @param folder for stored runs, see StudyRuns
+   * @param listener receives the progress on the first rank
    *
    * Throws InputError and Interrupted. Collective.
    */
@@ -64,19 +68,21 @@ namespace auxfem
     const StudyRuns::Listener &listener = [](const StudyProgress &) {});
 
   /**
-   * The same with its lines on the screen and its tables and pictures in the
-   * folder that @p scene names: study.md, study.csv, pictures with their
-   * scripts, log.txt, and the runs, with which it goes on if it is interrupted.
+   * Computes the study of @p scene with output to the screen and to its folder:
+   * study.md, study.csv, pictures with their scripts, log.txt. Stored runs
+   * allow an interrupted study to continue.
    */
   RunResult run_study(const Scene         &scene,
                       MPI_Comm             communicator,
                       const FolderOptions &options);
 
-  /** What run_study() leaves in its folder besides what every run does, of all
-   * kinds of studies. The runs that are kept do not belong to it. */
+  /**
+   * Files that run_study() may write besides those of every run, without stored
+   * runs.
+   */
   std::vector<std::string> study_files();
 
-  /** The dry run: prints which simulations the study is made of. Collective. */
+  /** Dry run: prints the simulations of the study. Collective. */
   void check_study(const Scene &scene, MPI_Comm communicator);
 } // namespace auxfem
 

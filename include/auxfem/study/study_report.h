@@ -15,15 +15,15 @@
 
 namespace auxfem
 {
-  /** A table for people. */
+  /** A table of texts. */
   struct TextTable
   {
     std::vector<std::string>              header;
     std::vector<std::vector<std::string>> rows;
 
     /**
-     * As a table of Markdown whose columns are aligned, so that it serves on a
-     * screen as well; ends with a line break.
+     * Markdown table with aligned columns, also readable on a screen; ends with
+     * a line break.
      */
     std::string markdown() const;
   };
@@ -35,13 +35,13 @@ namespace auxfem
   std::string decimal_text(const std::optional<double> &number,
                            unsigned int                 digits);
 
-  /** Processor time, three digits. */
+  /** Processor time with three digits. */
   std::string seconds_text(double seconds);
 
   /** @p text up to its first line break. */
   std::string first_line(const std::string &text);
 
-  /** E.g. `7 %` for 0.07; `-` for none. */
+  /** Percentage, e.g. `7 %` for 0.07; `-` for none. */
   std::string percent_text(const std::optional<double> &part);
 
   /** A number with twelve digits; empty for none. */
@@ -56,12 +56,12 @@ namespace auxfem
   std::vector<std::string> cells_of(const MeasuredRun &run);
   ///@}
 
-  /** How a line is drawn, by numbers from 0 on. */
+  /** Style of a line, by numbers from 0 on. */
   struct LineStyle
   {
-    /** Of a method, see colour_of_order() and colour_of_scheme(). */
+    /** Colour of a method, see colour_of_order() and colour_of_scheme(). */
     unsigned int colour = 0;
-    /** Of what a picture shows of one method: solid, dashed, ... */
+    /** Dash pattern that distinguishes lines of one method. */
     unsigned int dashes = 0;
     unsigned int marks  = 0;
   };
@@ -78,7 +78,7 @@ namespace auxfem
     std::string                            title;
     std::vector<std::pair<double, double>> points; ///< positive
     LineStyle                              style = {};
-    /** Wide and pale, so that others are seen upon it. */
+    /** Whether the curve is wide and pale, beneath others. */
     bool is_beneath = false;
   };
 
@@ -88,31 +88,31 @@ namespace auxfem
     std::string        name; ///< of the files, without ending
     std::string        title, x_label, y_label;
     std::vector<Curve> curves;
-    /** Whether whole-numbered slopes that curves have are marked. */
+    /** Whether integer slopes of curves are marked. */
     bool marks_slopes = false;
   };
 
-  /** What a study has found. */
+  /** Results of a study. */
   struct StudyReport
   {
-    /** In Markdown, for the screen and for study.md. */
+    /** Markdown text for the screen and for study.md. */
     std::string text;
-    /** study.csv: words, and numbers with all digits. */
+    /** Columns and rows of study.csv, with full precision. */
     std::vector<Column>                   columns;
     std::vector<std::vector<std::string>> rows;
     std::vector<LogPicture>               pictures;
     std::vector<Finding>                  findings;
   };
 
-  /** What is to be said of a quantity that the reference does not resolve. */
-  Finding unresolved(const QuantityDefinition &quantity);
+  /** Finding on a quantity that the reference does not resolve. */
+  Finding unresolved_finding(const QuantityDefinition &quantity);
 
-  /** Adds @p finding unless it is there. */
+  /** Adds @p finding unless an equal one exists. */
   void add_finding(const Finding &finding, std::vector<Finding> &findings);
 
   /**
-   * The cheapest of @p runs; of several as cheap, within the noise of times, the
-   * one with the smallest error. None if there are none.
+   * Cheapest of @p runs; among those of equal cost within the timing noise, the
+   * one with the smallest error. Empty without runs.
    */
   template <class Run, class Price, class Error>
   std::optional<Run> cheapest_of(const std::vector<Run> &runs,
@@ -133,25 +133,27 @@ namespace auxfem
     return best;
   }
 
-  /** Adds what is to be said of a reference, @p what, that failed or cannot be
-   * relied on. */
+  /**
+   * Adds a finding on a reference, named @p what, that failed or is unreliable.
+   */
   void add_finding_on_reference(const MeasuredRun    &reference,
                                 const std::string    &what,
                                 std::vector<Finding> &findings);
 
-  /** The script for gnuplot, with its data, that draws @p picture into NAME.svg
-   * and NAME.png. */
+  /**
+   * Gnuplot script with data that draws @p picture to NAME.svg and NAME.png.
+   */
   std::string gnuplot_script(const LogPicture &picture);
 
-  /** The files that draw() leaves for a picture of that name. */
+  /** Files that draw_picture() writes for a picture of that name. */
   std::vector<std::string> picture_files(const std::string &name);
 
   /**
-   * Leaves NAME.gnuplot in @p folder and has gnuplot draw it. Returns whether
-   * that worked; it does not where gnuplot is not installed. Throws
-   * ComputationError if the script cannot be written.
+   * Writes NAME.gnuplot to @p folder and runs gnuplot. Returns false if gnuplot
+   * is missing or fails. Throws ComputationError if the script cannot be
+   * written.
    */
-  bool draw(const LogPicture &picture, const std::string &folder);
+  bool draw_picture(const LogPicture &picture, const std::string &folder);
 } // namespace auxfem
 
 #endif

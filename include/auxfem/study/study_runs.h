@@ -10,37 +10,38 @@
 
 namespace auxfem
 {
-  /** A simulation that a study wants. */
+  /** A simulation of a study. */
   struct PlannedRun
   {
-    std::string name; ///< for people
+    std::string name; ///< for display
     Scene       scene;
-    /** How often it is done, for its time; the least counts. With more than one
-     * it is given all ranks, and no other beside it. */
+    /**
+     * Number of computations, of which the fastest counts. Repeated simulations
+     * run alone on all ranks.
+     */
     unsigned int repetitions = 1;
 
-    /** What it will take, about, in arbitrary units. */
+    /** Estimated cost in arbitrary units. */
     double price() const;
   };
 
-  /** How far the simulations of a study have come. */
+  /** Progress of the simulations of a study. */
   struct StudyProgress
   {
-    std::size_t number = 0; ///< of the run that has begun, from 1
+    std::size_t number = 0; ///< number of the current run, from 1
     std::size_t total  = 0;
     std::string name;
-    double      fraction = 0; ///< of the whole study, by prices
+    double      fraction = 0; ///< completed fraction of the study, by cost
 
-    /** Of the run, once it has ended. */
+    /** Result of the run, once it has ended. */
     std::optional<MeasuredRun> result;
-    /** It was in the folder already. */
+    /** Whether the run was loaded from the folder. */
     bool is_reused = false;
   };
 
   /**
-   * Does the simulations of studies, each one once. Those that are done are
-   * kept in a folder, where a later study finds them: so an interrupted one
-   * goes on.
+   * Computes the simulations of studies and stores their results in a folder,
+   * from which an interrupted or later study loads them.
    */
   class StudyRuns
   {
@@ -48,9 +49,9 @@ namespace auxfem
     using Listener = std::function<void(const StudyProgress &)>;
 
     /**
-     * @param folder where runs are kept; empty: nowhere.
-     * @param selection what of them is kept.
-     * @param listener is told of runs on the first rank.
+     * @param folder for stored runs; empty: none are stored
+     * @param selection data to record
+     * @param listener receives the progress on the first rank
      */
     StudyRuns(MPI_Comm           communicator,
               const std::string &folder,
@@ -58,19 +59,18 @@ namespace auxfem
               Listener           listener);
 
     /**
-     * The results of @p plan, in its order, the same on all ranks. With several
-     * ranks, at least as many runs and no repetitions these go side by side,
-     * each on a rank;
-     * else one after the other, each on all ranks. Throws InputError for a run
-     * that cannot be done, Interrupted; failed computations are among the
-     * results. Collective.
+     * Results of @p plan in its order, the same on all ranks. Without
+     * repetitions and with at least as many runs as ranks, each run uses one
+     * rank; otherwise runs use all ranks in turn. Throws InputError for an
+     * invalid run, and Interrupted; results include failed computations.
+     * Collective.
      */
     std::vector<MeasuredRun> compute(const std::vector<PlannedRun> &plan);
 
   private:
     struct Task;
 
-    void find_kept(std::vector<Task> &tasks) const;
+    void load_stored_runs(std::vector<Task> &tasks) const;
     void compute_in_turn(std::vector<Task> &tasks);
     void compute_side_by_side(std::vector<Task> &tasks);
     void measure(Task &task, MPI_Comm on_ranks);

@@ -34,7 +34,8 @@ namespace auxfem
     auto tangent = find_tangent(instant, at.results, nullptr);
     if (!tangent)
       throw ComputationError(
-        "The path of equilibria has no beginning: " + solver.why() + '.');
+        "The path of equilibria cannot start, because its tangent cannot be computed: " +
+        solver.why() + '.');
     if (!std::isfinite(tangent->load_rate))
       throw InputError(
         "Analysis = static path: no load and no prescribed motion acts at "
@@ -135,11 +136,9 @@ namespace auxfem
     if (!evaluation.to.path->n_negative &&
         !evaluation.to.path->determinant_sign)
       throw ComputationError(
-        "The path of equilibria comes to loads under which the tangent is not "
-        "symmetric, and " +
+        "The tangent becomes unsymmetric on the path of equilibria, but " +
         solver.linear_solver().method() +
-        " takes its symmetric part: bifurcations would be missed. Set "
-        "Solver/Type to auto, klu or mumps.");
+        " uses only its symmetric part and would miss bifurcations. Set Solver/Type to auto, klu or mumps.");
     auto response = load_response(solver, evaluation);
     if (!response)
       return std::nullopt;

@@ -95,12 +95,9 @@ namespace auxfem
           {
             std::ostringstream text;
             text
-              << "Path/Branch = stable: the branch that the path went to at "
-                 "load factor "
+              << "Path/Branch = stable: the branch entered at load factor "
               << unstable_branch
-              << " is unstable, too, as several directions become free there "
-                 "at once. Disturb the lattice by an imperfection, which "
-                 "chooses one of its branches.";
+              << " is unstable, too, because several eigenvalues vanish there at once. Add an imperfection, which selects one of the branches.";
             all.push_back(
               {Verdict::doubtful, text.str(), point.arc_length(), ""});
           }
@@ -109,7 +106,7 @@ namespace auxfem
         std::ostringstream text;
         text << "The path ended after Path/Points = " << path.most_points
              << " points, at load factor " << point.load_factor()
-             << ", before it came to Largest load factor"
+             << ", before it reached Largest load factor"
              << (path.largest_displacement ? " or Largest displacement" : "")
              << ".";
         all.push_back({Verdict::doubtful, text.str(), point.arc_length(), ""});
@@ -223,15 +220,14 @@ namespace auxfem
                                         const std::string &failure_reason) const
       {
         std::ostringstream message;
-        message << "The path of equilibria is lost at load factor "
-                << point.load_factor() << ", arc length " << point.arc_length()
-                << " m: no point was found even " << length << " m from there"
-                << (failure_reason.empty()
-                      ? ", where the path turns too sharply"
-                      : ": " + failure_reason)
-                << ".\nAll points until then are in the output folder. Finer "
-                   "elements, another Path/Branch or an imperfection may "
-                   "carry it further.";
+        message
+          << "The path of equilibria is lost at load factor "
+          << point.load_factor() << ", arc length " << point.arc_length()
+          << " m: Newton's method found no further point, even at a distance of "
+          << length << " m"
+          << (failure_reason.empty() ? ", because the path turns too sharply"
+                                     : ": " + failure_reason)
+          << ".\nAll points until then are in the output folder. Try finer elements, another Path/Branch or an imperfection.";
         throw ComputationError(message.str());
       }
 
@@ -292,9 +288,8 @@ namespace auxfem
             failure_reason = step.failure_reason;
           }
         throw ComputationError(
-          "No other branch was found at a bifurcation: " + failure_reason +
-          ".\nAll points until then are in the output folder. Choose another "
-          "Path/Branch, or disturb the lattice by an imperfection.");
+          "Branch switching failed at a bifurcation: " + failure_reason +
+          ".\nAll points until then are in the output folder. Choose another Path/Branch, or add an imperfection.");
       }
 
       /**

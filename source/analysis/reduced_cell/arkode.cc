@@ -169,12 +169,12 @@ namespace auxfem
       [[noreturn]] void throw_too_stiff() const
       {
         std::ostringstream message;
-        message << "ARKODE needs more than " << max_evaluations
-                << " evaluations for the step from t = "
-                << scene.time.time_at(step)
-                << " s: the connector is too stiff for an explicit method, or "
-                   "the motion has no continuation.\nAll steps until then are "
-                   "in the output folder. Use Time/Scheme = newmark.";
+        message
+          << "ARKODE needs more than " << max_evaluations
+          << " evaluations for the step from t = " << scene.time.time_at(step)
+          << " s: the connector is too stiff for an explicit method, or "
+             "the solution does not exist beyond this time.\nAll steps until then are "
+             "in the output folder. Use Time/Scheme = newmark.";
         throw ComputationError(message.str());
       }
 

@@ -109,7 +109,7 @@ namespace auxfem
     if (!is_always_regular() && std::cos(angle(rotation)) < 1e-12)
       throw ComputationError(
         "The bars come upright. Without mass (Reduced cell/Bar mass = 0) "
-        "the mass matrix is singular there, so that the motion is not "
-        "determined beyond. Give the bars a mass, or end earlier.");
+        "the mass matrix is singular there, so the motion beyond is not "
+        "determined. Give the bars a mass, or reduce Time/End time.");
   }
 } // namespace auxfem

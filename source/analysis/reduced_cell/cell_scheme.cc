@@ -40,9 +40,8 @@ namespace auxfem
           std::ostringstream message;
           message
             << "At t = " << sample.time << " s " << name
-            << " is not a finite number: the motion grows beyond all "
-               "bounds, as it does with a step too long for the scheme "
-               "and the stiffness of the connector.\nAll steps until then "
+            << " is not a finite number: the motion grows without bounds. "
+               "The step is probably too long for the scheme and the stiffness of the connector.\nAll steps until then "
                "are in the output folder. Reduce Time/Time step, or use "
                "Time/Scheme = newmark.";
           throw ComputationError(message.str());

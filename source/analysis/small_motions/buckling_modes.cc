@@ -49,8 +49,7 @@ namespace auxfem
           throw InputError(
             "the state without the loads is not stable: its stiffness has " +
             std::to_string(*n_negative) +
-            " negative modes. Take smaller loads at t = 0, or Modes/About "
-            "= rest.");
+            " negative eigenvalues. Reduce the loads at t = 0, or set Modes/About = rest.");
         find_change(linear_response(loads.time), loads.is_reversed ? -1. : 1.);
         require_symmetry();
       }
@@ -223,9 +222,7 @@ namespace auxfem
             space.largest_free(loaded.row_sizes()) >
               round_off * space.largest_free(stiffness.row_sizes()))
           throw InputError(
-            "the stiffness depends on loads that follow their joints. "
-            "Buckling loads are computed for loads that keep their "
-            "directions: set Direction = fixed, or leave these loads out.");
+            "loads follow their joints, so the stiffness depends on them. Buckling analysis requires loads of fixed direction: set Direction = fixed, or remove these loads.");
       }
 
       /**
@@ -247,13 +244,11 @@ namespace auxfem
         if (largest_load == 0)
           {
             std::ostringstream why;
-            why << "no load and no prescribed motion acts at t = " << time
-                << " s"
-                << (state.time == time ? ""
-                                       : " other than in the state that is "
-                                         "looked at")
-                << ". Set Modes/Time of the loads to a time at which there is "
-                   "one.";
+            why
+              << "no load and no prescribed motion acts at t = " << time << " s"
+              << (state.time == time ? ""
+                                     : " beyond those of the reference state")
+              << ". Set Modes/Time of the loads to a time at which a load acts.";
             throw InputError(why.str());
           }
         if (!solver.solve(response))
@@ -357,9 +352,7 @@ namespace auxfem
         if (std::abs(sums[0] - sums[1]) >
             round_off_of_change * std::sqrt(sums[2] * sums[3]))
           throw InputError(
-            "the stiffness under the loads is not symmetric, as that of "
-            "moments in space is not. Buckling loads are computed for "
-            "forces that keep their directions.");
+            "the stiffness under the loads is not symmetric, for example because of moments in space. Buckling analysis requires forces of fixed direction.");
       }
 
       /** @p y = -K' x between free unknowns. */
@@ -412,7 +405,7 @@ namespace auxfem
             return buckling.count_below(far_beyond * factor);
         }
       throw InputError(
-        "the loads make nothing buckle. Try Modes/Reversed loads = true.");
+        "the loads cause no buckling. Try Modes/Reversed loads = true.");
     }
 
     /**
@@ -468,8 +461,7 @@ namespace auxfem
         return found;
       }
     throw_buckling_error(
-      "the count of modes by the inertia of the stiffness is another than "
-      "the number that was found. Set Modes/Number to another value");
+      "the inertia of the stiffness counts another number of modes than were found, so some may be missing. Set Modes/Number to another value");
   }
 
   FinerValues finer_factors(TangentSolver             &solver,

@@ -31,9 +31,10 @@ namespace auxfem
                                          const std::string &why)
     {
       std::ostringstream message;
-      message << "No steady vibration was found at "
-              << omega / (2 * dealii::numbers::PI) << " Hz: " << why
-              << ". Without damping there is none at a natural frequency.";
+      message
+        << "No steady vibration was found at "
+        << omega / (2 * dealii::numbers::PI) << " Hz: " << why
+        << ". An undamped lattice has no steady vibration at a natural frequency.";
       throw ComputationError(message.str());
     }
   } // namespace
@@ -50,9 +51,7 @@ namespace auxfem
     if (layout.largest(largest_size(loads)) == 0)
       throw InputError(
         "Analysis = frequency response: no load and no prescribed motion acts "
-        "at Frequency response/Time of the loads. Set it to a time at which "
-        "there is one; about a static equilibrium amplitudes are what differs "
-        "from t = 0, so that constants have none.");
+        "at Frequency response/Time of the loads. Set it to a time at which a load acts. About a static equilibrium, amplitudes are differences from t = 0, so constant loads do not count.");
   }
 
   HarmonicVibration HarmonicResponse::at(const double omega)
@@ -102,18 +101,18 @@ namespace auxfem
 
     std::vector<Column> columns_of(const std::vector<Column> &quantities)
     {
-      std::vector<Column> columns = {{"frequency", "Hz", "of the loads"}};
+      std::vector<Column> columns = {
+        {"frequency", "Hz", "frequency of the loads"}};
       for (const Column &quantity : quantities)
         {
           columns.push_back({quantity.name + ".amplitude",
                              quantity.unit,
                              quantity.meaning + ", amplitude"});
-          columns.push_back({quantity.name + ".phase",
-                             "rad",
-                             "by which it is ahead of the loads"});
+          columns.push_back(
+            {quantity.name + ".phase", "rad", "phase lead over the loads"});
         }
       columns.push_back(
-        {"residual", "1", "what is left of the equations of motion"});
+        {"residual", "1", "relative residual of the equations of motion"});
       return columns;
     }
 
@@ -172,7 +171,7 @@ namespace auxfem
       std::string text(const MeshErrors &errors) const
       {
         std::ostringstream text;
-        text << "  largest amplitudes, errors of the elements";
+        text << "  largest amplitudes, discretization errors";
         for (unsigned int i = 0; i < amplitudes.size(); ++i)
           text << '\n'
                << "  " << std::setw(20) << std::left << quantities[i].name

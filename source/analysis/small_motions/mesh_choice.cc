@@ -143,8 +143,7 @@ namespace auxfem
     std::string advice(const Scene &scene)
     {
       return scene.discretization.tolerance
-        ? "Raise Discretization/Global refinements, or Tolerance if this error "
-          "may stay."
+        ? "Raise Discretization/Global refinements, or Tolerance if this error is acceptable."
         : "Set Discretization/Order = auto, or raise Order or Global "
           "refinements.";
     }
@@ -262,13 +261,15 @@ namespace auxfem
     };
     const std::string elements = elements_text(plan.division);
     if (!errors.unknown_reason.empty())
-      add(Verdict::doubtful,
-          "The error of the elements is not known: " + errors.unknown_reason);
+      add(
+        Verdict::doubtful,
+        "The discretization error is unknown, because the comparison with finer elements failed: " +
+          errors.unknown_reason);
     if (errors.n_missing > 0)
       add(Verdict::not_to_be_used,
-          std::to_string(errors.n_missing) +
-            " further modes lie below the last with finer elements than " +
-            elements + ". " + advice(plan.scene));
+          std::to_string(errors.n_missing) + " modes are missing with " +
+            elements + ": finer elements have them below the last mode. " +
+            advice(plan.scene));
     const double error = errors.largest();
     if (!errors.unknown_reason.empty())
       return findings;
@@ -279,10 +280,10 @@ namespace auxfem
       add(error > std::max(limit, unusable_mode_error) ? Verdict::not_to_be_used
                                                        : Verdict::doubtful,
           std::isfinite(error) ? "With " + elements + " the " + values +
-              " err by up to " + percent(error) +
+              " have errors of up to " + percent(error) +
               ", by comparison with finer elements. " + advice(plan.scene)
                                : "With " + elements + " some " + values +
-              " are not those of finer elements. " + advice(plan.scene));
+              " have no counterpart on finer elements. " + advice(plan.scene));
     return findings;
   }
 

@@ -50,57 +50,57 @@ namespace auxfem
     const Column mesh_error_column = {
       "mesh_error",
       "1",
-      "of the elements, by comparison with finer ones and relative to the "
-      "frequency or factor; nan: not known"};
+      "discretization error by comparison with finer elements, relative to the frequency or factor; nan: unknown"};
 
     const std::vector<Column> buckling_columns = {
-      {"mode", "", "number, by rising factor"},
-      {"factor", "1", "of the loads with which the lattice buckles"},
-      {"residual", "1", "what is left of the equations of equilibrium"},
+      {"mode", "", "number, by increasing factor"},
+      {"factor", "1", "factor of the loads at which the lattice buckles"},
+      {"residual", "1", "relative residual of the equilibrium equations"},
       mesh_error_column};
 
     const std::vector<Column> relaxation_columns = {
       {"relaxation", "", "number, the slowest first"},
-      {"time", "s", "in which it decays to 1/e"},
+      {"time", "s", "relaxation time, of decay to 1/e"},
       {"rate", "1/s", "1 / time"},
-      {"residual", "1", "what is left of the equations of motion"}};
+      {"residual", "1", "relative residual of the equations of motion"}};
 
     const std::vector<Column> complex_columns = {
-      {"mode", "", "number, by rising size of growth rate and frequency"},
-      {"frequency", "Hz", "0 of what does not swing"},
-      {"angular_frequency", "rad/s", "the same times 2 pi"},
+      {"mode", "", "number, by increasing magnitude of the eigenvalue"},
+      {"frequency", "Hz", "frequency; 0 if the mode does not oscillate"},
+      {"angular_frequency", "rad/s", "frequency times 2 pi"},
       {"growth_rate",
        "1/s",
-       "the mode goes as exp of this times t; positive: flutter, or divergence "
-       "where it does not swing"},
+       "rate r of growth as exp(r t); positive: flutter, or divergence without oscillation"},
       {"damping_ratio",
        "1",
-       "damping over the critical one; negative where it grows"},
-      {"residual", "1", "what is left of the equations of motion"},
+       "damping over critical damping; negative if the mode grows"},
+      {"residual", "1", "relative residual of the equations of motion"},
       mesh_error_column};
 
     std::vector<Column> natural_columns()
     {
       std::vector<Column> all = {
-        {"mode", "", "number, by rising frequency"},
-        {"frequency", "Hz", "natural frequency; 0 of an unstable mode"},
-        {"angular_frequency", "rad/s", "the same times 2 pi"},
-        {"period", "s", "1 / frequency; inf of motions without stiffness"},
+        {"mode", "", "number, by increasing frequency"},
+        {"frequency", "Hz", "natural frequency; 0 for an unstable mode"},
+        {"angular_frequency", "rad/s", "frequency times 2 pi"},
+        {"period", "s", "1 / frequency; inf without stiffness"},
         {"eigenvalue",
          "1/s2",
-         "square of the angular frequency; negative of an unstable mode"},
-        {"growth_rate", "1/s", "of an unstable mode, which grows as exp(s t)"},
-        {"residual", "1", "what is left of the equations of motion"},
+         "square of the angular frequency; negative for an unstable mode"},
+        {"growth_rate",
+         "1/s",
+         "rate r of an unstable mode, which grows as exp(r t)"},
+        {"residual", "1", "relative residual of the equations of motion"},
         {"damped_frequency",
          "Hz",
-         "with damping; nan: not asked for or not found"},
-        {"damping_ratio", "1", "damping over the critical one"}};
+         "frequency with damping; nan: not requested or not found"},
+        {"damping_ratio", "1", "damping over critical damping"}};
       for (const char *axis : {"x", "y", "z"})
         {
-          all.push_back({std::string("participation_") + axis,
-                         "kg^1/2",
-                         "product of the mode, with modal mass 1 kg, and the "
-                         "inertia of a unit translation of everything"});
+          all.push_back(
+            {std::string("participation_") + axis,
+             "kg^1/2",
+             "product of the mode, of modal mass 1 kg, and the inertia of a unit translation"});
           all.push_back({std::string("effective_mass_") + axis,
                          "kg",
                          "square of the participation"});

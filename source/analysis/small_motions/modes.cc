@@ -57,7 +57,7 @@ namespace auxfem
       std::ostringstream text;
       text << "The state is unstable: its stiffness has " << n_unstable
            << " negative mode" << (n_unstable == 1 ? "" : "s")
-           << ". It does not vibrate but leaves this state.";
+           << ". The lattice leaves this state instead of vibrating about it.";
       all.push_back({Verdict::doubtful, text.str(), 0., ""});
       return all;
     }
@@ -72,9 +72,9 @@ namespace auxfem
              << " Hz, ratio " << rounded_text(damped.ratio(), 6) << '\n';
       text.precision(4);
       if (found.damped_limit)
-        text << "  These are all damped modes below "
+        text << "  The Krylov space contains no further damped modes below "
              << *found.damped_limit / (2 * PI)
-             << " Hz that the Krylov space has; they are not counted.\n";
+             << " Hz; their number is not verified.\n";
       else
         text << "  Damped modes may be missing: the Krylov space did not "
                 "converge.\n";
@@ -113,10 +113,9 @@ namespace auxfem
         return {};
       std::ostringstream text;
       text.precision(2);
-      text << "Until the first factor struts turn by up to " << motion
-           << " rad, or move by as much of their length, which linear theory "
-              "leaves out. Raise the loads in steps with Analysis = simulation "
-              "and Scheme = static, and see where stability is lost.";
+      text
+        << "Before the first buckling load struts rotate by up to " << motion
+        << " rad, or move by that multiple of their length, which linear theory neglects. Raise the loads in steps with Analysis = simulation and Scheme = static to find the loss of stability.";
       return {{Verdict::doubtful, text.str(), 0., ""}};
     }
 
@@ -137,7 +136,7 @@ namespace auxfem
       text << "  "
            << (is_counted ? "None is missing below the last, by the inertia of "
                             "the stiffness."
-                          : "Not counted: " + if_not_counted)
+                          : "Number not verified: " + if_not_counted)
            << "\n  " << run.work().factorizations << " factorizations, "
            << run.work().linear_solutions << " solutions by "
            << run.work().linear_solver;
@@ -167,14 +166,13 @@ namespace auxfem
     ReportedModes report_on(const ComplexModes &found, const LatticeRun &run)
     {
       std::ostringstream closing;
-      closing << "  The stiffness is not symmetric, as loads follow their "
-                 "joints: complex modes, "
-              << (run.scene.modes.damped ? "with all damping"
-                                         : "without damping")
-              << ".\n  Not counted: modes may be missing.\n  "
-              << run.work().factorizations << " factorizations, "
-              << run.work().linear_solutions << " solutions by "
-              << run.work().linear_solver;
+      closing
+        << "  Loads follow their joints, so the stiffness is not symmetric and modes are complex, "
+        << (run.scene.modes.damped ? "with all damping" : "without damping")
+        << ".\n  Number not verified: modes may be missing.\n  "
+        << run.work().factorizations << " factorizations, "
+        << run.work().linear_solutions << " solutions by "
+        << run.work().linear_solver;
       ReportedModes reported{mode_table_text(found),
                              closing.str(),
                              findings(found),
@@ -210,9 +208,8 @@ namespace auxfem
       if (found.size() < n_requested)
         text
           << found.size() << " of " << n_requested
-          << " relaxations: there are no more, or very many near the time of "
-             "Stiffness-proportional damping.\n  ";
-      text << "Relaxations are not counted.";
+          << " relaxations: there are no more, or too many cluster near the time of Stiffness-proportional damping.\n  ";
+      text << "The number of relaxations is not verified.";
       return text.str();
     }
 
@@ -463,8 +460,7 @@ namespace auxfem
   {
     return {
       "buckling",
-      "Factors of the loads at which a lattice buckles, by linear theory, "
-      "and its buckling modes.",
+      "Load factors at which a lattice buckles, by linear theory, and buckling modes.",
       [](const Scene &scene) { return scene.analysis == Analysis::buckling; },
       run_modes,
       nullptr,
@@ -475,7 +471,7 @@ namespace auxfem
   AnalysisEntry frequency_response_entry()
   {
     return {"frequency response",
-            "Amplitudes and phases of steady vibrations over the frequency.",
+            "Amplitudes and phases of steady vibrations over frequency.",
             [](const Scene &scene) {
               return scene.analysis == Analysis::frequency_response;
             },

@@ -82,7 +82,7 @@ namespace auxfem
     std::optional<std::pair<Vector, double>> softest_mode();
 
     /**
-     * Whether the eigenvalue of softest() is below 1e-12 of the largest
+     * Whether the eigenvalue of softest_mode() is below 1e-12 of the largest
      * stiffness, so that its sign is round-off. An example is a buckled column
      * of round section, which can turn about its axis.
      */
@@ -108,7 +108,9 @@ namespace auxfem
     }
 
   private:
-    /** As softest() for the current matrix, before conversion to a shape. */
+    /**
+     * As softest_mode() for the current matrix, before conversion to a shape.
+     */
     std::optional<double> find_softest_vector(Vector &mode);
     /**
      * Loads in free rows at @p point, including those from prescribed motions.
