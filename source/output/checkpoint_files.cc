@@ -23,7 +23,7 @@ namespace auxfem
     {
       std::string                       file;
       std::optional<NumberedCheckpoint> checkpoint;
-      /** Why there is no checkpoint although there is a file. */
+      /** Defect of the file; empty if the checkpoint is usable. */
       std::string fault;
     };
 
@@ -32,19 +32,19 @@ namespace auxfem
       return std::error_code(errno, std::generic_category()).message();
     }
 
-    [[noreturn]] void cannot_write(const std::string &file)
+    [[noreturn]] void throw_write_error(const std::string &file)
     {
       throw ComputationError("Cannot write the checkpoint " + file + ": " +
                              system_error() + ".");
     }
 
-    [[noreturn]] void refuse_later_format(const std::string &file,
-                                          const std::string &version)
+    [[noreturn]] void throw_later_format(const std::string &file,
+                                         const std::string &version)
     {
       throw InputError("The checkpoint " + file + " is in version " + version +
                        " of its format; this auxfem reads version " +
                        std::to_string(checkpoint_format_version) +
-                       ". Go on with the auxfem that left it.");
+                       ". Continue with the auxfem that wrote it.");
     }
 
     CheckpointSlot read_slot(const std::string &file)
@@ -60,7 +60,7 @@ namespace auxfem
       if (const auto size = std::filesystem::file_size(file, ignored); !ignored)
         bytes.reserve(size);
       std::array<char, 65536> block;
-      // Fails at the end of the file, too; bad() if it cannot be read to there.
+      // Reading always fails at the end of the file; bad() shows a real error.
       while (stream.read(block.data(), block.size()) || stream.gcount() > 0)
         bytes.append(block.data(), stream.gcount());
       if (!stream.is_open() || stream.bad())
@@ -79,14 +79,14 @@ namespace auxfem
       catch (const OtherCheckpointFormat &format)
         {
           if (format.version > checkpoint_format_version)
-            refuse_later_format(file, format.what());
+            throw_later_format(file, format.what());
           slot.fault =
             std::string("is in version ") + format.what() + " of its format";
         }
       return slot;
     }
 
-    /** The two files, the one with the newest checkpoint first. */
+    /** Reads the two files; the one with the newest checkpoint comes first. */
     std::array<CheckpointSlot, 2> read_slots(const std::string &folder)
     {
       std::array<CheckpointSlot, 2> slots = {
@@ -100,19 +100,19 @@ namespace auxfem
       return slots;
     }
 
-    /** Waits until the disk has what was written to @p path. */
+    /** Waits until all data of @p path are on disk. */
     void wait_for_disk(const std::string &path, const int flags)
     {
       const int descriptor = open(path.c_str(), flags);
       if (descriptor < 0)
-        cannot_write(path);
+        throw_write_error(path);
       const bool done = fsync(descriptor) == 0;
-      // Closing may change why fsync has failed.
+      // close() may overwrite errno.
       const int reason = errno;
       close(descriptor);
       errno = reason;
       if (!done)
-        cannot_write(path);
+        throw_write_error(path);
     }
   } // namespace
 
@@ -122,36 +122,37 @@ namespace auxfem
   void CheckpointFiles::write(const CheckpointContent        &content,
                               const std::vector<std::string> &files)
   {
-    if (!next)
+    if (!target)
       {
         const std::array<CheckpointSlot, 2> slots = read_slots(folder);
-        next = Next{slots[0].checkpoint ? slots[0].checkpoint->number + 1 : 1,
-                    slots[1].file,
-                    slots[0].file};
+        target =
+          WriteTarget{slots[0].checkpoint ? slots[0].checkpoint->number + 1 : 1,
+                      slots[1].file,
+                      slots[0].file};
       }
     for (const std::string &file : files)
       wait_for_disk(file, O_WRONLY);
-    const std::string file = next->file, temporary = file + ".part";
+    const std::string file = target->file, temporary = file + ".part";
 
     std::error_code ignored;
     std::filesystem::remove(temporary, ignored);
     errno = 0;
     std::ofstream stream =
       open_output_file(temporary, std::ios::out | std::ios::binary);
-    write_checkpoint(next->number, content, stream);
+    write_checkpoint(target->number, content, stream);
     stream.close();
     if (!stream)
-      cannot_write(temporary);
+      throw_write_error(temporary);
     wait_for_disk(temporary, O_WRONLY);
     if (std::rename(temporary.c_str(), file.c_str()) != 0)
-      cannot_write(file);
-    // Without it a power cut may undo the renaming.
+      throw_write_error(file);
+    // Otherwise a power failure may undo the renaming.
     wait_for_disk(folder, O_RDONLY | O_DIRECTORY);
-    ++next->number;
-    std::swap(next->file, next->other_file);
+    ++target->number;
+    std::swap(target->file, target->other_file);
   }
 
-  CheckpointFiles::Found CheckpointFiles::newest() const
+  CheckpointFiles::LoadedCheckpoint CheckpointFiles::newest() const
   {
     std::array<CheckpointSlot, 2> slots = read_slots(folder);
 
@@ -165,10 +166,9 @@ namespace auxfem
                 ? ""
                 : "The run goes on from its other checkpoint: " + faults + "."};
     if (faults.empty())
-      throw InputError("There is no checkpoint in " + folder +
-                       " (checkpoint_a or checkpoint_b). Give the folder of a "
-                       "simulation of a lattice that has left one, or start "
-                       "from t = 0; studies go on when they are run again.");
+      throw InputError(
+        "There is no checkpoint in " + folder +
+        " (checkpoint_a or checkpoint_b). Give the folder of a lattice simulation with checkpoints, or start from t = 0. Studies continue when they are run again.");
     throw InputError("No checkpoint in " + folder + " can be used: " + faults +
                      ". Start from t = 0.");
   }
@@ -186,7 +186,7 @@ namespace auxfem
                      end - begin);
     }
 
-    /** Writes a file part by part, each with its CRC behind it. */
+    /** Writes a file in parts, each followed by its CRC. */
     class PartWriter
     {
     public:
@@ -224,32 +224,32 @@ namespace auxfem
       std::uint64_t sum = 0; ///< CRC of the part so far
     };
 
-    /** Takes a file apart from its first byte on. */
+    /** Reads a file sequentially and checks the CRC of each part. */
     class ByteReader
     {
     public:
       explicit ByteReader(const std::string &bytes) : bytes(bytes)
       {}
 
-      /** @p part of the file is damaged if what is next ends too early. */
-      void enter(const std::string &part)
+      /** Starts a part of the file, with its name for errors. */
+      void begin_part(const std::string &part)
       {
         part_name  = part;
         part_begin = position;
       }
 
-      std::string take(const std::uint64_t n)
+      std::string read(const std::uint64_t n)
       {
-        // No sum of them, which a damaged length would let overflow.
+        // A sum could overflow with a damaged length.
         if (n > bytes.size() - position)
           throw DamagedCheckpoint(part_name);
         position += n;
         return bytes.substr(position - n, n);
       }
 
-      std::uint64_t take_number()
+      std::uint64_t read_number()
       {
-        const std::string digits = take(8);
+        const std::string digits = read(8);
         std::uint64_t     number = 0;
         for (unsigned int i = 0; i < 8; ++i)
           number |= std::uint64_t(static_cast<unsigned char>(digits[i]))
@@ -257,16 +257,16 @@ namespace auxfem
         return number;
       }
 
-      std::string take_text()
+      std::string read_text()
       {
-        return take(take_number());
+        return read(read_number());
       }
 
-      /** Compares what was read since enter() with its CRC, which is next. */
+      /** Compares the bytes since enter() with the CRC that follows. */
       void check_part()
       {
         const std::uint64_t expected = crc_32(bytes, part_begin, position);
-        if (take_number() != expected)
+        if (read_number() != expected)
           throw DamagedCheckpoint(part_name);
       }
 
@@ -308,27 +308,27 @@ namespace auxfem
     NumberedCheckpoint result;
     CheckpointContent &content = result.content;
 
-    reader.enter("its head");
-    if (reader.take(format_name.size()) != format_name)
+    reader.begin_part("its head");
+    if (reader.read(format_name.size()) != format_name)
       throw DamagedCheckpoint("its head");
-    const std::uint64_t version = reader.take_number();
-    result.number               = reader.take_number();
-    content.program_version     = reader.take_text();
-    content.n_ranks             = reader.take_number();
-    const std::uint64_t n       = reader.take_number();
+    const std::uint64_t version = reader.read_number();
+    result.number               = reader.read_number();
+    content.program_version     = reader.read_text();
+    content.n_ranks             = reader.read_number();
+    const std::uint64_t n       = reader.read_number();
     reader.check_part();
-    // After the checksum: a damaged version is no other version. Later formats
-    // have to keep this head.
+    // The checksum comes first, because a damaged version number is no other
+    // version. Later formats must keep this head.
     if (version != checkpoint_format_version)
       throw OtherCheckpointFormat(version);
 
     for (std::uint64_t i = 0; i < n; ++i)
       {
-        reader.enter("section " + std::to_string(i + 1) + " of " +
-                     std::to_string(n));
+        reader.begin_part("section " + std::to_string(i + 1) + " of " +
+                          std::to_string(n));
         CheckpointContent::Section section;
-        section.name  = reader.take_text();
-        section.bytes = reader.take_text();
+        section.name  = reader.read_text();
+        section.bytes = reader.read_text();
         reader.check_part();
         content.sections.push_back(std::move(section));
       }

@@ -100,7 +100,7 @@ namespace auxfem
 
   unsigned int terminal_width(const unsigned int n_processes)
   {
-    // The pseudo-terminals of mpirun often end in a file.
+    // Output of mpirun through pseudo-terminals often ends in a file.
     if (n_processes > 1 || !isatty(STDOUT_FILENO))
       return 0;
     winsize size{};
@@ -151,12 +151,11 @@ namespace auxfem
     latest_on_screen = false;
     latest_in_log    = false;
 
-    // The small addition lets sums of steps that miss a twentieth by round-off
-    // count as having reached it.
+    // The tolerance covers round-off of summed steps.
     const int  reached = std::floor(20 * progress.fraction() + 1e-9);
     const bool milestone =
-      progress.path ? progress.step % 10 == 0 : reached > twentieth;
-    twentieth = std::max(twentieth, reached);
+      progress.path ? progress.step % 10 == 0 : reached > last_twentieth;
+    last_twentieth = std::max(last_twentieth, reached);
 
     const bool rewrite_due = terminal_width > 0 &&
       (line_length == 0 || progress.seconds >= last_rewrite + update_interval);

@@ -18,7 +18,7 @@ namespace auxfem
 {
   namespace
   {
-    /** @p text as one field: in quotes if a reader would else split it. */
+    /** @p text as one field, quoted if necessary. */
     std::string csv_field(const std::string &text)
     {
       if (text.find_first_of(",\"\r\n") == std::string::npos)
@@ -38,10 +38,10 @@ namespace auxfem
       return output_error_text(errno);
     }
 
-    [[noreturn]] void refuse(const std::string &file)
+    [[noreturn]] void throw_write_error(const std::string &file)
     {
       throw InputError("Cannot write " + file + ": " + reason() +
-                       ".\nRemove what stands in the way, or choose another "
+                       ".\nRemove the obstacle, or choose another "
                        "folder with Output/Directory or --output DIR.");
     }
 
@@ -49,11 +49,11 @@ namespace auxfem
     {
       std::ofstream stream = open_output_file(file);
       if (!stream)
-        refuse(file);
+        throw_write_error(file);
       return stream;
     }
 
-    /** Ends in a comma. */
+    /** Header line; ends with a comma. */
     std::string header(const std::vector<Column> &columns)
     {
       std::string line;
@@ -87,15 +87,14 @@ namespace auxfem
         error)
       throw InputError(
         file +
-        " is not what the run has left there: it was changed, or "
-        "the output parameters ask for other columns. Put it "
-        "back, or start from t = 0.");
+        " differs from the file that the run has written: it was changed, or "
+        "the output parameters request other columns. Restore it, or start from t = 0.");
     stream = open_output_file(file, std::ios::in | std::ios::out);
     if (!stream)
-      refuse(file);
+      throw_write_error(file);
     std::filesystem::resize_file(file, length, error);
     if (error || !stream.seekp(0, std::ios::end))
-      refuse(file);
+      throw_write_error(file);
   }
 
   std::size_t CsvTable::length() const
@@ -141,12 +140,12 @@ namespace auxfem
     stream.flush();
     if (stream)
       return;
-    const std::string why = reason();
-    // The stream holds what it could not write, and would try it once more.
+    const std::string reason_text = reason();
+    // The stream would retry to write its buffer.
     stream.close();
     std::error_code ignored;
     std::filesystem::resize_file(file, whole_size, ignored);
-    throw ComputationError("Cannot write to " + file + ": " + why +
+    throw ComputationError("Cannot write to " + file + ": " + reason_text +
                            ".\nAll earlier rows are in the file.");
   }
 
@@ -165,15 +164,15 @@ namespace auxfem
 
   namespace
   {
-    struct KindOfEnergy
+    struct EnergyKindColumn
     {
       EnergyKind  kind;
       std::string name, meaning;
     };
 
-    const std::array<KindOfEnergy, 6> &kinds()
+    const std::array<EnergyKindColumn, 6> &kinds()
     {
-      static const std::array<KindOfEnergy, 6> list = {
+      static const std::array<EnergyKindColumn, 6> list = {
         {{EnergyKind::kinetic, "kinetic", "kinetic energy"},
          {EnergyKind::strain,
           "strain",
@@ -191,7 +190,7 @@ namespace auxfem
       return list;
     }
 
-    /** Whether an entry has a column of its own beside that of its kind. */
+    /** Whether an entry has its own column besides that of its kind. */
     bool has_own_column(const EnergyEntry &entry)
     {
       return std::none_of(kinds().begin(),
@@ -204,14 +203,14 @@ namespace auxfem
     std::string balance_meaning(const EnergyLedger &ledger)
     {
       std::string sum;
-      for (const KindOfEnergy &kind : kinds())
+      for (const EnergyKindColumn &kind : kinds())
         if (kind.kind != EnergyKind::work && ledger.has(kind.kind))
           sum += (sum.empty() ? "" : " + ") + kind.name;
       if (ledger.has(EnergyKind::work))
         sum += " - external";
       return sum +
-        " minus its value at the start: zero to round-off for linear scenes, "
-        "else the error of the step length";
+        " minus its value at the start: zero up to round-off for linear scenes, "
+        "otherwise the error due to the step length";
     }
   } // namespace
 
@@ -223,7 +222,7 @@ namespace auxfem
 
     latest  = energies;
     balance = energies.balance(*start);
-    // In this order a number that is none stays.
+    // This order of arguments preserves NaN.
     largest_balance = std::max(std::abs(balance), largest_balance);
     largest_energy  = std::max({largest_energy,
                                 std::abs(energies.total()),
@@ -254,7 +253,7 @@ namespace auxfem
   std::vector<Column> energy_columns(const EnergyLedger &ledger)
   {
     std::vector<Column> columns;
-    for (const KindOfEnergy &kind : kinds())
+    for (const EnergyKindColumn &kind : kinds())
       if (ledger.has(kind.kind))
         columns.push_back({kind.name, "J", kind.meaning});
     for (const EnergyEntry &entry : ledger.entries())
@@ -269,7 +268,7 @@ namespace auxfem
     const Energies     &energies = record.latest;
     const EnergyLedger &ledger   = energies.ledger();
     std::vector<double> values;
-    for (const KindOfEnergy &kind : kinds())
+    for (const EnergyKindColumn &kind : kinds())
       if (ledger.has(kind.kind))
         values.push_back(energies.sum(kind.kind));
     for (unsigned int i = 0; i < ledger.entries().size(); ++i)

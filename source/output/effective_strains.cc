@@ -12,7 +12,7 @@ namespace auxfem
   {
     using Joints = std::vector<unsigned int>;
 
-    /** The sets at the lower and upper end of each axis. */
+    /** Joint sets at the lower and upper end of each axis. */
     const char *const sides[3][2] = {{"left", "right"},
                                      {"bottom", "top"},
                                      {"back", "front"}};
@@ -59,9 +59,7 @@ namespace auxfem
       if (spans.empty())
         throw InputError(
           "Output/Effective strains = true: the lattice has no two opposite "
-          "sides. Allowed: lattices with the joint sets left and right, bottom "
-          "and top, or in space back and front, which are apart. Make them in "
-          "Sets, or set Effective strains = false.");
+          "sides. It needs two distant joint sets: left and right, bottom and top, or in space back and front. Define them in Sets, or set Effective strains = false.");
       return spans;
     }
   } // namespace
@@ -71,20 +69,20 @@ namespace auxfem
     const DofNumbering &numbering = model.numbering;
     for (const Span &span : spans_of(model.lattice))
       {
-        std::vector<Term> of_axis;
+        std::vector<Term> axis_terms;
         const auto        add = [&](const Joints &joints, const double sign) {
           for (const unsigned int joint : joints)
             {
               const int unknown = numbering.joint_unknown(joint, span.axis);
               if (numbering.layout().is_owned(unknown))
-                of_axis.push_back(
+                axis_terms.push_back(
                   {unknown, sign / (joints.size() * span.length)});
             }
         };
         add(*span.low, -1);
         add(*span.high, 1);
-        with_strain.push_back(span.axis);
-        terms.push_back(std::move(of_axis));
+        strain_axes.push_back(span.axis);
+        terms.push_back(std::move(axis_terms));
       }
   }
 
@@ -96,7 +94,7 @@ namespace auxfem
   std::vector<Column> EffectiveStrains::columns() const
   {
     std::vector<Column> result;
-    for (const unsigned int axis : with_strain)
+    for (const unsigned int axis : strain_axes)
       result.push_back(
         {"strain." + axis_name(axis),
          "1",
@@ -109,10 +107,10 @@ namespace auxfem
   std::vector<double> EffectiveStrains::values(const State &state) const
   {
     std::vector<double> result;
-    for (const std::vector<Term> &of_axis : terms)
+    for (const std::vector<Term> &axis_terms : terms)
       {
         double strain = 0;
-        for (const Term &term : of_axis)
+        for (const Term &term : axis_terms)
           strain += term.factor * state.displacement[term.unknown];
         result.push_back(strain);
       }
@@ -121,7 +119,9 @@ namespace auxfem
 
   namespace
   {
-    /** Collects axes along which something acts on the sides of a lattice. */
+    /**
+     * Collects axes along which loads or motions act on the sides of a lattice.
+     */
     class LoadedAxes
     {
     public:
@@ -137,7 +137,7 @@ namespace auxfem
       {
         const Joints joints = joints_of(definition, lattice, scene.context);
         for (const Span &span : spans)
-          if (acts[span.axis] && are_on_side(joints, span))
+          if (acts[span.axis] && is_on_one_side(joints, span))
             axes.insert(span.axis);
       }
 
@@ -148,15 +148,17 @@ namespace auxfem
             axes.insert(span.axis);
       }
 
-      unsigned int only_or(const unsigned int otherwise) const
+      unsigned int single_axis_or(const unsigned int otherwise) const
       {
         return axes.size() == 1 ? *axes.begin() : otherwise;
       }
 
     private:
-      /** On one of the two sides: joints on both are moved in shear. Joints of
-       * plates are beside the lattice. */
-      bool are_on_side(const Joints &joints, const Span &span) const
+      /**
+       * Whether all joints are on one of the two sides; joints on both move in
+       * shear. Joints of plates count on either side.
+       */
+      bool is_on_one_side(const Joints &joints, const Span &span) const
       {
         const auto are_in = [&](const Joints &side) {
           return std::all_of(joints.begin(),
@@ -203,7 +205,7 @@ namespace auxfem
     for (const LineLoadDefinition &load : plan.scene.line_loads)
       axes.add(acting(load.components));
     axes.add(acting(plan.scene.gravity.acceleration));
-    return axes.only_or(1);
+    return axes.single_axis_or(1);
   }
 
   void LargestStrain::add(const double                     time,
@@ -216,14 +218,14 @@ namespace auxfem
     if (!now[loaded] ||
         std::abs(*now[loaded]) <= std::abs(strains[loaded].value_or(0)))
       return;
-    strains   = now;
-    time_then = time;
+    strains         = now;
+    time_of_largest = time;
   }
 
   void LargestStrain::serialize(CheckpointArchive &archive)
   {
     archive.values("output: largest effective strain",
-                   time_then,
+                   time_of_largest,
                    strains[0],
                    strains[1],
                    strains[2]);

@@ -18,18 +18,17 @@ namespace auxfem
     const std::vector<Column> path_columns = {
       {"arc_length",
        "m",
-       "sum over the points of the root mean square of how far nodes move, "
-       "rotations with an arm of the mean strut length"},
-      {"load_factor", "1", "by which loads are multiplied"},
+       "sum over the points of the root mean square of nodal displacements, "
+       "with rotations times the mean strut length"},
+      {"load_factor", "1", "factor of the loads"},
       {"negative_eigenvalues",
        "",
-       "of the stiffness: 0 in stable equilibrium; nan: not known"},
+       "negative eigenvalues of the stiffness: 0 in stable equilibrium; nan: unknown"},
       {"determinant",
        "",
-       "sign of that of the stiffness: 1 in stable equilibrium; nan: not "
-       "known"}};
+       "sign of the determinant of the stiffness: 1 in stable equilibrium; nan: unknown"}};
 
-    /** A component of what a support exerts. */
+    /** Column of a component of the force or moment of a support. */
     Column reaction_column(const std::string &support,
                            const unsigned int component,
                            const unsigned int dimension)
@@ -52,29 +51,30 @@ namespace auxfem
      * Largest rotation (rad) of all nodes on this rank: in space an angle up to
      * half a revolution.
      */
-    double largest_of_nodes(const State &state, const DofNumbering &numbering)
+    double largest_node_rotation(const State        &state,
+                                 const DofNumbering &numbering)
     {
-      double     largest = 0;
-      const auto raise   = [&largest](const double value) {
+      double     largest        = 0;
+      const auto update_largest = [&largest](const double value) {
         largest = std::max(largest, value);
       };
       if (!state.rotations.empty())
         {
           for (const Quaternion &rotation : state.rotations)
-            raise(rotation.vector.norm_square());
+            update_largest(rotation.vector.norm_square());
           return 2 * std::asin(std::min(1., std::sqrt(largest)));
         }
-      const unsigned int n_in_space = numbering.rotations().size();
-      if (n_in_space > 0)
+      const unsigned int n_spatial_rotations = numbering.rotations().size();
+      if (n_spatial_rotations > 0)
         {
-          const NodeRotations of_nodes(numbering);
-          for (unsigned int i = 0; i < n_in_space; ++i)
-            raise(of_nodes.values(state.displacement, i).norm());
+          const NodeRotations node_rotations(numbering);
+          for (unsigned int i = 0; i < n_spatial_rotations; ++i)
+            update_largest(node_rotations.values(state.displacement, i).norm());
           return largest;
         }
       for (unsigned int i = 0; i < numbering.layout().n_owned(); ++i)
         if (numbering.unknowns().is_rotation[i])
-          raise(std::abs(state.displacement[i]));
+          update_largest(std::abs(state.displacement[i]));
       return largest;
     }
   } // namespace
@@ -91,9 +91,9 @@ namespace auxfem
       column_list = path_columns;
     else
       column_list.push_back({"time", "s", "time"});
-    n_of_position = column_list.size();
+    n_position_columns = column_list.size();
     for (const ProbeDefinition &probe : scene.output.probes)
-      if (RigidPartProbe::is_one(probe))
+      if (RigidPartProbe::is_rigid_part_probe(probe))
         rigid_part_probes.emplace_back(probe, scene, equations);
       else
         define_probe(probe, scene.context);
@@ -227,10 +227,10 @@ namespace auxfem
             {plates.name(i) + ".f" + axis_name(c),
              "N",
              "force of the struts on the plate along " + axis_name(c)});
-        column_list.push_back({plates.name(i) + ".penetration",
-                               "1",
-                               "largest depth to which a strut has gone into "
-                               "the plate, over its thickness"});
+        column_list.push_back(
+          {plates.name(i) + ".penetration",
+           "1",
+           "largest penetration of a strut into the plate over its thickness"});
       }
   }
 
@@ -354,14 +354,14 @@ namespace auxfem
           ? double(*state.path->determinant_sign)
           : std::numeric_limits<double>::quiet_NaN();
       }
-    unsigned int column = add_unknown_sums(state, n_of_position);
+    unsigned int column = add_unknown_sums(state, n_position_columns);
     column              = add_rigid_part_values(state, column);
     column              = add_connector_sums(solution, column);
     column              = add_strains(state, column);
     if (equations.model().numbering.layout().n_ranks() > 1)
       MPI_Allreduce(MPI_IN_PLACE,
-                    row.data() + n_of_position,
-                    column - n_of_position,
+                    row.data() + n_position_columns,
+                    column - n_position_columns,
                     MPI_DOUBLE,
                     MPI_SUM,
                     communicator);
@@ -377,7 +377,7 @@ namespace auxfem
 
     rotation_so_far =
       std::max(rotation_so_far,
-               largest_of_nodes(state, equations.model().numbering));
+               largest_node_rotation(state, equations.model().numbering));
     return row;
   }
 
@@ -386,7 +386,7 @@ namespace auxfem
     std::vector<Column> columns;
     for (unsigned int i = 0; i < unknown_sums.size(); ++i)
       if (unknown_sums[i].quantity != Quantity::velocity)
-        columns.push_back(column_list[n_of_position + i]);
+        columns.push_back(column_list[n_position_columns + i]);
     return columns;
   }
 
@@ -398,11 +398,11 @@ namespace auxfem
       {
         if (sum.quantity == Quantity::velocity)
           continue;
-        const Vector &of_all =
+        const Vector &unknown_values =
           sum.quantity == Quantity::residual ? reactions : displacements;
         double total = 0;
         for (const int unknown : sum.unknowns)
-          total += of_all[unknown];
+          total += unknown_values[unknown];
         values.push_back(sum.factor * total);
       }
     return equations.model().numbering.layout().sum(values);
@@ -434,7 +434,7 @@ namespace auxfem
     if (scene.output.effective_strains)
       EffectiveStrains::check(lattice);
     for (const ProbeDefinition &probe : scene.output.probes)
-      if (RigidPartProbe::is_one(probe))
+      if (RigidPartProbe::is_rigid_part_probe(probe))
         RigidPartProbe::check(probe, scene, lattice);
       else
         select_joints(lattice, probe.selection, scene.context, probe.path);

@@ -19,7 +19,7 @@ namespace auxfem
 {
   namespace
   {
-    /** Of the number in a file's name. */
+    /** Digits of the number in a file name. */
     constexpr unsigned int n_digits = 5;
 
     const std::string record_head =
@@ -31,7 +31,10 @@ namespace auxfem
     const std::string record_tail = "  </Collection>\n"
                                     "</VTKFile>\n";
 
-    /** deal.II leaves out the points where there are none, which VTK misses. */
+    /**
+     * Text of a file without lines; adds the points section, which deal.II
+     * omits but VTK requires.
+     */
     std::string text_without_lines(const LineGraphics &graphics)
     {
       std::ostringstream stream;
@@ -74,8 +77,8 @@ namespace auxfem
     patch.patch_index    = patches.size();
     patch.n_subdivisions = points.size() - 1;
     patch.reference_cell = dealii::ReferenceCells::Line;
-    // The points follow the fields as three more rows, else a curved line would
-    // be drawn along its chord.
+    // The points follow the fields as three more rows; otherwise deal.II draws
+    // the chord of a curved line.
     patch.points_are_available = true;
     patch.data.reinit(n + 3, points.size());
     for (unsigned int q = 0; q < points.size(); ++q)
@@ -148,7 +151,7 @@ namespace auxfem
       if (const std::error_code error = make_output_subfolder(subfolder))
         throw InputError("Cannot make the folder " + subfolder + ": " +
                          output_error_text(error.value()) +
-                         ".\nRemove what stands in the way, or choose another "
+                         ".\nRemove the obstacle, or choose another "
                          "folder with Output/Directory or --output DIR.");
     });
   }
@@ -166,7 +169,7 @@ namespace auxfem
       }
     catch (const dealii::ExceptionBase &)
       {
-        // A stream takes a lack of memory for a failure of its own.
+        // A stream reports a lack of memory as its own failure.
         if (errno == ENOMEM)
           throw std::bad_alloc();
         failed = true;
@@ -207,8 +210,8 @@ namespace auxfem
              static_cast<std::uintmax_t>(end_of_entries) ||
            error))
         throw InputError(record +
-                         " is not what the run has left there: it was changed. "
-                         "Put it back, or start from t = 0.");
+                         " differs from the file that the run has written. "
+                         "Restore it, or start from t = 0.");
       restore_record(record);
       remove_later_files();
     });
@@ -265,7 +268,7 @@ namespace auxfem
       open_output_file(record, is_first ? mode : mode | std::ios::in);
     stream.seekp(end_of_entries);
     const std::string head = is_first ? record_head : "";
-    // In one piece, so that no moment is left at which the record has no end.
+    // A single write keeps the record complete at any moment.
     stream << head + entry.str() + record_tail;
     stream.close();
     if (stream)
@@ -316,7 +319,7 @@ namespace auxfem
         values.push_back(vector[d]);
     }
 
-    double size_of(const Lattice &lattice)
+    double diagonal(const Lattice &lattice)
     {
       const auto [low, high] = bounding_box(lattice);
       return low.distance(high);
@@ -340,7 +343,7 @@ namespace auxfem
     : equations(equations)
     , plates(equations.reporting().plates)
     , struts(equations.reporting().strut_contact)
-    , size(size_of(equations.model().lattice))
+    , size(diagonal(equations.model().lattice))
     , folder(folder)
     , contacts_name(prefix + "contacts")
   {
@@ -403,7 +406,7 @@ namespace auxfem
            struts->contacts(equations.strut_contact_results(solution.results),
                             solution.state))
         add(report, none, report.other);
-    // Without plates, the first file is that of the first touch.
+    // Without plates, the series starts with the first contact.
     if (!contact_series)
       {
         if (equations.unknowns().layout.largest(touches ? 1. : 0.) == 0)

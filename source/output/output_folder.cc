@@ -30,7 +30,7 @@ namespace auxfem
         stream.setstate(std::ios::failbit);
         return stream;
       }
-    // By its name, the file could have become a link in the meantime.
+    // Reopening by name could follow a link created in the meantime.
     stream.open("/proc/self/fd/" + std::to_string(descriptor), mode);
     const int reason = errno;
     ::close(descriptor);
@@ -66,7 +66,7 @@ namespace auxfem
 
     bool exists(const fs::path &file)
     {
-      // Also a link that leads nowhere is somebody's.
+      // A dangling link exists, too.
       std::error_code ignored;
       return fs::exists(fs::symlink_status(file, ignored));
     }
@@ -82,10 +82,13 @@ namespace auxfem
       return found;
     }
 
-    /** As "_12.vtu", "_12.pvtu", or of a rank "_12.3.vtu". */
+    /**
+     * Whether @p text has the form "_12.vtu", "_12.pvtu" or, for a rank,
+     * "_12.3.vtu".
+     */
     bool is_number_of_file(std::string_view text)
     {
-      const auto take_number_after = [&text](const char first) {
+      const auto remove_number_after = [&text](const char first) {
         const std::size_t end =
           std::min(text.find_first_not_of("0123456789", 1), text.size());
         if (end < 2 || text[0] != first)
@@ -93,9 +96,9 @@ namespace auxfem
         text.remove_prefix(end);
         return true;
       };
-      if (!take_number_after('_'))
+      if (!remove_number_after('_'))
         return false;
-      take_number_after('.');
+      remove_number_after('.');
       return text == ".vtu" || text == ".pvtu";
     }
 
@@ -122,7 +125,7 @@ namespace auxfem
   {
     make_folder();
     refuse_links(contents, former_results);
-    // Of a folder that is refused nothing shall be touched, not even by a list.
+    // A refused folder must remain unchanged, also without a new list.
     if (exists(file(list_name)))
       {
         lock();
@@ -130,7 +133,7 @@ namespace auxfem
       }
     if (former_results == FormerResults::continued)
       return;
-    const std::vector<std::string> names = former(contents);
+    const std::vector<std::string> names = existing_results(contents);
     refuse_input(names, rules.input_files);
     if (!rules.replaces_files_of_others)
       refuse_files_of_others(names);
@@ -138,7 +141,7 @@ namespace auxfem
       lock();
     remove(contents, names);
     remove_results_of_other_kinds(rules);
-    own.insert(contents.files.begin(), contents.files.end());
+    own_names.insert(contents.files.begin(), contents.files.end());
     write_list();
   }
 
@@ -147,7 +150,7 @@ namespace auxfem
   {
     std::vector<std::string> names = contents.series;
     names.push_back(list_name);
-    // Else they are removed, or refused, as the files of others.
+    // Otherwise they are removed or refused later.
     if (former_results == FormerResults::continued)
       for (const std::string &name : contents.names())
         names.push_back(name);
@@ -165,17 +168,16 @@ namespace auxfem
 
   void OutputFolder::claim_series(const std::string &name)
   {
-    own.insert({name + ".pvd", name + "/"});
+    own_names.insert({name + ".pvd", name + "/"});
     write_list();
   }
 
   void OutputFolder::refuse(const std::string &what, const int reason) const
   {
-    throw InputError(
-      "The output folder `" + path + "` cannot be used.\n  " + what + ": " +
-      output_error_text(reason) +
-      "\nIt must be a folder that can be made and written to. Give another one "
-      "with --output DIR or the parameter Output/Directory.");
+    throw InputError("The output folder `" + path + "` cannot be used.\n  " +
+                     what + ": " + output_error_text(reason) +
+                     "\nThe folder must be writable. Give another one "
+                     "with --output DIR or the parameter Output/Directory.");
   }
 
   void OutputFolder::make_folder() const
@@ -195,7 +197,7 @@ namespace auxfem
                          0666);
     if (list.number < 0)
       refuse(list_name + " cannot be written", errno);
-    // Where the file system knows no locks, two runs cannot know of each other.
+    // A file system without locks cannot protect runs from each other.
     if (flock(list.number, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK)
       return;
     throw InputError(
@@ -212,15 +214,15 @@ namespace auxfem
     if (!std::getline(stream, line))
       return;
     if (line + '\n' != list_head)
-      refuse(list_name + " is none of auxfem's lists", EEXIST);
+      refuse(list_name + " was not written by auxfem", EEXIST);
     while (std::getline(stream, line))
-      own.insert(line);
+      own_names.insert(line);
   }
 
   void OutputFolder::write_list()
   {
     std::string text = list_head;
-    for (const std::string &name : own)
+    for (const std::string &name : own_names)
       text += name + '\n';
     if (ftruncate(list.number, 0) != 0 ||
         pwrite(list.number, text.data(), text.size(), 0) !=
@@ -229,7 +231,7 @@ namespace auxfem
   }
 
   std::vector<std::string>
-  OutputFolder::former(const FolderContents &contents) const
+  OutputFolder::existing_results(const FolderContents &contents) const
   {
     std::vector<std::string> names;
     for (const std::string &name : contents.files)
@@ -249,9 +251,9 @@ namespace auxfem
 
   bool OutputFolder::is_own(const std::string &name) const
   {
-    // Files of a series are too many to be listed one by one.
-    return own.count(name) > 0 ||
-      own.count(name.substr(0, name.find('/') + 1)) > 0;
+    // The list names the folder of a series instead of its many files.
+    return own_names.count(name) > 0 ||
+      own_names.count(name.substr(0, name.find('/') + 1)) > 0;
   }
 
   bool OutputFolder::is_one_of(const std::string              &name,
@@ -274,7 +276,7 @@ namespace auxfem
             "The run reads " + input + ", and would replace it by its " + name +
             " in the output folder `" + path +
             "`.\nGive another folder with --output DIR or the parameter "
-            "Output/Directory, or move the file and what refers to it.");
+            "Output/Directory, or move the file and update the references to it.");
   }
 
   void OutputFolder::refuse_files_of_others(
@@ -305,12 +307,12 @@ namespace auxfem
       {
         if (!fs::is_directory(fs::symlink_status(file(name), ignored)))
           fs::remove(file(name), ignored);
-        own.erase(name);
+        own_names.erase(name);
       }
     for (const std::string &series : contents.series)
       {
-        // With something else in it, the folder cannot be removed, and stays.
-        if (own.erase(series + "/") > 0 &&
+        // The folder remains if it has other files.
+        if (own_names.erase(series + "/") > 0 &&
             fs::is_directory(file(series), ignored))
           fs::remove(file(series), ignored);
       }
@@ -320,10 +322,10 @@ namespace auxfem
   {
     std::error_code ignored;
     for (const std::string &name : rules.results_of_other_kinds)
-      if (own.count(name) > 0 && !is_one_of(name, rules.input_files))
+      if (own_names.count(name) > 0 && !is_one_of(name, rules.input_files))
         {
           fs::remove(file(name), ignored);
-          own.erase(name);
+          own_names.erase(name);
         }
   }
 
@@ -331,7 +333,10 @@ namespace auxfem
   {
     namespace fs = std::filesystem;
 
-    /** A scene may come from memory, or be the original.prm of a former run. */
+    /**
+     * Whether the scene file is copied: not if the scene comes from memory or
+     * is the original.prm of an earlier run.
+     */
     bool is_copied(const Scene &scene)
     {
       std::error_code ignored;

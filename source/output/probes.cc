@@ -18,22 +18,25 @@ namespace auxfem
 {
   namespace
   {
-    /** Further away (rad) a rotation vector would be a leap in the output. */
-    constexpr double nearest_leap = 1;
+    /**
+     * Largest accepted change (rad) of a rotation vector; beyond, the output
+     * would jump.
+     */
+    constexpr double max_change = 1;
 
     /**
-     * The rotation vector nearest to @p expected. Where a body has turned
-     * often about an axis that is now tilted, all of them are far away: what is
-     * expected stands, which counts the turns.
+     * Rotation vector of @p rotation nearest to @p expected. After several
+     * turns about an axis that has tilted since, all equivalent vectors are far
+     * away. Then @p expected is kept, which counts the turns.
      */
-    SpaceVector followed(const Quaternion  &rotation,
-                         const SpaceVector &expected)
+    SpaceVector continued_rotation_vector(const Quaternion  &rotation,
+                                          const SpaceVector &expected)
     {
       const SpaceVector nearest = rotation_vector_near(rotation, expected);
-      return (nearest - expected).norm() < nearest_leap ? nearest : expected;
+      return (nearest - expected).norm() < max_change ? nearest : expected;
     }
 
-    /** Where the one with @p index is, or would be inserted. */
+    /** Position of the rotation with @p index, or of its insertion. */
     template <class Rotations>
     auto find_rotation(Rotations &rotations, const unsigned int index)
     {
@@ -59,20 +62,19 @@ namespace auxfem
 
   void RotationVectors::follow(const State &state)
   {
-    const NodeRotations of_nodes(model.numbering);
+    const NodeRotations node_rotations(model.numbering);
     for (Rotation &rotation : rotations)
       {
         const SpaceVector entries =
-          of_nodes.values(state.displacement, rotation.index);
+          node_rotations.values(state.displacement, rotation.index);
         if (state.rotations.empty())
           rotation.vector = entries;
         else
           {
             const Quaternion &now = state.rotations[rotation.index];
-            rotation.vector =
-              followed(now,
-                       rotation.vector +
-                         rotated(now, entries - rotation.entries));
+            rotation.vector       = continued_rotation_vector(
+              now,
+              rotation.vector + rotated(now, entries - rotation.entries));
           }
         rotation.entries = entries;
       }
@@ -80,11 +82,11 @@ namespace auxfem
 
   std::vector<unsigned int> RotationVectors::numbers() const
   {
-    const std::vector<unsigned int> of_all =
+    const std::vector<unsigned int> serial_numbers =
       rotation_numbers(model.lattice, model.numbering);
     std::vector<unsigned int> chosen;
     for (const Rotation &rotation : rotations)
-      chosen.push_back(of_all[rotation.index]);
+      chosen.push_back(serial_numbers[rotation.index]);
     return chosen;
   }
 
@@ -133,10 +135,10 @@ namespace auxfem
     struct Selection
     {
       std::vector<unsigned int> parts;
-      std::vector<unsigned int> joints; ///< empty: no forces wanted
+      std::vector<unsigned int> joints; ///< empty: no forces requested
     };
 
-    /** Parts of the definition of this name; none if there is no such. */
+    /** Parts of the definition @p name; empty if it does not exist. */
     std::vector<unsigned int> parts_named(const std::string &name,
                                           const Scene       &scene,
                                           const Lattice     &lattice)
@@ -230,7 +232,7 @@ namespace auxfem
       std::copy_n(components.begin() + 3 * i, 3, rotations[i].begin_raw());
   }
 
-  bool RigidPartProbe::is_one(const ProbeDefinition &definition)
+  bool RigidPartProbe::is_rigid_part_probe(const ProbeDefinition &definition)
   {
     return definition.selection.compare(0, prefix.size(), prefix) == 0;
   }
@@ -305,7 +307,7 @@ namespace auxfem
                                0.);
     for (const Part &part : parts)
       {
-        // In the plane the last alone.
+        // In the plane only the last component exists.
         for (unsigned int c = 0; c < n_rotations; ++c)
           result[c] +=
             rotations.values()[part.report][3 - n_rotations + c] / n_parts;

@@ -66,7 +66,7 @@ namespace auxfem
     if (!interval)
       return {};
     double number = std::floor(time / *interval) + 1;
-    // Of a time just below a multiple the quotient may be rounded up to it.
+    // The quotient of a time just below a multiple may be rounded up.
     if ((number - 1) * *interval > time)
       --number;
     return number * *interval;

@@ -34,12 +34,12 @@ namespace auxfem
                       rank_section       = "rank ";
 
     /**
-     * Time between two checkpoints over the time that one takes.
-     * @tuned judgement: a third of a per cent of a run
+     * Time between two checkpoints over the time for writing one.
+     * @tuned judgement: 0.3 % of the run time
      */
     constexpr unsigned int time_over_cost = 300;
 
-    /** Counts what is written to it. */
+    /** Stream buffer that counts bytes. */
     struct ByteCounter : public std::streambuf
     {
       std::size_t n = 0;
@@ -58,7 +58,7 @@ namespace auxfem
       }
     };
 
-    /** What @p write writes to an archive, about @p n_bytes. */
+    /** Bytes that @p write writes to an archive, about @p n_bytes. */
     template <class Write>
     std::string bytes_by(const Write &write, const std::size_t n_bytes = 0)
     {
@@ -71,7 +71,7 @@ namespace auxfem
       return bytes;
     }
 
-    /** Neither they nor their bytes are held twice. */
+    /** Bytes of @p records; neither the records nor the bytes are copied. */
     std::string bytes_of(CheckpointData records)
     {
       ByteCounter                     counter;
@@ -96,7 +96,7 @@ namespace auxfem
       return std::filesystem::absolute(file, ignored).lexically_normal();
     }
 
-    /** Zero for one that cannot be read. */
+    /** Checksum of a file; zero if it cannot be read. */
     unsigned int checksum(const std::string &file)
     {
       std::ifstream           stream(file, std::ios::binary);
@@ -116,14 +116,16 @@ namespace auxfem
         if (candidate.name == name)
           return candidate.bytes;
       throw InputError("The checkpoint has no section `" + name +
-                       "`: it was left by another version of auxfem.");
+                       "`: another version of auxfem has written it.");
     }
 
-    /** That of this rank, or all of them for another number of ranks. */
+    /**
+     * Records of this rank, or of all ranks if the number of ranks has changed.
+     */
     CheckpointData records_in(const CheckpointContent &content,
                               const MPI_Comm           communicator)
     {
-      const auto of_rank = [&](const unsigned int rank) {
+      const auto records_of_rank = [&](const unsigned int rank) {
         CheckpointData records;
         read_bytes(section(content, rank_section + std::to_string(rank)),
                    [&](auto &archive) {
@@ -132,10 +134,10 @@ namespace auxfem
         return records;
       };
       if (content.n_ranks == mpi::n_mpi_processes(communicator))
-        return of_rank(mpi::this_mpi_process(communicator));
-      CheckpointData all = of_rank(0);
+        return records_of_rank(mpi::this_mpi_process(communicator));
+      CheckpointData all = records_of_rank(0);
       for (unsigned int rank = 1; rank < content.n_ranks; ++rank)
-        all.add(of_rank(rank));
+        all.add(records_of_rank(rank));
       return all;
     }
   } // namespace
@@ -151,12 +153,14 @@ namespace auxfem
   RestartedRun find_run_to_resume(const std::string &folder,
                                   const MPI_Comm     communicator)
   {
-    const CheckpointFiles::Found found   = CheckpointFiles(folder).newest();
-    const CheckpointContent     &content = found.content;
+    const CheckpointFiles::LoadedCheckpoint found =
+      CheckpointFiles(folder).newest();
+    const CheckpointContent &content = found.content;
     if (content.program_version != version)
-      throw InputError("The checkpoint in " + folder + " was taken by auxfem " +
-                       content.program_version + ", this is " + version +
-                       ". Go on with that version, or start from t = 0.");
+      throw InputError("The checkpoint in " + folder +
+                       " was written by auxfem " + content.program_version +
+                       ", this is " + version +
+                       ". Continue with that version, or start from t = 0.");
     RestartedRun run;
     run.folder     = folder;
     run.scene_file = section(content, scene_section);
@@ -173,12 +177,13 @@ namespace auxfem
     : scene(scene)
     , communicator(communicator)
     , files(scene.output.directory)
-    , last(Clock::now())
+    , last_write(Clock::now())
   {}
 
   bool RunCheckpoints::is_due()
   {
-    const bool due = Clock::now() - last >= time_over_cost * took;
+    const bool due =
+      Clock::now() - last_write >= time_over_cost * write_duration;
     return mpi::n_mpi_processes(communicator) == 1
       ? due
       : mpi::broadcast(communicator, due);
@@ -187,14 +192,14 @@ namespace auxfem
   void RunCheckpoints::write(CheckpointData                  records,
                              const std::vector<std::string> &files_before)
   {
-    const auto                     begin = Clock::now();
-    std::string                    mine  = bytes_of(std::move(records));
+    const auto                     begin       = Clock::now();
+    std::string                    local_bytes = bytes_of(std::move(records));
     const std::vector<std::size_t> sizes =
-      mpi::gather(communicator, mine.size());
+      mpi::gather(communicator, local_bytes.size());
     if (mpi::this_mpi_process(communicator) > 0)
-      send_to_first(mine.data(), mine.size(), communicator);
+      send_to_first(local_bytes.data(), local_bytes.size(), communicator);
     on_first_rank(communicator, [&]() {
-      CheckpointContent content = content_of(std::move(mine));
+      CheckpointContent content = content_of(std::move(local_bytes));
       for (unsigned int rank = 1; rank < sizes.size(); ++rank)
         {
           std::string bytes(sizes[rank], ' ');
@@ -204,8 +209,8 @@ namespace auxfem
         }
       files.write(content, files_before);
     });
-    last = Clock::now();
-    took = last - begin;
+    last_write     = Clock::now();
+    write_duration = last_write - begin;
   }
 
   CheckpointContent RunCheckpoints::content_of(std::string bytes) const
@@ -222,7 +227,7 @@ namespace auxfem
                                {input_file_section, bytes_by([&](auto &archive) {
                            archive << input_files;
                          })}};
-    // Into a list it would be copied.
+    // An initializer list would copy the bytes.
     content.sections.push_back({rank_section + "0", std::move(bytes)});
     return content;
   }

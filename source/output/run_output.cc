@@ -41,7 +41,7 @@ namespace auxfem
       return progress;
     }
 
-    /** See make_run_output(). */
+    /** Recorder of make_run_output(). */
     class RunOutput : public Recorder
     {
     public:
@@ -49,13 +49,13 @@ namespace auxfem
                 const MPI_Comm       communicator,
                 const FolderOptions &options)
         : folder(scene.output.directory)
-        , former(options.checkpoint)
+        , restored_checkpoint(options.checkpoint)
         , scene(scene)
         , communicator(communicator)
         , start_times(options.start)
         , rules(options.rules)
-        , made(Clock::now())
-        , first_step(made)
+        , construction_time(Clock::now())
+        , first_step(construction_time)
         , row_times(scene.output.row_interval,
                     nearness_of_step_ends(scene.time))
         , graphics_times(scene.output.graphics &&
@@ -77,7 +77,7 @@ namespace auxfem
           {
             search_console.emplace(std::cout,
                                    terminal_width(n_processes),
-                                   nowhere);
+                                   null_stream);
             search_console->print("Search for the elements of the struts:");
             first_search_step = Clock::now();
           }
@@ -90,19 +90,19 @@ namespace auxfem
       {
         const Stopwatch watch(seconds);
         search_console.reset();
-        // A mistyped probe must not cost the results of an earlier run.
+        // A mistyped probe must not destroy the results of an earlier run.
         refuse_columns_of_nothing(scene, equations.model().lattice);
 
         on_first_rank(communicator, [&]() {
-          if (console) // A run that is done again goes on in the same log.
+          if (console) // A repeated run continues the same log.
             return console->end_progress();
           files.emplace(scene,
                         rules,
                         scene.analysis == Analysis::static_path
                           ? path_contents()
                           : FolderContents(),
-                        former ? FormerResults::continued
-                               : FormerResults::removed);
+                        restored_checkpoint ? FormerResults::continued
+                                            : FormerResults::removed);
           console.emplace(std::cout,
                           terminal_width(
                             dealii::Utilities::MPI::n_mpi_processes(
@@ -136,8 +136,7 @@ namespace auxfem
         write_graphics(solution);
       }
 
-      /** Rows and files later than a checkpoint that is restored are removed.
-       */
+      /** Removes rows and files later than a restored checkpoint. */
       void serialize(const Solution    &solution,
                      CheckpointArchive &archive) override
       {
@@ -154,14 +153,14 @@ namespace auxfem
           singular_points->serialize(archive);
         if (graphics)
           graphics->serialize(archive);
-        // If a run that is resumed is done again, it is from the start.
+        // A repetition of a resumed run begins at the start.
         if (!archive.is_saving())
-          former.reset();
+          restored_checkpoint.reset();
       }
 
       const CheckpointData *restart_checkpoint() const override
       {
-        return former ? &*former : nullptr;
+        return restored_checkpoint ? &*restored_checkpoint : nullptr;
       }
 
       void take(CheckpointData checkpoint) override
@@ -244,7 +243,7 @@ namespace auxfem
         summary.totals.wall.output      = seconds;
         summary.totals.wall.checkpoints = checkpoint_seconds;
         summary.resources               = gather_resources(start_times,
-                                             since(made),
+                                             since(construction_time),
                                              summary.totals.wall,
                                              communicator);
         summary.energies                = history->energies();
@@ -270,7 +269,7 @@ namespace auxfem
             {
               console->print_to_log("Reason: " + result.exit_state);
               if (is_resumable)
-                console->print("Go on with: auxfem --resume " + folder);
+                console->print("To continue: auxfem --resume " + folder);
             }
         });
       }
@@ -278,7 +277,7 @@ namespace auxfem
     private:
       using Clock = std::chrono::steady_clock;
 
-      /** Continues the folder of a run that has come to @p state. */
+      /** Continues the folder of a run at @p state. */
       void resume(const State &state)
       {
         first_step = Clock::now();
@@ -296,17 +295,17 @@ namespace auxfem
 
       void write_checkpoint()
       {
-        std::vector<std::string> written = {folder + "/history.csv"};
+        std::vector<std::string> files_before = {folder + "/history.csv"};
         if (graphics)
           for (const std::string &name : graphics->series())
-            // That of contacts may not have begun.
+            // The series of contacts may not exist yet.
             if (const std::string record = folder + "/" + name + ".pvd";
                 std::filesystem::exists(record))
-              written.push_back(record);
+              files_before.push_back(record);
         if (singular_points)
           for (const std::string &name : singular_points->files())
-            written.push_back(folder + "/" + name);
-        checkpoints->write(std::move(*last_checkpoint), written);
+            files_before.push_back(folder + "/" + name);
+        checkpoints->write(std::move(*last_checkpoint), files_before);
         last_checkpoint.reset();
         has_checkpoint = true;
       }
@@ -319,21 +318,23 @@ namespace auxfem
       void write_row(const Solution &solution)
       {
         const std::vector<double> &row = history->values(solution);
-        // What cannot be written is not tried again at the end of the run.
+        // A row that cannot be written is not retried at the end of the run.
         last_row = solution.state.time;
         on_first_rank(communicator, [&]() { table->append(row); });
       }
 
-      /** A frame whose forces do not fit its motion moves to the nearest end of
-       * the step. */
+      /**
+       * Writes a frame. If its forces are not those of its motion, the nearest
+       * end of the step replaces it.
+       */
       void write_frame(const Solution &solution)
       {
-        const auto     &within = solution.forces_within;
-        const Solution &fits   = !within ? solution
-            : within->part < 0.5         ? *within->from
-                                         : *within->to;
-        if (last_graphics != fits.state.time)
-          write_graphics(fits);
+        const auto     &within     = solution.forces_within;
+        const Solution &consistent = !within ? solution
+          : within->part < 0.5               ? *within->from
+                                             : *within->to;
+        if (last_graphics != consistent.state.time)
+          write_graphics(consistent);
       }
 
       void write_graphics(const Solution &solution)
@@ -363,10 +364,10 @@ namespace auxfem
       {
         on_first_rank(communicator, [&]() {
           const std::string name = folder + "/history.csv";
-          if (former)
+          if (restored_checkpoint)
             table.emplace(name,
                           history->columns(),
-                          former->values(length_record, 1)[0]);
+                          restored_checkpoint->values(length_record, 1)[0]);
           else
             table.emplace(name, history->columns());
           write_column_reference(folder + "/history.units.csv",
@@ -378,7 +379,8 @@ namespace auxfem
           singular_points.emplace(scene,
                                   *equations,
                                   communicator,
-                                  former ? &*former : nullptr);
+                                  restored_checkpoint ? &*restored_checkpoint
+                                                      : nullptr);
         if (scene.output.graphics)
           open_graphics();
       }
@@ -397,30 +399,30 @@ namespace auxfem
 
 
       const std::string folder;
-      /** In which it has worked, and in which it has written checkpoints. */
+      /** Time spent on output, and on checkpoints (s). */
       double seconds = 0, checkpoint_seconds = 0;
-      /** From which the run begins, until it has. */
-      std::optional<CheckpointData> former;
+      /** Checkpoint from which the run continues, until it is restored. */
+      std::optional<CheckpointData> restored_checkpoint;
 
       const Scene     &scene;
       const MPI_Comm   communicator;
       const StartTimes start_times;
       const FileRules  rules;
 
-      /** On rank 0, of a search run; it has no log. */
+      /** Console of a search run on rank 0, without log. */
       ///@{
-      std::ostream           nowhere{nullptr};
+      std::ostream           null_stream{nullptr};
       std::optional<Console> search_console;
       Clock::time_point      first_search_step;
       ///@}
 
-      const Clock::time_point made;
+      const Clock::time_point construction_time;
       Clock::time_point       first_step;
       double                  begin_time = 0; ///< of the first step (s)
 
       const Equations         *equations = nullptr; ///< from begin() on
       std::vector<std::string> notes;               ///< on rank 0
-      /** What was begun is closed, also if a signal asks for the end. */
+      /** Delays signals so that open files are completed. */
       std::optional<SignalsWaitForStep> signals;
       std::optional<RunFolder>          files;   ///< on rank 0
       std::optional<Console>            console; ///< on rank 0
@@ -428,16 +430,18 @@ namespace auxfem
       std::optional<CsvTable>           table; ///< on rank 0
       std::optional<VtuWriter>          graphics;
       std::optional<RunCheckpoints>     checkpoints;
-      /** Only on a path of equilibria. */
+      /** Files of singular points; only on a path of equilibria. */
       std::optional<SingularPointFiles> singular_points;
-      /** Taken last, if it is not written. */
+      /** Latest checkpoint, if it is not written yet. */
       std::optional<CheckpointData> last_checkpoint;
-      /** Whether the folder has one, and whether a run that has ended early can
-       * go on from it. */
+      /**
+       * Whether the folder has a checkpoint, and whether a run that ended early
+       * can continue from it.
+       */
       bool              has_checkpoint = false, is_resumable = false;
       const OutputTimes row_times, graphics_times;
 
-      /** Times last written (s); none before start(). */
+      /** Times of the last row and graphics (s); empty before start(). */
       std::optional<double> last_row, last_graphics;
     };
   } // namespace

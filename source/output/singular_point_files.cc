@@ -43,25 +43,23 @@ namespace auxfem
                                      "table";
 
     const std::vector<Column> singular_columns = {
-      {"number", "", "in the order of the path"},
+      {"number", "", "number along the path"},
       {"kind", "", "limit point or bifurcation"},
-      {"load_factor", "1", "there"},
-      {"arc_length", "m", "there, as in history.csv"},
-      {"multiplicity", "", "eigenvalues that change their sign"},
+      {"load_factor", "1", "load factor at the point"},
+      {"arc_length", "m", "arc length at the point, as in history.csv"},
+      {"multiplicity", "", "number of eigenvalues that change their sign"},
       {"negative_before",
        "",
-       "negative eigenvalues of the stiffness before the point; nan: not known"},
-      {"negative_after", "", "those after it"},
+       "negative eigenvalues of the stiffness before the point; nan: unknown"},
+      {"negative_after", "", "negative eigenvalues after the point"},
       {"determinant_before",
        "",
-       "sign of the determinant of the stiffness before the point, 1 where that "
-       "is stable; nan: not known"},
-      {"determinant_after", "", "that after it"},
+       "sign of the determinant of the stiffness before the point, 1 if stable; nan: unknown"},
+      {"determinant_after", "", "sign of the determinant after the point"},
       {"part_of_loads",
        "",
        "cosine of the angle between the loads and the null vector of the "
-       "transposed stiffness: 0 at bifurcations, but for round-off; nan: not "
-       "known"}};
+       "transposed stiffness: 0 at bifurcations up to round-off; nan: unknown"}};
 
     std::string number_text(const double value)
     {
@@ -120,16 +118,16 @@ namespace auxfem
     , communicator(communicator)
   {
     const std::string  &folder = scene.output.directory;
-    std::vector<double> former;
+    std::vector<double> restored_values;
     if (restart_checkpoint != nullptr)
       {
-        former    = restart_checkpoint->values(files_record, 2);
-        n_written = former[0];
+        restored_values = restart_checkpoint->values(files_record, 2);
+        n_written       = restored_values[0];
       }
     on_first_rank(communicator, [&]() {
       const std::string name = folder + "/" + table_name;
       if (restart_checkpoint != nullptr)
-        table.emplace(name, singular_columns, former[1]);
+        table.emplace(name, singular_columns, restored_values[1]);
       else
         table.emplace(name, singular_columns);
       write_column_reference(folder + "/singular_points.units.csv",

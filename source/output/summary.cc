@@ -20,7 +20,7 @@ namespace auxfem
 {
   namespace
   {
-    std::string now()
+    std::string current_date()
     {
       const std::time_t time = std::time(nullptr);
       std::tm           local{};
@@ -30,7 +30,7 @@ namespace auxfem
       return text;
     }
 
-    /** Elastic struts by a number of their elements. */
+    /** Number of elastic struts by a member of their division. */
     std::map<unsigned int, unsigned int>
     struts_by(unsigned int StrutDivision::*number, const Counts &counts)
     {
@@ -121,7 +121,7 @@ namespace auxfem
           }
     }
 
-    /** What elements the struts have; their number where it is not equal. */
+    /** Text on the elements of the struts, with their number if it varies. */
     std::string divisions_text(const Counts &counts)
     {
       if (counts.struts_of_division.empty())
@@ -148,14 +148,14 @@ namespace auxfem
   Counts count(const Equations &equations)
   {
     const DofNumbering         &numbering = equations.model().numbering;
-    std::array<unsigned int, 2> mine{{0, 0}};
+    std::array<unsigned int, 2> local_counts{{0, 0}};
     for (const DofNumbering::Element &element : numbering.elements())
-      mine[0] += element.is_owned;
+      local_counts[0] += element.is_owned;
     for (const ConnectorGroup &group : equations.reporting().connectors)
-      mine[1] += group.forces->n_reported();
+      local_counts[1] += group.forces->n_reported();
     MPI_Allreduce(MPI_IN_PLACE,
-                  mine.data(),
-                  mine.size(),
+                  local_counts.data(),
+                  local_counts.size(),
                   MPI_UNSIGNED,
                   MPI_SUM,
                   numbering.layout().communicator());
@@ -163,8 +163,8 @@ namespace auxfem
     Counts counts;
     counts.joints     = equations.model().lattice.n_structural_joints();
     counts.struts     = equations.model().lattice.struts.size();
-    counts.elements   = mine[0];
-    counts.connectors = mine[1];
+    counts.elements   = local_counts[0];
+    counts.connectors = local_counts[1];
     for (unsigned int s = 0; s < numbering.divisions().size(); ++s)
       if (!equations.model().lattice.struts[s].is_rigid())
         ++counts.struts_of_division[numbering.divisions()[s]];
@@ -250,7 +250,7 @@ namespace auxfem
             {"version", version},
             {"git_revision", git_revision},
             {"build_type", build_type},
-            {"date", now()},
+            {"date", current_date()},
             {"file", scene.file},
             {"title", scene.title},
             {"exit_state", exit_state},
@@ -419,7 +419,7 @@ namespace auxfem
 
   namespace
   {
-    std::string where(const Summary &summary)
+    std::string position_text(const Summary &summary)
     {
       std::ostringstream text;
       if (summary.path)
@@ -437,7 +437,7 @@ namespace auxfem
     std::ostringstream stream;
     stream << (summary.exit_state == "completed" ? "Completed"
                                                  : "Stopped early")
-           << where(summary) << totals.steps
+           << position_text(summary) << totals.steps
            << (summary.path ? " points, " : " steps, ") << totals.iterations
            << " iterations, " << totals.factorizations << " factorizations, "
            << totals.retries << " rejected steps\n"

@@ -24,18 +24,18 @@ namespace auxfem
 {
   Finding nothing_computed(const double time)
   {
-    return {Verdict::not_to_be_used,
-            "The run ended before its first step was done: nothing is computed "
-            "but what it starts from.",
-            time,
-            ""};
+    return {
+      Verdict::not_to_be_used,
+      "The run ended before the end of its first step: it has only its initial state.",
+      time,
+      ""};
   }
 
   Finding incomplete(const double time)
   {
     return {Verdict::doubtful,
-            "The run is incomplete: it ended before its end. All results, "
-            "largest values too, are those of the part that was done.",
+            "The run is incomplete: it ended early. All results, "
+            "including largest values, cover only the computed part.",
             time,
             ""};
   }
@@ -93,51 +93,53 @@ namespace auxfem
 
   bool EnergyJudgement::is_off(const Energies &energies) const
   {
-    const double moved =
+    const double energy_input =
       initial + std::max(work, std::abs(energies.external()));
-    return !(std::abs(energies.balance(zero)) <= doubtful_error * moved);
+    return !(std::abs(energies.balance(zero)) <= doubtful_error * energy_input);
   }
 
   void EnergyJudgement::add(const Energies &energies,
                             const double    time,
                             const double    round_off)
   {
-    // What is moved is what came in; energies grow with the error itself.
+    // The energy input is the reference, because energies grow with the error.
     work = std::max(work, std::abs(energies.external()));
     if (const double size = std::abs(energies.balance(zero));
         !(size <= round_off))
       error.add(size, time);
-    given.add(-energies.numerical(), time);
-    taken.add(energies.numerical(), time);
+    energy_gain.add(-energies.numerical(), time);
+    energy_loss.add(energies.numerical(), time);
   }
 
   std::vector<Finding> EnergyJudgement::findings() const
   {
     std::vector<Finding> found;
-    const double         moved = initial + work;
-    if (!(error.value <= doubtful_error * moved))
-      found.push_back(error_finding(moved));
-    // Without inertia it is what the rates at the ends of steps leave open.
+    const double         energy_input = initial + work;
+    if (!(error.value <= doubtful_error * energy_input))
+      found.push_back(error_finding(energy_input));
+    // Without inertia numerical energy only reflects the rates at step ends.
     if (kind == Kind::static_steps || kind == Kind::static_path)
       return found;
-    if (given.value > doubtful_error * moved)
-      found.push_back({Verdict::doubtful,
-                       "The time integration has given the structure " +
-                         percentage_text(given.value / moved) +
-                         " of the energy that came in, by " +
-                         moment_text(kind == Kind::static_path, given.time) +
-                         "; shorten the step, or use a scheme that damps.",
-                       given.time,
-                       ""});
-    if (taken.value > unusable_error * moved)
-      found.push_back({Verdict::doubtful,
-                       "The time integration has taken " +
-                         percentage_text(taken.value / moved) +
-                         " of the energy that came in, by " +
-                         moment_text(kind == Kind::static_path, taken.time) +
-                         "; shorten the step.",
-                       taken.time,
-                       ""});
+    if (energy_gain.value > doubtful_error * energy_input)
+      found.push_back(
+        {Verdict::doubtful,
+         "The time integration has added " +
+           percentage_text(energy_gain.value / energy_input) +
+           " of the energy that came in, by " +
+           moment_text(kind == Kind::static_path, energy_gain.time) +
+           "; shorten the step, or use a scheme that damps.",
+         energy_gain.time,
+         ""});
+    if (energy_loss.value > unusable_error * energy_input)
+      found.push_back(
+        {Verdict::doubtful,
+         "The time integration has taken " +
+           percentage_text(energy_loss.value / energy_input) +
+           " of the energy that came in, by " +
+           moment_text(kind == Kind::static_path, energy_loss.time) +
+           "; shorten the step.",
+         energy_loss.time,
+         ""});
     return found;
   }
 
@@ -160,18 +162,18 @@ namespace auxfem
     return "";
   }
 
-  Finding EnergyJudgement::error_finding(const double moved) const
+  Finding EnergyJudgement::error_finding(const double energy_input) const
   {
-    const bool  is_ruinous = !(error.value <= unusable_error * moved);
-    std::string text       = "Energy error ";
-    text += moved > 0
-      ? percentage_text(error.value / moved) + " of the energy that came in"
-      : "where no energy came in";
+    const bool  is_unusable = !(error.value <= unusable_error * energy_input);
+    std::string text        = "Energy error ";
+    text += energy_input > 0 ? percentage_text(error.value / energy_input) +
+        " of the energy that came in"
+                             : "where no energy came in";
     text += ", at " + moment_text(kind == Kind::static_path, error.time) +
       ": these results are ";
-    text += is_ruinous ? "not reliable" : "doubtful";
+    text += is_unusable ? "not reliable" : "doubtful";
     text += advice();
-    return {is_ruinous ? Verdict::not_to_be_used : Verdict::doubtful,
+    return {is_unusable ? Verdict::not_to_be_used : Verdict::doubtful,
             text,
             error.time,
             ""};
@@ -179,19 +181,27 @@ namespace auxfem
 
   void EnergyJudgement::serialize(CheckpointArchive &archive)
   {
-    archive.values("watch: energies", zero, initial, work, error, given, taken);
+    archive.values("watch: energies",
+                   zero,
+                   initial,
+                   work,
+                   error,
+                   energy_gain,
+                   energy_loss);
   }
 
   namespace
   {
     /**
-     * Thickness of a strut over its length that asks for a note.
+     * Thickness of a strut over its length above which a note is given.
      * @tuned judgement
      */
-    constexpr double thickest = 0.25;
+    constexpr double max_slender_ratio = 0.25;
 
-    /** Height of the rectangle with the same area and second moment (m): that
-     * in the plane, in space the larger one. */
+    /**
+     * Height (m) of the rectangle with equal area and second moment; in space
+     * the larger one.
+     */
     double thickness(const Section &section, const unsigned int dimension)
     {
       const double second_moment = dimension == 2
@@ -216,10 +226,10 @@ namespace auxfem
           const Strut &strut = lattice.struts[i];
           if (strut.is_rigid())
             continue;
-          ShortestStrut &of_section = shortest[strut.section];
+          ShortestStrut &shortest_strut = shortest[strut.section];
           if (const double length = lattice.length(strut);
-              length < of_section.length)
-            of_section = {i, length};
+              length < shortest_strut.length)
+            shortest_strut = {i, length};
         }
       return shortest;
     }
@@ -235,13 +245,13 @@ namespace auxfem
           std::max(largest,
                    lattice.joints[i].distance(lattice.as_designed->joints[i]));
       std::ostringstream text;
-      text << "By Imperfections joints of the stress-free lattice are off the "
-              "designed one by up to "
-           << largest << " m.";
+      text << "Imperfections move joints of the stress-free lattice by up to "
+           << largest << " m from the designed one.";
       notes.push_back(text.str());
     }
 
-    /** Loads on unknowns that supports prescribe, which only add to reactions.
+    /**
+     * Adds notes on loads on prescribed unknowns, which only change reactions.
      */
     void add_loads_on_supports(const RunPlan            &plan,
                                const Lattice            &lattice,
@@ -252,8 +262,8 @@ namespace auxfem
         prescribed.insert({motion.joint, motion.component});
       for (const JointLoadDefinition &load : plan.joint_loads())
         {
-          const auto joints  = joints_of(load, lattice, plan.scene.context);
-          const auto is_held = [&](const unsigned int c) {
+          const auto joints = joints_of(load, lattice, plan.scene.context);
+          const auto is_prescribed = [&](const unsigned int c) {
             return std::all_of(joints.begin(),
                                joints.end(),
                                [&](const unsigned int joint) {
@@ -262,17 +272,17 @@ namespace auxfem
           };
           for (unsigned int c = 0; c < load.components.size(); ++c)
             if (!load.components[c].is_zero() && !load.follows_joint &&
-                is_held(c))
+                is_prescribed(c))
               notes.push_back(
                 load.components[c].origin() +
                 " does nothing: supports prescribe the " +
                 motion_name(c, lattice.dimension) +
-                " of all its joints, so it only adds to their reactions. Load "
+                " of all its joints, so it only changes their reactions. Load "
                 "joints that are free to move, or remove the load.");
         }
     }
 
-    /** Results beside the scenes that a user has written. */
+    /** Adds a note if results are written among the user's scenes. */
     void add_inputs_beside_results(const std::string        &folder,
                                    std::vector<std::string> &notes)
     {
@@ -288,7 +298,7 @@ namespace auxfem
       if (!inputs.empty())
         notes.push_back("Results are written among input files: the folder " +
                         folder + " has " + inputs +
-                        ". Give the results a folder of their own by "
+                        ". Give the results their own folder with "
                         "Output/Directory or --output.");
     }
 
@@ -304,25 +314,25 @@ namespace auxfem
           const auto [strut, length] = shortest[s];
           const double found =
             thickness(scene.sections[s].section, lattice.dimension);
-          if (found <= thickest * length)
+          if (found <= max_slender_ratio * length)
             continue;
           std::ostringstream note;
           note << scene.sections[s].path << ": the struts are about " << found
                << " m thick, but strut " << strut << " is only " << length
-               << " m long; beams are meant to be slender. ";
-          if (found / 1000 <= thickest * length)
-            note << "A number without a unit is in m: was " << found
-                 << " mm meant? Then write the unit, or else";
+               << " m long; beam theory requires slender struts. ";
+          if (found / 1000 <= max_slender_ratio * length)
+            note << "A number without a unit is in m; if you meant " << found
+                 << " mm, add the unit. Otherwise check";
           else
-            note << "If that is not what was meant,";
-          note << " look at the dimensions of the section and the size of the "
+            note << "If this is unintended, check";
+          note << " the dimensions of the section and the size of the "
                   "lattice.";
           notes.push_back(note.str());
         }
     }
 
-    void add_held_spins(const LatticeModel       &model,
-                        std::vector<std::string> &notes)
+    void add_fixed_spins(const LatticeModel       &model,
+                         std::vector<std::string> &notes)
     {
       const bool is_static = !model.plan.simulated.inertia ||
         model.plan.time.static_start ||
@@ -340,8 +350,7 @@ namespace auxfem
       text
         << " could turn about "
         << (model.free_spins.size() > 1 ? "their own axes" : "its own axis")
-        << " without resistance. Where there is no inertia, this rotation is "
-           "held; it bears nothing.";
+        << " without resistance. Without inertia this rotation is fixed; it transmits no moment.";
       notes.push_back(text.str());
     }
 
@@ -354,17 +363,17 @@ namespace auxfem
             continue;
           std::ostringstream text;
           text.precision(3);
-          text << definition.path
-               << ": the Yield strain is compared with the least strain that "
-                  "bending can give, at a distance of the radius of gyration, "
-               << section.radii_of_gyration()[1]
-               << " m, from the axis. The outermost fibre is further away and "
-                  "yields earlier. Give its distance as Extreme fibre.";
+          text
+            << definition.path
+            << ": the Yield strain is compared with the bending strain at the radius of gyration, "
+            << section.radii_of_gyration()[1]
+            << " m from the axis. The outermost fibre is further away and "
+               "yields earlier. Give its distance as Extreme fibre.";
           notes.push_back(text.str());
         }
     }
 
-    /** The first of some pairs of struts, and how many more there are. */
+    /** First pairs of struts and the number of further ones. */
     std::string
     pairs_text(const std::vector<std::array<unsigned int, 2>> &pairs)
     {
@@ -388,11 +397,9 @@ namespace auxfem
                         "each other freely, as if side by side. If they are "
                         "connected, give them a joint there.");
       if (!others.empty())
-        notes.push_back("Struts " + pairs_text(others) +
-                        " overlap at rest: they are nearer than they are "
-                        "thick. Where they are, they do not touch each other. "
-                        "If that is not what was meant, look at their section "
-                        "and their distance.");
+        notes.push_back(
+          "Struts " + pairs_text(others) +
+          " overlap at rest: their distance is below their thickness. They exert no contact forces where they overlap. If this is unintended, check their sections and their distance.");
     }
   } // namespace
 
@@ -414,7 +421,7 @@ namespace auxfem
     add_thick_sections(scene, model, notes);
     add_loads_on_supports(plan, model.lattice, notes);
     add_inputs_beside_results(scene.output.directory, notes);
-    add_held_spins(model, notes);
+    add_fixed_spins(model, notes);
     add_unknown_fibres(scene, notes);
     if (equations.reporting().strut_contact != nullptr)
       add_overlaps(*equations.reporting().strut_contact, notes);

@@ -223,7 +223,7 @@ namespace auxfem
         dealii::Tensor<1, 3>          tangent;
         for (unsigned int i = 1; i < n; ++i)
           lattice.axis(strut, double(i) / n, line[i], tangent);
-        // Exactly the joints' positions, by which their forces are found.
+        // Forces are found by the exact positions of the joints.
         line.front() = lattice.joints[strut.joints[0]];
         line.back()  = lattice.joints[strut.joints[1]];
         lines.push_back(line);

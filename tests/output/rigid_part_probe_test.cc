@@ -52,8 +52,8 @@ namespace
 
 TEST(RigidPartProbe, IsToldByItsFirstWord)
 {
-  EXPECT_TRUE(RigidPartProbe::is_one(probe("rigid: 0 @ 1")));
-  EXPECT_FALSE(RigidPartProbe::is_one(probe("0, 1")));
+  EXPECT_TRUE(RigidPartProbe::is_rigid_part_probe(probe("rigid: 0 @ 1")));
+  EXPECT_FALSE(RigidPartProbe::is_rigid_part_probe(probe("0, 1")));
 }
 
 TEST(RigidPartProbe, RotationIsCountedPastHalfTurns)

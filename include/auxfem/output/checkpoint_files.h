@@ -53,7 +53,7 @@ namespace auxfem
     void write(const CheckpointContent        &content,
                const std::vector<std::string> &files = {});
 
-    struct Found
+    struct LoadedCheckpoint
     {
       CheckpointContent content;
       /** Defect of the file that is not used; empty if there is none. */
@@ -64,18 +64,18 @@ namespace auxfem
      * Loads the newest undamaged checkpoint. Throws InputError if there is
      * none, or if one of the two has a later format version.
      */
-    Found newest() const;
+    LoadedCheckpoint newest() const;
 
   private:
     /** Target of the next write(). */
-    struct Next
+    struct WriteTarget
     {
       std::uint64_t number;
       std::string   file, other_file;
     };
 
-    const std::string   folder;
-    std::optional<Next> next; ///< from the first write() on
+    const std::string          folder;
+    std::optional<WriteTarget> target; ///< from the first write() on
   };
 
   /** A checkpoint with its number within the run. */

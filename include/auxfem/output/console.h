@@ -120,7 +120,7 @@ namespace auxfem
     std::optional<Progress> latest;
     bool                    latest_on_screen = true;
     bool                    latest_in_log    = true;
-    int                     twentieth        = -1;
+    int                     last_twentieth   = -1;
     double                  last_rewrite     = 0;
     double                  last_show        = 0;
     /** Length of the open progress line. */

@@ -33,7 +33,7 @@ namespace auxfem
     /** Axes with a strain: 0, 1, 2 for x, y, z. */
     const std::vector<unsigned int> &axes() const
     {
-      return with_strain;
+      return strain_axes;
     }
 
     /** Columns `strain.x` etc. of the axes. */
@@ -50,7 +50,7 @@ namespace auxfem
       double factor;
     };
 
-    std::vector<unsigned int>      with_strain;
+    std::vector<unsigned int>      strain_axes;
     std::vector<std::vector<Term>> terms; ///< by axis with a strain
   };
 
@@ -86,7 +86,7 @@ namespace auxfem
     /** Time of the largest strain (s). */
     double time() const
     {
-      return time_then;
+      return time_of_largest;
     }
 
     /** Strain along @p axis at that time; empty if the axis has none. */
@@ -104,7 +104,7 @@ namespace auxfem
 
   private:
     unsigned int                         loaded;
-    double                               time_then = 0;
+    double                               time_of_largest = 0;
     std::array<std::optional<double>, 3> strains;
   };
 

@@ -147,7 +147,7 @@ namespace auxfem
     MPI_Comm            communicator;
     std::vector<Column> column_list;
     /** Number of columns for time or position on a path. */
-    unsigned int                n_of_position = 1;
+    unsigned int                n_position_columns = 1;
     std::vector<UnknownSum>     unknown_sums;
     RigidPartRotations          part_rotations;
     std::vector<RigidPartProbe> rigid_part_probes;

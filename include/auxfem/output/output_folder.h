@@ -204,10 +204,11 @@ namespace auxfem
     void write_list();
 
     /** Names of files in the folder that @p contents would replace. */
-    std::vector<std::string> former(const FolderContents &contents) const;
-    bool                     is_own(const std::string &name) const;
-    bool                     is_one_of(const std::string              &name,
-                                       const std::vector<std::string> &files) const;
+    std::vector<std::string>
+         existing_results(const FolderContents &contents) const;
+    bool is_own(const std::string &name) const;
+    bool is_one_of(const std::string              &name,
+                   const std::vector<std::string> &files) const;
 
     void refuse_input(const std::vector<std::string> &names,
                       const std::vector<std::string> &input_files) const;
@@ -222,7 +223,7 @@ namespace auxfem
      */
     Descriptor list;
     /** Names of files, and of folders with a slash at their end. */
-    std::set<std::string> own;
+    std::set<std::string> own_names;
   };
 
   /** @p rules that also protect all files that @p scene was read from. */

@@ -103,7 +103,7 @@ namespace auxfem
   {
   public:
     /** Whether @p definition is a probe of this kind. */
-    static bool is_one(const ProbeDefinition &definition);
+    static bool is_rigid_part_probe(const ProbeDefinition &definition);
 
     /**
      * Locates parts and joints. Throws InputError for missing sets, and if no

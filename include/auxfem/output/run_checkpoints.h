@@ -75,8 +75,8 @@ namespace auxfem
     const Scene      &scene;
     const MPI_Comm    communicator;
     CheckpointFiles   files; ///< for the first rank
-    Clock::time_point last;
-    Clock::duration   took{0};
+    Clock::time_point last_write;
+    Clock::duration   write_duration{0};
   };
 } // namespace auxfem
 

@@ -87,13 +87,13 @@ namespace auxfem
     void serialize(CheckpointArchive &archive);
 
   private:
-    Finding error_finding(double moved) const;
+    Finding error_finding(double energy_input) const;
     /** Advice against an error. */
     std::string advice() const;
 
     const Kind    kind;
     double        zero = 0, initial = 0, work = 0; ///< J
-    LargestInTime error, given, taken;             ///< J
+    LargestInTime error, energy_gain, energy_loss; ///< J
   };
 
   /**
