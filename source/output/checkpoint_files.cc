@@ -168,7 +168,9 @@ namespace auxfem
     if (faults.empty())
       throw InputError(
         "There is no checkpoint in " + folder +
-        " (checkpoint_a or checkpoint_b). Give the folder of a lattice simulation with checkpoints, or start from t = 0. Studies continue when they are run again.");
+        " (checkpoint_a or checkpoint_b). Give the folder of a lattice "
+        "simulation with checkpoints, or start from t = 0. Studies continue "
+        "when they are run again.");
     throw InputError("No checkpoint in " + folder + " can be used: " + faults +
                      ". Start from t = 0.");
   }

@@ -38,7 +38,7 @@ namespace auxfem
       return output_error_text(errno);
     }
 
-    [[noreturn]] void throw_write_error(const std::string &file)
+    [[noreturn]] void throw_cannot_write(const std::string &file)
     {
       throw InputError("Cannot write " + file + ": " + reason() +
                        ".\nRemove the obstacle, or choose another "
@@ -49,7 +49,7 @@ namespace auxfem
     {
       std::ofstream stream = open_output_file(file);
       if (!stream)
-        throw_write_error(file);
+        throw_cannot_write(file);
       return stream;
     }
 
@@ -88,13 +88,14 @@ namespace auxfem
       throw InputError(
         file +
         " differs from the file that the run has written: it was changed, or "
-        "the output parameters request other columns. Restore it, or start from t = 0.");
+        "the output parameters request other columns. Restore it, or start "
+        "from t = 0.");
     stream = open_output_file(file, std::ios::in | std::ios::out);
     if (!stream)
-      throw_write_error(file);
+      throw_cannot_write(file);
     std::filesystem::resize_file(file, length, error);
     if (error || !stream.seekp(0, std::ios::end))
-      throw_write_error(file);
+      throw_cannot_write(file);
   }
 
   std::size_t CsvTable::length() const
@@ -209,7 +210,8 @@ namespace auxfem
       if (ledger.has(EnergyKind::work))
         sum += " - external";
       return sum +
-        " minus its value at the start: zero up to round-off for linear scenes, "
+        " minus its value at the start: zero up to round-off for linear "
+        "scenes, "
         "otherwise the error due to the step length";
     }
   } // namespace

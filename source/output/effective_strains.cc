@@ -59,7 +59,9 @@ namespace auxfem
       if (spans.empty())
         throw InputError(
           "Output/Effective strains = true: the lattice has no two opposite "
-          "sides. It needs two distant joint sets: left and right, bottom and top, or in space back and front. Define them in Sets, or set Effective strains = false.");
+          "sides. It needs two distant joint sets: left and right, bottom and "
+          "top, or in space back and front. Define them in Sets, or set "
+          "Effective strains = false.");
       return spans;
     }
   } // namespace

@@ -23,10 +23,12 @@ namespace auxfem
       {"load_factor", "1", "factor of the loads"},
       {"negative_eigenvalues",
        "",
-       "negative eigenvalues of the stiffness: 0 in stable equilibrium; nan: unknown"},
+       "negative eigenvalues of the stiffness: 0 in stable equilibrium; nan: "
+       "unknown"},
       {"determinant",
        "",
-       "sign of the determinant of the stiffness: 1 in stable equilibrium; nan: unknown"}};
+       "sign of the determinant of the stiffness: 1 in stable equilibrium; "
+       "nan: unknown"}};
 
     /** Column of a component of the force or moment of a support. */
     Column reaction_column(const std::string &support,

@@ -276,7 +276,8 @@ namespace auxfem
             "The run reads " + input + ", and would replace it by its " + name +
             " in the output folder `" + path +
             "`.\nGive another folder with --output DIR or the parameter "
-            "Output/Directory, or move the file and update the references to it.");
+            "Output/Directory, or move the file and update the references to "
+            "it.");
   }
 
   void OutputFolder::refuse_files_of_others(

@@ -54,12 +54,14 @@ namespace auxfem
       {"negative_after", "", "negative eigenvalues after the point"},
       {"determinant_before",
        "",
-       "sign of the determinant of the stiffness before the point, 1 if stable; nan: unknown"},
+       "sign of the determinant of the stiffness before the point, 1 if "
+       "stable; nan: unknown"},
       {"determinant_after", "", "sign of the determinant after the point"},
       {"part_of_loads",
        "",
        "cosine of the angle between the loads and the null vector of the "
-       "transposed stiffness: 0 at bifurcations up to round-off; nan: unknown"}};
+       "transposed stiffness: 0 at bifurcations up to round-off; nan: "
+       "unknown"}};
 
     std::string number_text(const double value)
     {

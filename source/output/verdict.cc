@@ -26,7 +26,8 @@ namespace auxfem
   {
     return {
       Verdict::not_to_be_used,
-      "The run ended before the end of its first step: it has only its initial state.",
+      "The run ended before its first step was done: only the initial state "
+      "exists.",
       time,
       ""};
   }
@@ -347,10 +348,10 @@ namespace auxfem
              << model.free_spins[i].struts.front();
       if (model.free_spins.size() > n_listed)
         text << " and " << model.free_spins.size() - n_listed << " more";
-      text
-        << " could turn about "
-        << (model.free_spins.size() > 1 ? "their own axes" : "its own axis")
-        << " without resistance. Without inertia this rotation is fixed; it transmits no moment.";
+      text << " could turn about "
+           << (model.free_spins.size() > 1 ? "their own axes" : "its own axis")
+           << " without resistance. Without inertia this rotation is fixed; it "
+              "transmits no moment.";
       notes.push_back(text.str());
     }
 
@@ -365,7 +366,8 @@ namespace auxfem
           text.precision(3);
           text
             << definition.path
-            << ": the Yield strain is compared with the bending strain at the radius of gyration, "
+            << ": the Yield strain is compared with the bending strain at the "
+               "radius of gyration, "
             << section.radii_of_gyration()[1]
             << " m from the axis. The outermost fibre is further away and "
                "yields earlier. Give its distance as Extreme fibre.";
@@ -399,7 +401,9 @@ namespace auxfem
       if (!others.empty())
         notes.push_back(
           "Struts " + pairs_text(others) +
-          " overlap at rest: their distance is below their thickness. They exert no contact forces where they overlap. If this is unintended, check their sections and their distance.");
+          " overlap at rest: their distance is below their thickness. They "
+          "exert no contact forces where they overlap. If this is unintended, "
+          "check their sections and their distance.");
     }
   } // namespace
 

@@ -78,7 +78,8 @@ namespace auxfem
       if (scene.context.model != Model::lattice)
         throw InputError(
           quantity.path +
-          ": energy norms need Model = lattice, because they are integrals over struts. Compare columns of history.csv");
+          ": energy norms need Model = lattice, because they are integrals "
+          "over struts. Compare columns of history.csv");
       if (quantity.measure == Measure::total_energy_norm &&
           !scene.time.scheme->is_dynamic())
         throw InputError(quantity.path + ": in statics, Time/Scheme = " +

@@ -194,7 +194,9 @@ namespace auxfem
     return {
       Verdict::doubtful,
       "The reference does not resolve the quantity \"" + quantity.name +
-        "\": its error in the reference exceeds 10 %, for example because it is zero up to round-off. Recommendations ignore it. Choose other Quantities, or finer runs.",
+        "\": its error in the reference exceeds 10 %, for example because it "
+        "is zero up to round-off. Recommendations ignore it. Choose other "
+        "Quantities, or finer runs.",
       0,
       ""};
   }

@@ -52,7 +52,7 @@ TEST(Notes, AskAboutSectionsThickForTheirStruts)
                {"Sections/strip",
                 "about 1 m thick",
                 "strut 1 is only 0.02 m long",
-                "was 1 mm meant?"});
+                "if you meant 1 mm, add the unit"});
   const std::vector<std::string> stout = notes_of("6 mm");
   ASSERT_EQ(stout.size(), 1u);
   expect_parts(stout[0], {"0.006 m thick"});
@@ -100,7 +100,7 @@ TEST(Notes, NameStrutsThatOverlapAtRest)
   expect_parts(of_crossing[0],
                {"0 and 1 cross at rest", "pass each other freely"});
   ASSERT_EQ(of_beside.size(), 1u);
-  expect_parts(of_beside[0], {"0 and 1 overlap at rest", "do not touch"});
+  expect_parts(of_beside[0], {"0 and 1 overlap at rest", "no contact forces"});
   EXPECT_TRUE(notes_with(apart, "auto").empty());
   EXPECT_TRUE(notes_with(crossing, "off").empty());
 }

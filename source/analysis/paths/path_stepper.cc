@@ -34,7 +34,8 @@ namespace auxfem
     auto tangent = find_tangent(instant, at.results, nullptr);
     if (!tangent)
       throw ComputationError(
-        "The path of equilibria cannot start, because its tangent cannot be computed: " +
+        "The path of equilibria cannot start, because its tangent cannot be "
+        "computed: " +
         solver.why() + '.');
     if (!std::isfinite(tangent->load_rate))
       throw InputError(
@@ -138,7 +139,8 @@ namespace auxfem
       throw ComputationError(
         "The tangent becomes unsymmetric on the path of equilibria, but " +
         solver.linear_solver().method() +
-        " uses only its symmetric part and would miss bifurcations. Set Solver/Type to auto, klu or mumps.");
+        " uses only its symmetric part and would miss bifurcations. Set "
+        "Solver/Type to auto, klu or mumps.");
     auto response = load_response(solver, evaluation);
     if (!response)
       return std::nullopt;

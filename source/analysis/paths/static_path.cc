@@ -97,7 +97,9 @@ namespace auxfem
             text
               << "Path/Branch = stable: the branch entered at load factor "
               << unstable_branch
-              << " is unstable, too, because several eigenvalues vanish there at once. Add an imperfection, which selects one of the branches.";
+              << " is unstable, too, because several eigenvalues vanish there "
+                 "at once. Add an imperfection, which selects one of the "
+                 "branches.";
             all.push_back(
               {Verdict::doubtful, text.str(), point.arc_length(), ""});
           }
@@ -223,11 +225,13 @@ namespace auxfem
         message
           << "The path of equilibria is lost at load factor "
           << point.load_factor() << ", arc length " << point.arc_length()
-          << " m: Newton's method found no further point, even at a distance of "
+          << " m: Newton's method found no further point, even at a distance "
+             "of "
           << length << " m"
           << (failure_reason.empty() ? ", because the path turns too sharply"
                                      : ": " + failure_reason)
-          << ".\nAll points until then are in the output folder. Try finer elements, another Path/Branch or an imperfection.";
+          << ".\nAll points until then are in the output folder. Try finer "
+             "elements, another Path/Branch or an imperfection.";
         throw ComputationError(message.str());
       }
 
@@ -289,7 +293,8 @@ namespace auxfem
           }
         throw ComputationError(
           "Branch switching failed at a bifurcation: " + failure_reason +
-          ".\nAll points until then are in the output folder. Choose another Path/Branch, or add an imperfection.");
+          ".\nAll points until then are in the output folder. Choose another "
+          "Path/Branch, or add an imperfection.");
       }
 
       /**

@@ -173,7 +173,8 @@ namespace auxfem
           << "ARKODE needs more than " << max_evaluations
           << " evaluations for the step from t = " << scene.time.time_at(step)
           << " s: the connector is too stiff for an explicit method, or "
-             "the solution does not exist beyond this time.\nAll steps until then are "
+             "the solution does not exist beyond this time.\nAll steps until "
+             "then are "
              "in the output folder. Use Time/Scheme = newmark.";
         throw ComputationError(message.str());
       }
@@ -196,11 +197,11 @@ namespace auxfem
 
   TimeSchemeEntry arkode_entry()
   {
-    return {
-      {arkode_name,
-       "explicit Runge-Kutta with error control (SUNDIALS ARKODE), the reference",
-       {},
-       make_arkode},
-      {Model::reduced_cell}};
+    return {{arkode_name,
+             "explicit Runge-Kutta with error control (SUNDIALS ARKODE), the "
+             "reference",
+             {},
+             make_arkode},
+            {Model::reduced_cell}};
   }
 } // namespace auxfem

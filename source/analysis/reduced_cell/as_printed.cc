@@ -165,7 +165,8 @@ namespace auxfem
   {
     return {
       {as_printed_name,
-       "the paper's equations (18), (20) and scheme (24), (25) with their misprints",
+       "the paper's equations (18), (20) and scheme (24), (25) with their "
+       "misprints",
        {},
        make_as_printed},
       {Model::reduced_cell}};

@@ -41,7 +41,8 @@ namespace auxfem
           message
             << "At t = " << sample.time << " s " << name
             << " is not a finite number: the motion grows without bounds. "
-               "The step is probably too long for the scheme and the stiffness of the connector.\nAll steps until then "
+               "The step is probably too long for the scheme and the stiffness "
+               "of the connector.\nAll steps until then "
                "are in the output folder. Reduce Time/Time step, or use "
                "Time/Scheme = newmark.";
           throw ComputationError(message.str());

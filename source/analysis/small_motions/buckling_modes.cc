@@ -49,7 +49,8 @@ namespace auxfem
           throw InputError(
             "the state without the loads is not stable: its stiffness has " +
             std::to_string(*n_negative) +
-            " negative eigenvalues. Reduce the loads at t = 0, or set Modes/About = rest.");
+            " negative eigenvalues. Reduce the loads at t = 0, or set "
+            "Modes/About = rest.");
         find_change(linear_response(loads.time), loads.is_reversed ? -1. : 1.);
         require_symmetry();
       }
@@ -222,7 +223,9 @@ namespace auxfem
             space.largest_free(loaded.row_sizes()) >
               round_off * space.largest_free(stiffness.row_sizes()))
           throw InputError(
-            "loads follow their joints, so the stiffness depends on them. Buckling analysis requires loads of fixed direction: set Direction = fixed, or remove these loads.");
+            "loads follow their joints, so the stiffness depends on them. "
+            "Buckling analysis requires loads of fixed direction: set "
+            "Direction = fixed, or remove these loads.");
       }
 
       /**
@@ -248,7 +251,8 @@ namespace auxfem
               << "no load and no prescribed motion acts at t = " << time << " s"
               << (state.time == time ? ""
                                      : " beyond those of the reference state")
-              << ". Set Modes/Time of the loads to a time at which a load acts.";
+              << ". Set Modes/Time of the loads to a time at which a "
+                   "load acts.";
             throw InputError(why.str());
           }
         if (!solver.solve(response))
@@ -352,7 +356,9 @@ namespace auxfem
         if (std::abs(sums[0] - sums[1]) >
             round_off_of_change * std::sqrt(sums[2] * sums[3]))
           throw InputError(
-            "the stiffness under the loads is not symmetric, for example because of moments in space. Buckling analysis requires forces of fixed direction.");
+            "the stiffness under the loads is not symmetric, for example "
+            "because of moments in space. Buckling analysis requires forces of "
+            "fixed direction.");
       }
 
       /** @p y = -K' x between free unknowns. */
@@ -461,7 +467,8 @@ namespace auxfem
         return found;
       }
     throw_buckling_error(
-      "the inertia of the stiffness counts another number of modes than were found, so some may be missing. Set Modes/Number to another value");
+      "the inertia of the stiffness counts another number of modes than were "
+      "found, so some may be missing. Set Modes/Number to another value");
   }
 
   FinerValues finer_factors(TangentSolver             &solver,

@@ -31,10 +31,10 @@ namespace auxfem
                                          const std::string &why)
     {
       std::ostringstream message;
-      message
-        << "No steady vibration was found at "
-        << omega / (2 * dealii::numbers::PI) << " Hz: " << why
-        << ". An undamped lattice has no steady vibration at a natural frequency.";
+      message << "No steady vibration was found at "
+              << omega / (2 * dealii::numbers::PI) << " Hz: " << why
+              << ". An undamped lattice has no steady vibration at a natural "
+                 "frequency.";
       throw ComputationError(message.str());
     }
   } // namespace
@@ -51,7 +51,9 @@ namespace auxfem
     if (layout.largest(largest_size(loads)) == 0)
       throw InputError(
         "Analysis = frequency response: no load and no prescribed motion acts "
-        "at Frequency response/Time of the loads. Set it to a time at which a load acts. About a static equilibrium, amplitudes are differences from t = 0, so constant loads do not count.");
+        "at Frequency response/Time of the loads. Set it to a time at which a "
+        "load acts. About a static equilibrium, amplitudes are differences "
+        "from t = 0, so constant loads do not count.");
   }
 
   HarmonicVibration HarmonicResponse::at(const double omega)
@@ -171,7 +173,7 @@ namespace auxfem
       std::string text(const MeshErrors &errors) const
       {
         std::ostringstream text;
-        text << "  largest amplitudes, discretization errors";
+        text << "  largest amplitudes, errors of the elements";
         for (unsigned int i = 0; i < amplitudes.size(); ++i)
           text << '\n'
                << "  " << std::setw(20) << std::left << quantities[i].name

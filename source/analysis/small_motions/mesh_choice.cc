@@ -143,7 +143,8 @@ namespace auxfem
     std::string advice(const Scene &scene)
     {
       return scene.discretization.tolerance
-        ? "Raise Discretization/Global refinements, or Tolerance if this error is acceptable."
+        ? "Raise Discretization/Global refinements, or Tolerance if this error "
+          "is acceptable."
         : "Set Discretization/Order = auto, or raise Order or Global "
           "refinements.";
     }
@@ -261,10 +262,10 @@ namespace auxfem
     };
     const std::string elements = elements_text(plan.division);
     if (!errors.unknown_reason.empty())
-      add(
-        Verdict::doubtful,
-        "The discretization error is unknown, because the comparison with finer elements failed: " +
-          errors.unknown_reason);
+      add(Verdict::doubtful,
+          "The discretization error is unknown, because the comparison with "
+          "finer elements failed: " +
+            errors.unknown_reason);
     if (errors.n_missing > 0)
       add(Verdict::not_to_be_used,
           std::to_string(errors.n_missing) + " modes are missing with " +

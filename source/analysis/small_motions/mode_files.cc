@@ -50,7 +50,8 @@ namespace auxfem
     const Column mesh_error_column = {
       "mesh_error",
       "1",
-      "discretization error by comparison with finer elements, relative to the frequency or factor; nan: unknown"};
+      "discretization error by comparison with finer elements, relative to the "
+      "frequency or factor; nan: unknown"};
 
     const std::vector<Column> buckling_columns = {
       {"mode", "", "number, by increasing factor"},
@@ -70,7 +71,8 @@ namespace auxfem
       {"angular_frequency", "rad/s", "frequency times 2 pi"},
       {"growth_rate",
        "1/s",
-       "rate r of growth as exp(r t); positive: flutter, or divergence without oscillation"},
+       "rate r of growth as exp(r t); positive: flutter, or divergence without "
+       "oscillation"},
       {"damping_ratio",
        "1",
        "damping over critical damping; negative if the mode grows"},
@@ -100,7 +102,8 @@ namespace auxfem
           all.push_back(
             {std::string("participation_") + axis,
              "kg^1/2",
-             "product of the mode, of modal mass 1 kg, and the inertia of a unit translation"});
+             "product of the mode, of modal mass 1 kg, and the inertia of a "
+             "unit translation"});
           all.push_back({std::string("effective_mass_") + axis,
                          "kg",
                          "square of the participation"});

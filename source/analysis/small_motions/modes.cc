@@ -74,7 +74,7 @@ namespace auxfem
       if (found.damped_limit)
         text << "  The Krylov space contains no further damped modes below "
              << *found.damped_limit / (2 * PI)
-             << " Hz; their number is not verified.\n";
+             << " Hz; these are not counted.\n";
       else
         text << "  Damped modes may be missing: the Krylov space did not "
                 "converge.\n";
@@ -113,9 +113,10 @@ namespace auxfem
         return {};
       std::ostringstream text;
       text.precision(2);
-      text
-        << "Before the first buckling load struts rotate by up to " << motion
-        << " rad, or move by that multiple of their length, which linear theory neglects. Raise the loads in steps with Analysis = simulation and Scheme = static to find the loss of stability.";
+      text << "Before the first buckling load struts rotate by up to " << motion
+           << " rad, or move by that multiple of their length, which linear "
+              "theory neglects. Raise the loads in steps with Analysis = "
+              "simulation and Scheme = static to find the loss of stability.";
       return {{Verdict::doubtful, text.str(), 0., ""}};
     }
 
@@ -136,7 +137,7 @@ namespace auxfem
       text << "  "
            << (is_counted ? "None is missing below the last, by the inertia of "
                             "the stiffness."
-                          : "Number not verified: " + if_not_counted)
+                          : "Not counted: " + if_not_counted)
            << "\n  " << run.work().factorizations << " factorizations, "
            << run.work().linear_solutions << " solutions by "
            << run.work().linear_solver;
@@ -167,9 +168,10 @@ namespace auxfem
     {
       std::ostringstream closing;
       closing
-        << "  Loads follow their joints, so the stiffness is not symmetric and modes are complex, "
+        << "  Loads follow their joints, so the stiffness is not symmetric and "
+           "modes are complex, "
         << (run.scene.modes.damped ? "with all damping" : "without damping")
-        << ".\n  Number not verified: modes may be missing.\n  "
+        << ".\n  Not counted: modes may be missing.\n  "
         << run.work().factorizations << " factorizations, "
         << run.work().linear_solutions << " solutions by "
         << run.work().linear_solver;
@@ -206,10 +208,10 @@ namespace auxfem
     {
       std::ostringstream text;
       if (found.size() < n_requested)
-        text
-          << found.size() << " of " << n_requested
-          << " relaxations: there are no more, or too many cluster near the time of Stiffness-proportional damping.\n  ";
-      text << "The number of relaxations is not verified.";
+        text << found.size() << " of " << n_requested
+             << " relaxations: there are no more, or too many cluster near the "
+                "time of Stiffness-proportional damping.\n  ";
+      text << "Relaxations are not counted.";
       return text.str();
     }
 
@@ -460,7 +462,8 @@ namespace auxfem
   {
     return {
       "buckling",
-      "Load factors at which a lattice buckles, by linear theory, and buckling modes.",
+      "Load factors at which a lattice buckles, by linear theory, and buckling "
+      "modes.",
       [](const Scene &scene) { return scene.analysis == Analysis::buckling; },
       run_modes,
       nullptr,

@@ -277,7 +277,7 @@ TEST(BucklingModes, WhatHasNoneIsRefused)
                              .time(1, 0.1, "static")),
                    1);
                }),
-               {"nothing buckle"});
+               {"cause no buckling"});
 }
 
 TEST(BucklingModes, KeepTheirDigitsOnFineMeshes)
