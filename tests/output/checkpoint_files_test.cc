@@ -29,7 +29,7 @@ namespace
     return folder;
   }
 
-  /** Two sections, of zero bytes and line ends, too. */
+  /** Two sections, which also contain zero bytes and line ends. */
   CheckpointContent content_of(const std::string &bytes)
   {
     return {"1.2.3",
@@ -79,7 +79,7 @@ namespace
   }
 } // namespace
 
-TEST(CheckpointFormat, WhatIsWrittenIsRead)
+TEST(CheckpointFormat, ReadsWrittenContent)
 {
   const NumberedCheckpoint read =
     read_checkpoint(checkpoint_bytes(1ull << 40, content_of("abc")));
@@ -93,7 +93,7 @@ TEST(CheckpointFormat, WhatIsWrittenIsRead)
   EXPECT_EQ(read.content.sections[1].bytes, std::string("\0\r\n\xff", 4));
 }
 
-TEST(CheckpointFormat, EveryChangedBitIsNoticed)
+TEST(CheckpointFormat, DetectsEveryChangedBit)
 {
   const std::string whole = checkpoint_bytes(3, content_of("abc"));
   for (std::size_t i = 0; i < whole.size(); ++i)
@@ -106,7 +106,7 @@ TEST(CheckpointFormat, EveryChangedBitIsNoticed)
       }
 }
 
-TEST(CheckpointFormat, EveryLengthButTheWholeIsNoticed)
+TEST(CheckpointFormat, DetectsTruncationAtEveryLength)
 {
   const std::string whole = checkpoint_bytes(3, content_of("abc"));
   for (std::size_t n = 0; n < whole.size(); ++n)
@@ -114,7 +114,7 @@ TEST(CheckpointFormat, EveryLengthButTheWholeIsNoticed)
   EXPECT_THROW(read_checkpoint(whole + "x"), DamagedCheckpoint);
 }
 
-TEST(CheckpointFiles, AreWrittenInTurn)
+TEST(CheckpointFiles, AlternateBetweenFiles)
 {
   const std::string folder = checkpoint_folder("turns");
   CheckpointFiles   files(folder);
@@ -132,7 +132,7 @@ TEST(CheckpointFiles, AreWrittenInTurn)
   EXPECT_FALSE(fs::exists(folder + "/checkpoint_a.part"));
 }
 
-TEST(CheckpointFiles, ADamagedNewestGivesWayToTheOlder)
+TEST(CheckpointFiles, DamagedNewestIsReplacedByOlder)
 {
   const std::string folder = checkpoint_folder("damaged");
   CheckpointFiles   files(folder);
@@ -145,7 +145,7 @@ TEST(CheckpointFiles, ADamagedNewestGivesWayToTheOlder)
                 "damaged (section 2 of 2)",
                 "goes on from its other checkpoint"});
 
-  // The next goes where nothing is lost.
+  // The next write replaces the damaged file.
   CheckpointFiles(folder).write(content_of("third"));
   EXPECT_EQ(found_in(folder), "third");
   EXPECT_EQ(files.newest().warning, "");
@@ -153,7 +153,7 @@ TEST(CheckpointFiles, ADamagedNewestGivesWayToTheOlder)
   EXPECT_EQ(found_in(folder), "first");
 }
 
-TEST(CheckpointFiles, WithoutAnyThatCanBeUsedNothingGoesOn)
+TEST(CheckpointFiles, NoUsableCheckpointIsAnError)
 {
   const std::string folder = checkpoint_folder("none");
   CheckpointFiles   files(folder);
@@ -174,7 +174,7 @@ TEST(CheckpointFiles, WithoutAnyThatCanBeUsedNothingGoesOn)
                 "Start from t = 0"});
 }
 
-TEST(CheckpointFiles, WhatCannotBeReadGivesWayToTheOther)
+TEST(CheckpointFiles, UnreadableFileIsReplacedByOther)
 {
   const std::string folder = checkpoint_folder("unreadable");
   CheckpointFiles   files(folder);
@@ -187,7 +187,7 @@ TEST(CheckpointFiles, WhatCannotBeReadGivesWayToTheOther)
   EXPECT_EQ(found_in(folder), "first");
 }
 
-TEST(CheckpointFiles, ALaterFormatIsRefusedAndKept)
+TEST(CheckpointFiles, LaterFormatIsRejectedAndKept)
 {
   const std::string folder = checkpoint_folder("later");
   CheckpointFiles   files(folder);
@@ -206,7 +206,7 @@ TEST(CheckpointFiles, ALaterFormatIsRefusedAndKept)
   EXPECT_EQ(testing_support::read_text(folder + "/checkpoint_b"), later);
 }
 
-TEST(CheckpointFiles, AnEarlierFormatIsToldAndReplaced)
+TEST(CheckpointFiles, EarlierFormatIsReportedAndReplaced)
 {
   const std::string folder = checkpoint_folder("earlier");
   CheckpointFiles(folder).write(content_of("first"));
@@ -219,7 +219,7 @@ TEST(CheckpointFiles, AnEarlierFormatIsToldAndReplaced)
   EXPECT_EQ(found_in(folder), "second");
 }
 
-TEST(CheckpointFiles, AFolderThatIsNotThereCannotBeWrittenTo)
+TEST(CheckpointFiles, MissingFolderIsAnError)
 {
   CheckpointFiles files(checkpoint_folder("gone") + "/missing");
   EXPECT_THROW(files.write(content_of("")), ComputationError);
@@ -227,7 +227,7 @@ TEST(CheckpointFiles, AFolderThatIsNotThereCannotBeWrittenTo)
 
 namespace
 {
-  /** Writes checkpoints for ever; tells @p pipe of each that is done. */
+  /** Writes checkpoints forever; reports each to @p pipe. */
   [[noreturn]] void write_for_ever(const std::string &folder, const int pipe)
   {
     for (unsigned char i = 1;; ++i)
@@ -238,7 +238,7 @@ namespace
       }
   }
 
-  /** The last byte that has come through @p pipe, 0 if none. */
+  /** Last byte from @p pipe; 0 if none. */
   unsigned char last_of(const int pipe)
   {
     unsigned char last = 0;
@@ -248,7 +248,7 @@ namespace
   }
 } // namespace
 
-TEST(CheckpointFiles, KillingTheProcessLosesNoneThatWasWritten)
+TEST(CheckpointFiles, KilledProcessKeepsWrittenCheckpoints)
 {
   std::mt19937                       generator(27);
   std::uniform_int_distribution<int> microseconds(1000, 25000);

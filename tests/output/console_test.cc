@@ -45,7 +45,7 @@ TEST(Console, ProgressLine)
             "  took 0:01");
 }
 
-TEST(Console, AResumedRunExpectsTheRestAtItsOwnPace)
+TEST(Console, ResumedRunEstimatesTimeFromItsOwnSpeed)
 {
   Progress progress   = step(500, 1000);
   progress.seconds    = 30;
@@ -78,7 +78,7 @@ TEST(Console, PipeGetsFirstLastAndTwentieths)
       console.progress(step(i, 1000));
     console.end_progress();
   }
-  // Step 1 and 20 twentieths, the last of which is the last step.
+  // Step 1 and 20 twentieths, of which the last is the last step.
   EXPECT_EQ(count(screen.str(), '\n'), 21u);
   EXPECT_EQ(count(screen.str(), '\r'), 0u);
   EXPECT_EQ(screen.str(), log.str());
@@ -111,7 +111,7 @@ TEST(Console, TerminalRewritesOneLineTenTimesASecond)
     console.end_progress();
     console.print("done");
   }
-  // One second of wall time: the first, one each 0.1 s, the last.
+  // One second of wall time has the first line, one line per 0.1 s, the last.
   EXPECT_LE(count(screen.str(), '\r'), 12u);
   EXPECT_GE(count(screen.str(), '\r'), 10u);
   EXPECT_EQ(count(screen.str(), '\n'), 2u);
@@ -162,7 +162,7 @@ TEST(Console, LogHasEveryRepeatedStep)
   EXPECT_EQ(screen.str().find("  13/1000"), std::string::npos);
 }
 
-TEST(Console, LogAloneTakesWhatIsForItAlone)
+TEST(Console, PrintToLogSkipsScreen)
 {
   std::ostringstream screen, log;
   Console            console(screen, 0, log);

@@ -21,7 +21,7 @@ namespace
 
 } // namespace
 
-TEST(CsvTable, RowsAreInTheFileAtOnce)
+TEST(CsvTable, RowsAreFlushed)
 {
   const std::string file = path("rows.csv");
   CsvTable          table(file, {{"time", "s", "time"}, {"top.ux", "m", ""}});
@@ -76,7 +76,7 @@ TEST(CsvTable, NamesWithCommasAreQuoted)
             "column,unit,meaning\n\"a, \"\"b\"\".ux\",m,\"mean, of two\"\n");
 }
 
-TEST(CsvTable, FileThatCannotBeMadeIsRefused)
+TEST(CsvTable, UnwritableFileIsRejected)
 {
   const std::string file = path("no_such_folder/history.csv");
   try
@@ -93,9 +93,9 @@ TEST(CsvTable, FileThatCannotBeMadeIsRefused)
     }
 }
 
-TEST(CsvTable, FullDiskIsNoticed)
+TEST(CsvTable, FullDiskIsReported)
 {
-  // Linux' device that takes a file open and refuses every byte.
+  // This device of Linux can be opened but refuses every byte.
   if (!std::ofstream("/dev/full"))
     GTEST_SKIP();
   const std::vector<Column> columns = {{"time", "s", "time"}};

@@ -11,7 +11,7 @@ using namespace auxfem;
 
 namespace
 {
-  /** A frame of four joints; positions of the third dimension come by hand. */
+  /** A frame of four joints; tests set the third coordinates. */
   Scene scene_in(const unsigned int dimension)
   {
     return read_scene_from_text(
@@ -78,7 +78,7 @@ TEST(EffectiveStrains, MeasureUnevenFacesByTheirMeanPlaces)
   EXPECT_EQ(strains.values(state), (std::vector<double>{0, 0, 0.25}));
 }
 
-TEST(EffectiveStrains, LeaveOutAxesWithoutTwoSidesApart)
+TEST(EffectiveStrains, OmitAxesWithoutDistantSides)
 {
   const Scene scene         = scene_in(3);
   Lattice     lattice       = build_lattice(scene);
@@ -118,7 +118,7 @@ TEST(LoadedAxis, IsTheOnlyOneAlongWhichSidesAreLoaded)
   EXPECT_EQ(axis_of("Initial velocities/hit", "Joints = top | Velocity y = -1"),
             1u);
   EXPECT_EQ(axis_of("Gravity", "Acceleration z = -9.81"), 2u);
-  // Along two axes, and in shear.
+  // Loads along two axes, and shear.
   EXPECT_EQ(axis_of("Loads/push", "Joints = 6 | Force x = t | Force z = t"),
             1u);
   EXPECT_EQ(axis_of("Loads/push", "Joints = top | Force x = t"), 1u);

@@ -8,7 +8,7 @@ using namespace auxfem;
 
 namespace
 {
-  /** Judgement of energies that are given, a second after the other. */
+  /** Judgement of prescribed energies at intervals of one second. */
   class GivenEnergies
   {
   public:
@@ -21,15 +21,17 @@ namespace
       work      = ledger.enter({EnergyKind::work, "work", ""});
     }
 
-    void begin(const double of_motion)
+    void begin(const double mechanical)
     {
-      judgement.start(energies(of_motion, 0, 0));
+      judgement.start(energies(mechanical, 0, 0));
     }
 
-    void
-    step(const double of_motion, const double of_scheme, const double of_work)
+    void step(const double mechanical,
+              const double numerical_energy,
+              const double external_work)
     {
-      judgement.add(energies(of_motion, of_scheme, of_work), ++time);
+      judgement.add(energies(mechanical, numerical_energy, external_work),
+                    ++time);
     }
 
     std::vector<Finding> findings() const
@@ -38,14 +40,14 @@ namespace
     }
 
   private:
-    Energies energies(const double of_motion,
-                      const double of_scheme,
-                      const double of_work) const
+    Energies energies(const double mechanical,
+                      const double numerical_energy,
+                      const double external_work) const
     {
       Energies result(std::make_shared<const EnergyLedger>(ledger));
-      result[kinetic]   = of_motion;
-      result[numerical] = of_scheme;
-      result[work]      = of_work;
+      result[kinetic]   = mechanical;
+      result[numerical] = numerical_energy;
+      result[work]      = external_work;
       return result;
     }
 
@@ -56,7 +58,7 @@ namespace
   };
 } // namespace
 
-TEST(EnergyJudgement, LooksInBothDirectionsAtWhatCameIn)
+TEST(EnergyJudgement, ChecksBothSignsAgainstEnergyInput)
 {
   for (const double sign : {-1., 1.})
     {
@@ -76,7 +78,7 @@ TEST(EnergyJudgement, LooksInBothDirectionsAtWhatCameIn)
     }
 }
 
-TEST(EnergyJudgement, EnergyFromNowhereDoesNotExcuseItself)
+TEST(EnergyJudgement, SpuriousEnergyIsNoInput)
 {
   GivenEnergies energies;
   energies.begin(63);
@@ -89,7 +91,7 @@ TEST(EnergyJudgement, EnergyFromNowhereDoesNotExcuseItself)
   EXPECT_EQ(verdict_of(from_rest.findings()), Verdict::not_to_be_used);
 }
 
-TEST(EnergyJudgement, WorkIsEnergyThatComesIn)
+TEST(EnergyJudgement, WorkCountsAsInput)
 {
   GivenEnergies energies;
   energies.begin(0);
@@ -98,19 +100,19 @@ TEST(EnergyJudgement, WorkIsEnergyThatComesIn)
   EXPECT_TRUE(energies.findings().empty()) << verdict_text(energies.findings());
 }
 
-TEST(EnergyJudgement, SaysWhatTheSchemeGivesAndTakes)
+TEST(EnergyJudgement, ReportsNumericalGainAndLoss)
 {
-  for (const double of_scheme : {-10., 30.})
+  for (const double numerical_energy : {-10., 30.})
     {
       GivenEnergies energies;
       energies.begin(100);
-      energies.step(100 - of_scheme, of_scheme, 0);
+      energies.step(100 - numerical_energy, numerical_energy, 0);
       ASSERT_EQ(energies.findings().size(), 1u);
       EXPECT_EQ(energies.findings()[0].verdict, Verdict::doubtful);
     }
 }
 
-TEST(EnergyJudgement, WhatIsNoNumberIsNotToBeUsed)
+TEST(EnergyJudgement, NaNIsNotToBeUsed)
 {
   GivenEnergies energies;
   energies.begin(1);
@@ -119,7 +121,7 @@ TEST(EnergyJudgement, WhatIsNoNumberIsNotToBeUsed)
   EXPECT_EQ(verdict_of(energies.findings()), Verdict::not_to_be_used);
 }
 
-TEST(EnergyJudgement, AdvisesTheSchemeThatKeepsTheBalanceWhereThereIsOne)
+TEST(EnergyJudgement, AdvisesEnergyMomentumSchemeForMotion)
 {
   using Kind = EnergyJudgement::Kind;
   for (const Kind kind : {Kind::motion,

@@ -46,8 +46,9 @@ namespace
   Words columns_of(const std::string              &text,
                    const std::vector<std::string> &overrides = {})
   {
-    const EquationsOnRanks of_scene(text, overrides, MPI_COMM_SELF);
-    return names_of(energy_columns(of_scene.equations.layout().energies));
+    const EquationsOnRanks scene_equations(text, overrides, MPI_COMM_SELF);
+    return names_of(
+      energy_columns(scene_equations.equations.layout().energies));
   }
 } // namespace
 
@@ -70,7 +71,7 @@ TEST(EnergyRecord, BalanceStartsAtZeroAndKeepsItsExtremes)
   EXPECT_EQ(record.latest.dissipated(), 8);
 }
 
-TEST(EnergyRecord, ABalanceThatIsNoNumberStaysInSight)
+TEST(EnergyRecord, NaNBalanceStaysVisible)
 {
   EnergyRecord record;
   const auto   ledger = full_ledger();
@@ -103,7 +104,7 @@ TEST(EnergyRecord, ColumnsAreSumsOfKindsThenCausesThenTheBalance)
       EXPECT_FALSE(column.meaning.empty()) << column.name;
     }
   EXPECT_EQ(columns[4].meaning, "lost there");
-  // What the balance is made of is told by the kinds there are.
+  // The meaning of the balance lists the existing kinds.
   EXPECT_EQ(columns.back().meaning.find("kinetic + dissipated - external "), 0u)
     << columns.back().meaning;
 
@@ -125,10 +126,10 @@ TEST(EnergyRecord, ValuesStandInTheirColumns)
             (std::vector<double>{8, 20, 32, 32, 4, 16, -4}));
 }
 
-TEST(EnergyRecord, AScenesColumnsAreThoseOfItsPhysics)
+TEST(EnergyRecord, ColumnsFollowPhysicsOfScene)
 {
   const std::string dynamics = "Scheme = newmark", statics = "Scheme = static";
-  // A clamp that stays does no work; the load has a cause of its own.
+  // A fixed clamp does no work; the load has its own cause.
   EXPECT_EQ(columns_of(cantilever("1", dynamics)),
             (Words{"kinetic",
                    "strain",
@@ -172,7 +173,7 @@ TEST(EnergyRecord, EveryCauseInAFullSceneHasItsColumn)
                            "shaker.support_work",
                            "balance"})
     EXPECT_EQ(std::count(columns.begin(), columns.end(), name), 1) << name;
-  // At rest.
+  // The scene is at rest.
   EXPECT_EQ(std::count(columns.begin(),
                        columns.end(),
                        "foundation.support_work"),

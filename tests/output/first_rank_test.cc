@@ -11,7 +11,7 @@ TEST(FirstRank, RunsOnOneRank)
   EXPECT_EQ(dealii::Utilities::MPI::sum(runs, MPI_COMM_WORLD), 1u);
 }
 
-TEST(FirstRank, AllRanksLearnOfAFailure)
+TEST(FirstRank, FailureReachesAllRanks)
 {
   for (int i = 0; i < 2; ++i)
     try

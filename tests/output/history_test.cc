@@ -61,16 +61,18 @@ namespace
 
 TEST(History, RowHoldsMeansOfProbesAndSumsOfSupportsAndConnectors)
 {
-  const EquationsOnRanks of_scene(
+  const EquationsOnRanks scene_equations(
     SceneText(lattice_text)
       .probe("middle", "1, 2")
       .add("Loads/push", "Joints = 1 | Force x = 1"),
     {"Sections/band/Stiffness-proportional damping=0.1"});
-  const LatticeModel &model = of_scene.model;
-  History history(of_scene.scene, of_scene.equations, MPI_COMM_WORLD);
+  const LatticeModel &model = scene_equations.model;
+  History             history(scene_equations.scene,
+                  scene_equations.equations,
+                  MPI_COMM_WORLD);
 
-  const State from = of_scene.equations.initial_state();
-  Solution    solution{from, of_scene.equations.make_results()};
+  const State from = scene_equations.equations.initial_state();
+  Solution    solution{from, scene_equations.equations.make_results()};
   State      &to = solution.state;
   to.time        = 0.25;
   set_joints(to.displacement, model, 0, [](const unsigned int j) {
@@ -83,8 +85,8 @@ TEST(History, RowHoldsMeansOfProbesAndSumsOfSupportsAndConnectors)
     return 1. * j;
   });
   const Evaluation step = Evaluation::step(from, to, 0.25);
-  of_scene.equations.residual(step, solution.results);
-  // Known numbers in place of the true residual, free rows included.
+  scene_equations.equations.residual(step, solution.results);
+  // Known numbers replace the true residual, also in free rows.
   for (unsigned int i = 0; i < 3; ++i)
     set_joints(to.residual,
                model,
@@ -121,9 +123,9 @@ TEST(History, RowHoldsMeansOfProbesAndSumsOfSupportsAndConnectors)
   EXPECT_EQ(row["stored"], 4);
   EXPECT_EQ(row["dissipated"], 8);
   EXPECT_EQ(row["external"], 16);
-  // The first row is what the balance starts from.
+  // The balance starts from the first row.
   EXPECT_EQ(row["balance"], 0);
-  // Joint 3 turns most; known to its rank only.
+  // Joint 3 rotates most; only its rank knows.
   EXPECT_EQ(dealii::Utilities::MPI::max(history.largest_rotation(),
                                         MPI_COMM_WORLD),
             1.375);
@@ -131,21 +133,24 @@ TEST(History, RowHoldsMeansOfProbesAndSumsOfSupportsAndConnectors)
 
 TEST(History, RowInSpaceHasThreeOfEach)
 {
-  const EquationsOnRanks of_scene(SceneText(lattice_text)
-                                    .dimension(3)
-                                    .probe("middle", "1, 2")
-                                    .set("Output/Effective strains", "true"));
-  const LatticeModel    &model = of_scene.model;
-  History history(of_scene.scene, of_scene.equations, MPI_COMM_WORLD);
+  const EquationsOnRanks scene_equations(
+    SceneText(lattice_text)
+      .dimension(3)
+      .probe("middle", "1, 2")
+      .set("Output/Effective strains", "true"));
+  const LatticeModel &model = scene_equations.model;
+  History             history(scene_equations.scene,
+                  scene_equations.equations,
+                  MPI_COMM_WORLD);
 
-  const State from = of_scene.equations.initial_state();
-  Solution    solution{from, of_scene.equations.make_results()};
+  const State from = scene_equations.equations.initial_state();
+  Solution    solution{from, scene_equations.equations.make_results()};
   State      &to = solution.state;
   for (const unsigned int c : {0, 2})
     set_joints(to.displacement, model, c, [c](const unsigned int j) {
       return 0.25 * (j + c);
     });
-  // Joint j turns by 2 j + 3 about (0.6, 0, -0.8): 5 and 7 in the middle.
+  // Joint j rotates by 2 j + 3 about (0.6, 0, -0.8): 5 and 7 in the middle.
   for (const auto &[c, along] : {std::pair(3u, 0.6), std::pair(5u, -0.8)})
     set_joints(to.displacement, model, c, [axis = along](const unsigned int j) {
       return axis * (2 * j + 3);
@@ -155,7 +160,7 @@ TEST(History, RowInSpaceHasThreeOfEach)
   });
   const Evaluation step = Evaluation::step(from, to, 0.25);
   NodeRotations(model.numbering).follow(step);
-  of_scene.equations.residual(step, solution.results);
+  scene_equations.equations.residual(step, solution.results);
   for (unsigned int c = 0; c < n_motion_components; ++c)
     set_joints(to.residual, model, c, [c](const unsigned int j) {
       return 10. * (c + 1) + j;
@@ -182,7 +187,7 @@ TEST(History, RowInSpaceHasThreeOfEach)
     EXPECT_EQ(row.count(name), 0u) << name;
   // 0.75 m more at the right end of the row than at the left, 3 m away.
   EXPECT_EQ(row["strain.x"], 0.25);
-  // That of joint 2: beyond half a revolution those of probes alone count.
+  // Joint 2 has the largest: beyond half a revolution only probes count.
   EXPECT_NEAR(dealii::Utilities::MPI::max(history.largest_rotation(),
                                           MPI_COMM_WORLD),
               7,
@@ -192,9 +197,11 @@ TEST(History, RowInSpaceHasThreeOfEach)
 
 TEST(History, EveryColumnHasAUnit)
 {
-  const EquationsOnRanks of_scene(lattice_text);
-  const History history(of_scene.scene, of_scene.equations, MPI_COMM_WORLD);
-  std::set<std::string> names;
+  const EquationsOnRanks scene_equations(lattice_text);
+  const History          history(scene_equations.scene,
+                        scene_equations.equations,
+                        MPI_COMM_WORLD);
+  std::set<std::string>  names;
   for (const Column &column : history.columns())
     {
       EXPECT_TRUE(names.insert(column.name).second) << column.name << " twice";
@@ -205,12 +212,15 @@ TEST(History, EveryColumnHasAUnit)
   EXPECT_EQ(names.count("damper.force"), 1u);
 }
 
-TEST(History, ProbeOnNothingIsRefused)
+TEST(History, ProbeWithoutJointsIsRejected)
 {
-  const EquationsOnRanks of_scene(SceneText(lattice_text).probe("lost", "17"));
+  const EquationsOnRanks scene_equations(
+    SceneText(lattice_text).probe("lost", "17"));
   try
     {
-      History history(of_scene.scene, of_scene.equations, MPI_COMM_WORLD);
+      History history(scene_equations.scene,
+                      scene_equations.equations,
+                      MPI_COMM_WORLD);
       FAIL();
     }
   catch (const InputError &error)

@@ -58,7 +58,7 @@ namespace
     graphics.add_line({{0, 0, 0}, {1, 0.5, 0}, {2, 0, 0}}, values);
   }
 
-  /** Entries of a .pvd file, whose end must be there. */
+  /** Entries of a .pvd file, whose end must exist. */
   unsigned int files_in_record(const std::string &file)
   {
     boost::property_tree::ptree tree;
@@ -72,7 +72,9 @@ namespace
                          std::filesystem::directory_iterator());
   }
 
-  /** Runs Python code that reads files with VTK's own reader; 0: all holds. */
+  /**
+   * Runs Python code that reads files with VTK's reader; returns 0 on success.
+   */
   int python(const std::string &folder, const std::string &code)
   {
     const std::string file = folder + "/check.py";
@@ -160,7 +162,7 @@ TEST(LineGraphics, RecordGrowsInPlace)
       LineGraphics graphics(fields);
       add_bent_line(graphics, i);
       series.write(graphics, i);
-      // A record that is written anew leaves the link behind.
+      // A rewritten record would not change the hard link.
       if (i == 0 && rank() == 0)
         std::filesystem::create_hard_link(record, link);
       MPI_Barrier(MPI_COMM_WORLD);
@@ -186,8 +188,7 @@ TEST(LineGraphics, FullDiskLeavesAWholeRecord)
   const std::string folder = fresh_shared_folder("full");
   GraphicsSeries    series(folder, "solution", MPI_COMM_SELF);
 
-  // A limit that the record reaches in the middle of an entry, and the others
-  // never.
+  // Only the record exceeds this limit, in the middle of an entry.
   const auto former_action = std::signal(SIGXFSZ, SIG_IGN);
   rlimit     former{};
   getrlimit(RLIMIT_FSIZE, &former);

@@ -12,7 +12,10 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  /** 1 kg on a spring of 4 N/m, thrown with 1 m/s: u = sin(2 t) / 2. */
+  /**
+   * Mass of 1 kg on a spring of 4 N/m with initial velocity 1 m/s: u = sin(2 t)
+   * / 2.
+   */
   const std::string thrown_mass =
     one_mass_scene("Law = spring | Spring stiffness = 4",
                    "End time = 1 | Time step = 1 ms",
@@ -39,7 +42,7 @@ TEST(MemoryRecorder, KeepsARowForEachStepAndWritesNothing)
     EXPECT_NEAR(kinetic[i], std::pow(std::cos(2 * time[i]), 2) / 2, 1e-6);
 }
 
-TEST(MemoryRecorder, RefusesColumnsThatAreNotThere)
+TEST(MemoryRecorder, RejectsMissingColumns)
 {
   const Scene    scene = read_scene_from_text(thrown_mass, "test.prm");
   MemoryRecorder history(scene, MPI_COMM_SELF);

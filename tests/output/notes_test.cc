@@ -16,8 +16,8 @@ namespace
 {
   std::vector<std::string> notes_on_scene(const SceneText &scene)
   {
-    const EquationsOnRanks of_scene(scene, {}, MPI_COMM_SELF);
-    return notes_on(of_scene.equations);
+    const EquationsOnRanks scene_equations(scene, {}, MPI_COMM_SELF);
+    return notes_on(scene_equations.equations);
   }
 
   /** A clamped strut whose free end has a support of @p type. */
@@ -33,17 +33,17 @@ namespace
 
   std::vector<std::string> notes_of(const std::string &height)
   {
-    const EquationsOnRanks of_scene(
+    const EquationsOnRanks scene_equations(
       SceneText()
         .frame("0 0; 1 0; 1 0.02", "0 1; 1 2")
         .rectangle("strip", "5 mm", height, {1e9, 1}),
       {},
       MPI_COMM_SELF);
-    return notes_on(of_scene.equations);
+    return notes_on(scene_equations.equations);
   }
 } // namespace
 
-TEST(Notes, AskAboutSectionsThickForTheirStruts)
+TEST(Notes, WarnAboutThickSections)
 {
   EXPECT_TRUE(notes_of("4.9 mm").empty());
   const std::vector<std::string> metres = notes_of("1");
@@ -58,17 +58,18 @@ TEST(Notes, AskAboutSectionsThickForTheirStruts)
   expect_parts(stout[0], {"0.006 m thick"});
 }
 
-TEST(Notes, TellOfParametersOfAnotherScheme)
+TEST(Notes, ReportParametersOfOtherSchemes)
 {
   const auto notes_with = [](const std::string &scheme) {
-    const EquationsOnRanks of_scene(SceneText()
-                                      .frame("0 0; 1 0", "0 1")
-                                      .rectangle("strip", 0.01, 0.01, {1e9, 1})
-                                      .add("Time", "Scheme = " + scheme)
-                                      .set("Time/Order of esdirk", 5),
-                                    {},
-                                    MPI_COMM_SELF);
-    return notes_on(of_scene.equations);
+    const EquationsOnRanks scene_equations(
+      SceneText()
+        .frame("0 0; 1 0", "0 1")
+        .rectangle("strip", 0.01, 0.01, {1e9, 1})
+        .add("Time", "Scheme = " + scheme)
+        .set("Time/Order of esdirk", 5),
+      {},
+      MPI_COMM_SELF);
+    return notes_on(scene_equations.equations);
   };
   const std::vector<std::string> notes = notes_with("newmark");
   ASSERT_EQ(notes.size(), 1u);
@@ -79,33 +80,35 @@ TEST(Notes, TellOfParametersOfAnotherScheme)
   EXPECT_TRUE(notes_with("esdirk").empty());
 }
 
-TEST(Notes, NameStrutsThatOverlapAtRest)
+TEST(Notes, ReportStrutsThatOverlapAtRest)
 {
   const auto notes_with = [](const std::string &joints,
                              const std::string &contact) {
-    const EquationsOnRanks of_scene(SceneText()
-                                      .frame(joints, "0 1; 2 3")
-                                      .rectangle("strip", 0.02, 0.02, {1e9, 1})
-                                      .set("Effects/Contact", contact),
-                                    {},
-                                    MPI_COMM_SELF);
-    return notes_on(of_scene.equations);
+    const EquationsOnRanks scene_equations(
+      SceneText()
+        .frame(joints, "0 1; 2 3")
+        .rectangle("strip", 0.02, 0.02, {1e9, 1})
+        .set("Effects/Contact", contact),
+      {},
+      MPI_COMM_SELF);
+    return notes_on(scene_equations.equations);
   };
-  const std::string crossing                 = "0 0; 1 0; 0.3 -0.5; 0.3 0.5",
-                    beside                   = "0 0; 1 0; 0 0.015; 1 0.015",
-                    apart                    = "0 0; 1 0; 0 0.021; 1 0.021";
-  const std::vector<std::string> of_crossing = notes_with(crossing, "auto"),
-                                 of_beside   = notes_with(beside, "auto");
-  ASSERT_EQ(of_crossing.size(), 1u);
-  expect_parts(of_crossing[0],
+  const std::string crossing                    = "0 0; 1 0; 0.3 -0.5; 0.3 0.5",
+                    beside                      = "0 0; 1 0; 0 0.015; 1 0.015",
+                    apart                       = "0 0; 1 0; 0 0.021; 1 0.021";
+  const std::vector<std::string> crossing_notes = notes_with(crossing, "auto"),
+                                 beside_notes   = notes_with(beside, "auto");
+  ASSERT_EQ(crossing_notes.size(), 1u);
+  expect_parts(crossing_notes[0],
                {"0 and 1 cross at rest", "pass each other freely"});
-  ASSERT_EQ(of_beside.size(), 1u);
-  expect_parts(of_beside[0], {"0 and 1 overlap at rest", "no contact forces"});
+  ASSERT_EQ(beside_notes.size(), 1u);
+  expect_parts(beside_notes[0],
+               {"0 and 1 overlap at rest", "no contact forces"});
   EXPECT_TRUE(notes_with(apart, "auto").empty());
   EXPECT_TRUE(notes_with(crossing, "off").empty());
 }
 
-TEST(Notes, NameLoadsThatDoNothing)
+TEST(Notes, ReportLoadsWithoutEffect)
 {
   const std::vector<std::string> notes =
     notes_on_scene(strut_with("roller x", "Force x = 1 | Force y = t"));

@@ -30,7 +30,7 @@ namespace
   };
 } // namespace
 
-TEST_F(OutputFileTest, IsWrittenAnewOrWithin)
+TEST_F(OutputFileTest, IsTruncatedOrUpdated)
 {
   const std::string file = folder + "/file";
   open_output_file(file) << "first text";

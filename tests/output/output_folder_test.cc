@@ -66,7 +66,7 @@ namespace
     const fs::path folder;
   };
 
-  TEST_F(OutputFolderTest, WhatAuxfemHasWrittenIsRemovedAndNothingElse)
+  TEST_F(OutputFolderTest, RemovesOnlyFilesOfAuxfem)
   {
     run();
     const std::vector<std::string> others = {"notes.txt",
@@ -93,7 +93,7 @@ namespace
     EXPECT_FALSE(fs::exists(folder / "solution"));
   }
 
-  TEST_F(OutputFolderTest, FilesOfOthersAreRefusedAndStay)
+  TEST_F(OutputFolderTest, ForeignFilesAreRejectedAndKept)
   {
     for (const std::string name : {"log.txt",
                                    "history.csv",
@@ -116,7 +116,7 @@ namespace
       }
   }
 
-  TEST_F(OutputFolderTest, FileOfAnotherBesideOwnOnesIsRefused)
+  TEST_F(OutputFolderTest, ForeignFileBesideOwnFilesIsRejected)
   {
     {
       const OutputFolder comparison(folder, {{"table.csv"}, {}}, {});
@@ -127,7 +127,7 @@ namespace
     expect_parts(message, {"history.csv"});
     EXPECT_FALSE(contains(message, "table.csv"));
 
-    // A program that writes other files leaves these, and knows them later.
+    // A run with other files keeps these in its list.
     fs::remove(folder / "history.csv");
     run();
     EXPECT_TRUE(fs::exists(folder / "table.csv"));
@@ -136,7 +136,7 @@ namespace
     EXPECT_TRUE(fs::exists(folder / "history.csv"));
   }
 
-  TEST_F(OutputFolderTest, ResultsOfOtherKindsOfRunsGoUnlessTheyAreRead)
+  TEST_F(OutputFolderTest, ResultsOfOtherRunKindsAreRemovedUnlessRead)
   {
     {
       const OutputFolder study(folder, {{"a.csv", "b.csv", "c.csv"}, {}}, {});
@@ -157,7 +157,7 @@ namespace
     EXPECT_TRUE(contains(list, "b.csv"));
   }
 
-  TEST_F(OutputFolderTest, LinksThatLeadNowhereAreOfOthers)
+  TEST_F(OutputFolderTest, DanglingLinksAreForeign)
   {
     fs::create_symlink("nowhere", folder / "log.txt");
     expect_parts(refusal(), {"log.txt", "auxfem has not written"});
@@ -183,7 +183,7 @@ namespace
                  {"solution_00000.vtu"});
   }
 
-  TEST_F(OutputFolderTest, SecondRunIsRefusedUntilTheFirstHasEnded)
+  TEST_F(OutputFolderTest, SecondRunIsRejectedWhileFirstRuns)
   {
     {
       const OutputFolder first(folder, folder_contents, {});
@@ -198,7 +198,7 @@ namespace
     EXPECT_EQ(refusal(), "");
   }
 
-  TEST_F(OutputFolderTest, ListOfSomeoneElseIsNotWrittenOver)
+  TEST_F(OutputFolderTest, ForeignListIsNotOverwritten)
   {
     write(".auxfem-files", "my own list\n");
     expect_parts(refusal(), {".auxfem-files", "cannot be used"});

@@ -20,7 +20,7 @@ TEST(OutputTimes, AreAllMultiplesDespiteRoundOff)
     }
 }
 
-TEST(OutputTimes, AreMetByTimesNextToThem)
+TEST(OutputTimes, AcceptNearbyTimes)
 {
   const OutputTimes times(1e-3, 1e-11);
   EXPECT_TRUE(times.has(7e-3 + 1e-11));

@@ -35,13 +35,15 @@ namespace
 
   std::string probe_refusal(const std::string &selection)
   {
-    const EquationsOnRanks of_scene(bars, {}, MPI_COMM_SELF);
+    const EquationsOnRanks scene_equations(bars, {}, MPI_COMM_SELF);
     return input_error_of([&] {
-      RigidPartProbe::check(probe(selection), of_scene.scene, of_scene.lattice);
+      RigidPartProbe::check(probe(selection),
+                            scene_equations.scene,
+                            scene_equations.lattice);
     });
   }
 
-  /** Turns bar 0 by @p angle about joint 0. */
+  /** Rotates bar 0 by @p angle about joint 0. */
   void
   turn_first_bar(const DofNumbering &dofs, const double angle, State &state)
   {
@@ -50,7 +52,7 @@ namespace
   }
 } // namespace
 
-TEST(RigidPartProbe, IsToldByItsFirstWord)
+TEST(RigidPartProbe, IsIdentifiedByPrefix)
 {
   EXPECT_TRUE(RigidPartProbe::is_rigid_part_probe(probe("rigid: 0 @ 1")));
   EXPECT_FALSE(RigidPartProbe::is_rigid_part_probe(probe("0, 1")));
@@ -58,17 +60,19 @@ TEST(RigidPartProbe, IsToldByItsFirstWord)
 
 TEST(RigidPartProbe, RotationIsCountedPastHalfTurns)
 {
-  const EquationsOnRanks of_scene(bars, {}, MPI_COMM_SELF);
-  State                  state = of_scene.equations.initial_state();
-  RigidPartProbe first(probe("rigid: 0"), of_scene.scene, of_scene.equations);
-  RigidPartRotations rotations(of_scene.equations);
+  const EquationsOnRanks scene_equations(bars, {}, MPI_COMM_SELF);
+  State                  state = scene_equations.equations.initial_state();
+  RigidPartProbe         first(probe("rigid: 0"),
+                       scene_equations.scene,
+                       scene_equations.equations);
+  RigidPartRotations     rotations(scene_equations.equations);
   ASSERT_EQ(first.columns().size(), 1u);
   for (const double sign : {1., -1.})
     {
-      // There and back: three turns to either side.
+      // Forward and back, three turns to either side.
       for (int i = 0; i <= 60; ++i)
         {
-          turn_first_bar(of_scene.dofs(), sign * i * pi / 10, state);
+          turn_first_bar(scene_equations.dofs(), sign * i * pi / 10, state);
           rotations.follow(state);
           EXPECT_NEAR(first.values(state, rotations).at(0),
                       sign * i * pi / 10,
@@ -76,7 +80,7 @@ TEST(RigidPartProbe, RotationIsCountedPastHalfTurns)
         }
       for (int i = 60; i >= 0; --i)
         {
-          turn_first_bar(of_scene.dofs(), sign * i * pi / 10, state);
+          turn_first_bar(scene_equations.dofs(), sign * i * pi / 10, state);
           rotations.follow(state);
         }
       EXPECT_NEAR(first.values(state, rotations).at(0), 0, 1e-13);
@@ -85,16 +89,18 @@ TEST(RigidPartProbe, RotationIsCountedPastHalfTurns)
 
 TEST(RigidPartProbe, SeveralPartsGiveTheirMeanRotation)
 {
-  const EquationsOnRanks of_scene(bars, {}, MPI_COMM_SELF);
-  const auto            &dofs  = of_scene.dofs();
-  State                  state = of_scene.equations.initial_state();
-  RigidPartProbe both(probe("rigid: 0, 1"), of_scene.scene, of_scene.equations);
-  // Bar 0 by 0.6; bar 1 by 0.2 about its moved end.
+  const EquationsOnRanks scene_equations(bars, {}, MPI_COMM_SELF);
+  const auto            &dofs  = scene_equations.dofs();
+  State                  state = scene_equations.equations.initial_state();
+  RigidPartProbe         both(probe("rigid: 0, 1"),
+                      scene_equations.scene,
+                      scene_equations.equations);
+  // Bar 0 rotates by 0.6; bar 1 by 0.2 about its moved end.
   turn_first_bar(dofs, 0.6, state);
   state.displacement[dofs.joint_unknown(2, 0)] =
     std::cos(0.6) + std::cos(0.2) - 2;
   state.displacement[dofs.joint_unknown(2, 1)] = std::sin(0.6) + std::sin(0.2);
-  RigidPartRotations rotations(of_scene.equations);
+  RigidPartRotations rotations(scene_equations.equations);
   rotations.follow(state);
   EXPECT_NEAR(both.values(state, rotations).at(0), 0.4, 1e-14);
 }
@@ -120,21 +126,21 @@ TEST(RigidPartProbe, ForcesAreThoseOfTheChosenJoints)
     rotations.follow(run.state);
     return chosen.values(run.state, rotations);
   };
-  // Weight in the middle: 15 N each; of the load 22.5 N and 7.5 N.
+  // The central weight gives 15 N each, the load 22.5 N and 7.5 N.
   EXPECT_NEAR(values_of("rigid: 0 @ 0").at(2), 37.5, 1e-12);
   EXPECT_NEAR(values_of("rigid: 0 @ 1").at(2), 22.5, 1e-12);
   EXPECT_NEAR(values_of("rigid: all @ 2").at(2), -30, 1e-12);
-  // All together carry the weight.
+  // All joints together carry the weight.
   EXPECT_NEAR(values_of("rigid: all @ all").at(2), 30, 1e-12);
   EXPECT_NEAR(values_of("rigid: all @ all").at(1), 0, 1e-12);
-  // By the name of the definition.
+  // The name of a definition selects its parts.
   EXPECT_NEAR(values_of("rigid: bar @ 1").at(2), 22.5, 1e-12);
 }
 
-TEST(RigidPartProbe, MistakesAreNamed)
+TEST(RigidPartProbe, ErrorsAreDescribed)
 {
   EXPECT_EQ(probe_refusal("rigid: 1 @ 2"), "");
-  // Elastic struts beside rigid ones are left out.
+  // Elastic struts besides rigid ones are ignored.
   EXPECT_EQ(probe_refusal("rigid: all"), "");
   for (const auto &[selection, words] :
        std::vector<std::pair<std::string, std::string>>{

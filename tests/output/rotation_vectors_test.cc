@@ -17,7 +17,7 @@ namespace
       .frame("0 0; 1 0", "0 1")
       .circle("band", "5 mm", {"70 GPa", "2700 kg/m3"});
 
-  /** A strut in free space whose nodes are turned by hand. */
+  /** A free strut in space whose nodes the test rotates. */
   class RotationVectorsTest : public testing::Test
   {
   protected:
@@ -36,13 +36,13 @@ namespace
           vectors.choose(model.numbering.joint_unknown(joint, first_rotation));
     }
 
-    /** Turns all nodes from where they are to @p rotation. */
+    /** Rotates all nodes from their current rotation to @p rotation. */
     void turn_to(const Quaternion &rotation)
     {
       turn_by(rotation_vector(conjugate(state.rotations[0]) * rotation));
     }
 
-    /** Turns all nodes by a material rotation vector (rad). */
+    /** Rotates all nodes by a material rotation vector (rad). */
     void turn_by(const SpaceVector &turn)
     {
       const State      before = state;
@@ -89,7 +89,7 @@ namespace
   };
 } // namespace
 
-TEST_F(RotationVectorsTest, CountOnAboutAFixedAxisEvenInLongSteps)
+TEST_F(RotationVectorsTest, CountTurnsAboutFixedAxisInLongSteps)
 {
   const SpaceVector axis({2. / 3, -1. / 3, 2. / 3});
   for (unsigned int i = 0; i < 5; ++i)
@@ -99,9 +99,9 @@ TEST_F(RotationVectorsTest, CountOnAboutAFixedAxisEvenInLongSteps)
   EXPECT_NEAR(vectors.largest(), 20, 1e-13);
 }
 
-TEST_F(RotationVectorsTest, StaySmallWhereTheAxisGoesRoundAndRound)
+TEST_F(RotationVectorsTest, StaySmallForCirclingAxis)
 {
-  // In each round the sum of turns gains 2 pi (1 - cos 0.5) = 0.77 about z.
+  // Each round adds 2 pi (1 - cos 0.5) = 0.77 about z to the sum of rotations.
   const unsigned int n_rounds = 20, n_steps = 64;
   const auto         vector = [](const double phase) {
     return SpaceVector({0.5 * std::cos(phase), 0.5 * std::sin(phase), 0});
@@ -121,7 +121,7 @@ TEST_F(RotationVectorsTest, CountTurnsAboutATiltedAxis)
   turn_by(SpaceVector({0.1, 0, 0}));
   for (unsigned int i = 0; i < 14000; ++i)
     turn_by(SpaceVector({0, 0, 0.05}));
-  // Which axis they are counted about is known to the tilt, 0.1^2 / 2.
+  // The axis of the count is only known up to the tilt, 0.1^2 / 2.
   EXPECT_NEAR(vector_of(1)[2], 700, 3.5);
   EXPECT_NEAR(vectors.largest(), 700, 1);
 }

@@ -50,7 +50,7 @@ TEST(RunFolder, IsMadeWithParents)
   EXPECT_EQ(read_text(output / "parameters.prm"), "set Title = all\n");
 }
 
-TEST(RunFolder, FilesOfOthersWithNamesOfResultsAreRefused)
+TEST(RunFolder, ForeignFilesWithResultNamesAreRejected)
 {
   const fs::path folder = fresh_folder("others");
   for (const std::string name : {"log.txt",
@@ -127,10 +127,10 @@ TEST(RunFolder, SceneFromMemoryHasNoOriginal)
   EXPECT_FALSE(fs::exists(folder / "original.prm"));
 }
 
-TEST(RunFolder, FolderThatCannotBeMadeIsRefused)
+TEST(RunFolder, UncreatableFolderIsRejected)
 {
   const fs::path folder = fresh_folder("refused");
-  // A file where the folder should be stops any user, root as well.
+  // A file in place of the folder stops any user, also root.
   for (const fs::path &output :
        {folder / "scene.prm", folder / "scene.prm" / "below"})
     expect_parts(
@@ -138,7 +138,7 @@ TEST(RunFolder, FolderThatCannotBeMadeIsRefused)
       {output.string(), "Not a directory", "--output DIR", "Output/Directory"});
 }
 
-TEST(RunFolder, LogThatCannotBeWrittenIsRefused)
+TEST(RunFolder, UnwritableLogIsRejected)
 {
   const fs::path folder = fresh_folder("no_log");
   fs::create_directories(folder / "out" / "log.txt");
@@ -149,7 +149,7 @@ TEST(RunFolder, LogThatCannotBeWrittenIsRefused)
                {"log.txt", "Is a directory"});
 }
 
-TEST(RunFolder, FileIsReplacedInOneMove)
+TEST(RunFolder, FileIsReplacedAtomically)
 {
   const fs::path folder = fresh_folder("replace");
   replace_file(folder / "summary.json", "old");

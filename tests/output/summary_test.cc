@@ -7,7 +7,7 @@
 
 using namespace auxfem;
 
-TEST(Summary, JsonHoldsWhatTheRunCounted)
+TEST(Summary, JsonContainsCounts)
 {
   Scene scene;
   scene.file               = "a \"quoted\" name.prm";
@@ -50,7 +50,7 @@ TEST(Summary, JsonHoldsWhatTheRunCounted)
   EXPECT_EQ(json.at("connector_groups").back(), "rod");
 }
 
-TEST(Summary, OverviewListsWhatIsSimulatedAndWhatIsNot)
+TEST(Summary, OverviewListsSimulatedAndOmittedEffects)
 {
   Scene scene;
   scene.file                 = "lattice.prm";
@@ -78,7 +78,7 @@ TEST(Summary, OverviewListsWhatIsSimulatedAndWhatIsNot)
   EXPECT_NE(text.back(), '\n');
 }
 
-TEST(Summary, OverviewTellsElementsOfStruts)
+TEST(Summary, OverviewListsElementsOfStruts)
 {
   const auto text_of = [](const Counts &counts) {
     return overview_text(Scene(), counts, {}, {});
@@ -113,7 +113,7 @@ TEST(Summary, OverviewHasNoEmptyList)
   EXPECT_EQ(text.find("Left out"), std::string::npos);
 }
 
-TEST(Summary, TellsPoissonsRatiosOfAllLateralAxes)
+TEST(Summary, ReportsPoissonsRatiosOfLateralAxes)
 {
   Summary      summary;
   const double strains[] = {0.25, -0.5, 1};
@@ -146,8 +146,7 @@ TEST(Summary, ResourcesAreThoseOfTheProcess)
   EXPECT_EQ(resources.start.mpi, 7);
   EXPECT_EQ(resources.start.cpu, 0.5);
   EXPECT_GT(resources.cpu_seconds, 0);
-  // A process that has loaded deal.II holds more than a megabyte, and less
-  // than a terabyte.
+  // A process with deal.II uses between a megabyte and a terabyte.
   EXPECT_GT(resources.largest_memory, 1ul << 20);
   EXPECT_LT(resources.largest_memory, 1ul << 40);
   EXPECT_GE(resources.memory, resources.largest_memory);

@@ -15,7 +15,7 @@ namespace
     {Verdict::doubtful, "Stability is lost.", 0.25, "joint 3"}};
 }
 
-TEST(Verdict, IsThatOfTheWorstFinding)
+TEST(Verdict, EqualsWorstFinding)
 {
   EXPECT_EQ(verdict_of({}), Verdict::sound);
   EXPECT_EQ(verdict_of({found[1]}), Verdict::doubtful);
@@ -32,7 +32,7 @@ TEST(Verdict, NamesItsReasonsInWords)
             "  Stability is lost.");
 }
 
-TEST(Verdict, StandsInTheSummaryWithTimeAndPlace)
+TEST(Verdict, IsInSummaryWithTimeAndLocation)
 {
   Json sound;
   add_verdict(sound, {});

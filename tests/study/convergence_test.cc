@@ -24,7 +24,7 @@ namespace
   }
 } // namespace
 
-TEST(ConvergenceStudy, ErrorsAgainstAnExactValueAreTheTrueOnes)
+TEST(ConvergenceStudy, ErrorsAgainstExactValueAreTrueErrors)
 {
   const StudyReport report =
     study_of(cantilever().set("Quantities/deflection",
@@ -36,7 +36,7 @@ TEST(ConvergenceStudy, ErrorsAgainstAnExactValueAreTheTrueOnes)
   ASSERT_EQ(values.size(), 3u);
   for (unsigned int i = 0; i < 3; ++i)
     {
-      // One point a linear element: it is as if EI were larger by h^2 / 4.
+      // One point per linear element acts like an EI larger by h^2 / 4.
       const double h         = std::ldexp(1, -int(i) - 1);
       const double too_stiff = (1 - h * h / 4) / 12 + 1. / 50;
       EXPECT_NEAR(std::stod(values[i]), too_stiff, 1e-10) << i;
@@ -46,12 +46,12 @@ TEST(ConvergenceStudy, ErrorsAgainstAnExactValueAreTheTrueOnes)
     last_number_where(report, "deflection.observed_order", "role", "run"),
     2,
     1e-6);
-  // Nothing else is measured, so that no reference is computed.
+  // All quantities are exact, so no reference is computed.
   EXPECT_EQ(report.rows.size(), 3u);
   EXPECT_TRUE(contains(report.text, "Reference: exact values."));
 }
 
-TEST(ConvergenceStudy, OneExactValueOfTwoLeavesTheReference)
+TEST(ConvergenceStudy, OneExactValueOfTwoKeepsReference)
 {
   const StudyReport report =
     study_of(cantilever()
@@ -78,7 +78,7 @@ TEST(ConvergenceStudy, ConvergenceIndexBoundsTheTrueError)
 
 TEST(ConvergenceStudy, ExtrapolationFindsTheLimit)
 {
-  // The error by order 1 is known; the limit of three such runs is exact.
+  // The error at order 1 is known; the limit of three such runs is exact.
   const StudyReport report =
     study_of(cantilever().set("Quantities/deflection", "tip.uy at end"),
              {"Study/Orders=1",
@@ -90,10 +90,10 @@ TEST(ConvergenceStudy, ExtrapolationFindsTheLimit)
               1e-8);
 }
 
-// Bending moments of linear elements are right in the middle of each and
-// constant: against M = F (L - s) the square of their error integrates to
-// F^2 L^3 / (12 n^2), that of M to F^2 L^3 / 3. Shear has no error.
-TEST(ConvergenceStudy, EnergyNormOfTheErrorIsTheTrueOne)
+// Bending moments of linear elements are constant and exact at midpoints. Their
+// squared error against M = F (L - s) integrates to F^2 L^3 / (12 n^2), M^2 to
+// F^2 L^3 / 3. Shear has no error.
+TEST(ConvergenceStudy, EnergyNormErrorIsTrueError)
 {
   const StudyReport report =
     study_of(cantilever().set("Quantities/field", "energy norm at end"),
@@ -119,11 +119,11 @@ TEST(ConvergenceStudy, WithoutQuantitiesProbesAreComparedAsVectors)
 {
   const StudyReport report = study_of(cantilever(), {"Study/Orders=1"});
   EXPECT_EQ(cells_where(report, "tip.error", "role", "run").size(), 3u);
-  // Three and two references.
+  // Three runs and two references.
   EXPECT_EQ(report.rows.size(), 5u);
 }
 
-TEST(ConvergenceStudy, AutomaticListsGoAroundTheScene)
+TEST(ConvergenceStudy, AutomaticListsSurroundSceneValues)
 {
   const StudyReport report = study_of(swinging_beam(0.2, 20), {});
   EXPECT_EQ(cells_where(report, "elements", "refined", "mesh"),
@@ -148,7 +148,7 @@ TEST(ConvergenceStudy, NewtonToleranceHasItsOwnError)
   EXPECT_LT(std::stod(errors[2]), 1e-4);
 }
 
-TEST(ConvergenceStudy, MeshAndStepTogetherFallWithTheOrderOfTheStep)
+TEST(ConvergenceStudy, JointRefinementHasOrderOfTimeStep)
 {
   const StudyReport report =
     study_of(swinging_beam(0.2, 20).set("Newton/Tolerance", "1e-10"),
@@ -190,7 +190,7 @@ TEST(ConvergenceStudy, ReducedCellHasNeitherOrderNorElements)
 
 TEST(ConvergenceStudy, FailedRunsAreNamedAndDoNotEndTheStudy)
 {
-  // Steps of 40 ms alone come by 0.12 s, where the load is no number.
+  // Only steps of 40 ms hit 0.12 s, where the load is NaN.
   const StudyReport report =
     study_of(swinging_beam(0.2, 20).set("Loads/push/Force x",
                                         "if(abs(t - 0.12) < 1e-9, 0 / 0, 0)"),
@@ -209,7 +209,7 @@ TEST(ConvergenceStudy, FailedRunsAreNamedAndDoNotEndTheStudy)
 
 TEST(ConvergenceStudy, ReferenceThatFailsIsAFindingNotAnError)
 {
-  // The finest steps alone come by 0.1975 s.
+  // Only the finest steps hit 0.1975 s.
   const StudyReport report =
     study_of(swinging_beam(0.2, 20).set("Loads/push/Force x",
                                         "if(abs(t - 0.1975) < 1e-9, 0 / 0, 0)"),
@@ -235,7 +235,7 @@ TEST(ConvergenceStudy, FieldsAreComparedWhereNoStepEnds)
               0.1);
 }
 
-TEST(ConvergenceStudy, MistakesAreFoundBeforeTheFirstRun)
+TEST(ConvergenceStudy, ErrorsAreReportedBeforeTheFirstRun)
 {
   const auto refusal = [](const SceneText                &scene,
                           const std::vector<std::string> &overrides) {
@@ -270,14 +270,14 @@ TEST(ConvergenceStudy, StaticsAndDynamicsAreNotCompared)
                {"Study/Schemes", "static", "newmark", "Remove one"});
 }
 
-TEST(ConvergenceStudy, QuantitiesThatAreZeroBySymmetryAreFoundOut)
+TEST(ConvergenceStudy, DetectsQuantitiesThatAreZeroBySymmetry)
 {
   SceneText scene;
   scene.cells("star", 2, 2);
   scene.rectangle("strut", "1 mm", "1 mm", {"2 GPa", 1000, 0.3});
   scene.support("base", "bottom", "clamp");
-  // What is left of the quantity is round-off, which may agree in both
-  // references by chance; with this load it has not even the same sign.
+  // The quantity is round-off, which may agree in both references by chance;
+  // with this load the signs differ.
   scene.load("push", "top", {"0", "-0.15 * t", "0"});
   scene.time(1, 0.25, "static").probe("top", "top");
   scene.set("Quantities/sideways", "top.ux at end");
@@ -286,6 +286,6 @@ TEST(ConvergenceStudy, QuantitiesThatAreZeroBySymmetryAreFoundOut)
   ASSERT_EQ(report.findings.size(), 1u) << report.text;
   EXPECT_EQ(report.findings[0].verdict, Verdict::doubtful);
   EXPECT_TRUE(contains(report.findings[0].text, "\"sideways\""));
-  // It does not decide what is recommended.
+  // Recommendations ignore it.
   EXPECT_TRUE(contains(report.text, "\n- for 10 %:")) << report.text;
 }

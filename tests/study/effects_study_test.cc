@@ -10,7 +10,7 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  /** A cantilever of a soft or a stiff material in its own weight. */
+  /** A cantilever of soft or stiff material under its own weight. */
   SceneText heavy_cantilever(const std::string &youngs_modulus,
                              const std::string &load)
   {
@@ -51,7 +51,7 @@ TEST(EffectsStudy, LargeRotationsAreCalledForWhereTheyAreLarge)
 
 TEST(EffectsStudy, ChangeByTheWeightIsThatOfTheFormula)
 {
-  // At small displacements: w L^4 / (8 EI) of F L^3 / (3 EI) + that.
+  // Small displacements: w L^4 / (8 EI) over F L^3 / (3 EI) + w L^4 / (8 EI).
   const StudyReport report = effects_of(
     heavy_cantilever("1e12", "-100 * t").set("Effects/Large rotation", "off"),
     "1 %");
@@ -59,11 +59,11 @@ TEST(EffectsStudy, ChangeByTheWeightIsThatOfTheFormula)
   const double expected = weight / 8 / (weight / 8 + 100. / 3);
   EXPECT_NEAR(last_number_where(report, "tip.change", "left_out", "Gravity"),
               expected,
-              // of shear, which both loads have
+              // shear contributes to both loads
               0.01 * expected);
 }
 
-TEST(EffectsStudy, WhatIsNotCalledForIsLeftOutTogether)
+TEST(EffectsStudy, OmitsAllUnneededEffectsTogether)
 {
   const StudyReport report =
     effects_of(heavy_cantilever("1e12", "-100 * t"), "20 %");
@@ -77,9 +77,9 @@ TEST(EffectsStudy, WhatIsNotCalledForIsLeftOutTogether)
                        "\"Effects/Contact=off\""));
 }
 
-TEST(EffectsStudy, WhatChangesTooMuchTogetherIsNotRecommended)
+TEST(EffectsStudy, JointOmissionWithLargeChangeIsNotRecommended)
 {
-  // Load and weight are alike: without either half of it is left.
+  // Load and weight contribute equally: without either, half remains.
   const StudyReport report =
     effects_of(heavy_cantilever("1e12", "-100 * t")
                  .set("Effects/Shear flexibility", "off"),
@@ -96,9 +96,10 @@ TEST(EffectsStudy, InertiaIsLeftOutByStatics)
   const StudyReport report = effects_of(scene, "1 %");
   EXPECT_EQ(verdict_on(report, "Inertia"), "called for");
   scene.set("Quantities/speed", "history tip.vy");
-  const StudyReport of_speed = effects_of(scene, "1 %");
-  EXPECT_EQ(verdict_on(of_speed, "Inertia"), "cannot be left out");
-  EXPECT_TRUE(contains(of_speed.text, "Without Inertia: there is no tip.vy"));
+  const StudyReport speed_report = effects_of(scene, "1 %");
+  EXPECT_EQ(verdict_on(speed_report, "Inertia"), "cannot be left out");
+  EXPECT_TRUE(
+    contains(speed_report.text, "Without Inertia: there is no tip.vy"));
 }
 
 TEST(EffectsStudy, ReducedCellHasNone)

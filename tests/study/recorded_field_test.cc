@@ -51,7 +51,7 @@ namespace
       energy_roots(field, integration_points(field), with_velocities));
   }
 
-  /** In the middle and at the end, against those of history.csv. */
+  /** Compares energies at the middle and the end with history.csv. */
   void expect_energies_of_history(const MeasuredRun &run)
   {
     ASSERT_TRUE(run.completed()) << run.exit_state;
@@ -107,7 +107,7 @@ TEST(RecordedField, IsReadAsItWasWritten)
     }
 }
 
-// The halves of an element have the same polynomials as the whole of it.
+// The halves of an element have the polynomials of the whole element.
 TEST(RecordedField, IsTheSameAtPointsOfAFinerOne)
 {
   const MeasuredRun run   = run_of(beams(2, "newmark"));
@@ -118,7 +118,7 @@ TEST(RecordedField, IsTheSameAtPointsOfAFinerOne)
   EXPECT_NEAR(energy(roots) / energy(run.fields.at(end), true), 1, 1e-12);
 }
 
-TEST(RecordedField, IsNotKeptUnlessWanted)
+TEST(RecordedField, IsRecordedOnlyIfSelected)
 {
   const MeasuredRun run =
     measure_run(read_scene_from_text(beams(2, "newmark"), "test.prm"),

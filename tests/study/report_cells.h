@@ -12,7 +12,7 @@ namespace auxfem
 {
   namespace testing_support
   {
-    /** The text of @p scene as a study with further lines; see SceneText. */
+    /** Text of @p scene as a study with additional lines; see SceneText. */
     inline StudyReport study_of(const std::string              &scene,
                                 const std::vector<std::string> &overrides)
     {

@@ -20,7 +20,7 @@ TEST(StudyReport, TablesAreAlignedMarkdown)
             "| 0.05 |        - |\n");
 }
 
-TEST(StudyReport, NumbersAreWrittenAsPeopleDo)
+TEST(StudyReport, NumbersAreReadable)
 {
   EXPECT_EQ(error_text(1.234e-5), "1.23e-05");
   EXPECT_EQ(error_text({}), "-");

@@ -40,7 +40,7 @@ namespace
             planned("fine", "0.005")};
   }
 
-  /** Collective. */
+  /** An empty folder of the test. Collective. */
   std::string fresh_folder(const std::string &name)
   {
     const std::string folder = std::string(AUXFEM_TEST_OUTPUT_DIRECTORY) +
@@ -52,7 +52,7 @@ namespace
     return folder;
   }
 
-  /** Counts on the first rank what was computed anew, and what not. */
+  /** Counts computed and loaded runs on the first rank. */
   struct Counts
   {
     unsigned int computed = 0, reused = 0;
@@ -81,7 +81,7 @@ namespace
   }
 } // namespace
 
-// With two ranks these three go side by side.
+// With two ranks these three runs are computed side by side.
 TEST(StudyRuns, ResultsComeInTheOrderOfThePlan)
 {
   Counts     counts;
@@ -109,7 +109,7 @@ TEST(StudyRuns, SingleRunIsDoneByAllRanks)
   EXPECT_TRUE(runs[0].completed());
 }
 
-TEST(StudyRuns, KeptRunsAreNotDoneAgain)
+TEST(StudyRuns, StoredRunsAreNotRepeated)
 {
   const std::string folder = fresh_folder("kept");
   Counts            first, second;
@@ -152,7 +152,7 @@ TEST(StudyRuns, DamagedFilesAreComputedAnew)
   expect_counts(second, 3, 0);
 }
 
-TEST(StudyRuns, KeysTellWhatChangesAResultAndNothingElse)
+TEST(StudyRuns, KeysDependOnRelevantParametersOnly)
 {
   const auto key = [](const std::vector<std::string> &overrides) {
     return key_of(read_scene_from_text(beam_of_struts(), "test.prm", overrides),
@@ -184,20 +184,20 @@ TEST(StudyRuns, KeysFollowTheContentsOfTables)
   EXPECT_NE(key("0,0\n1,1\n"), key("0,0\n1,2\n"));
 }
 
-TEST(Settings, OverridesNameWhatDiffersAndNothingElse)
+TEST(Settings, OverridesContainDifferencesOnly)
 {
   const Scene    scene = read_scene_from_text(beam_of_struts(), "test.prm");
   const Settings own   = settings_of(scene);
   EXPECT_TRUE(overrides(own, own).empty());
-  Settings other    = own;
-  other.order       = 2;
-  other.time_step   = 2.5e-3;
-  const auto wanted = overrides(own, other);
-  EXPECT_EQ(wanted,
+  Settings other         = own;
+  other.order            = 2;
+  other.time_step        = 2.5e-3;
+  const auto assignments = overrides(own, other);
+  EXPECT_EQ(assignments,
             (std::vector<std::string>{"Discretization/Order=2",
                                       "Time/Time step=0.0025"}));
-  EXPECT_TRUE(settings_of(scene_with(scene, wanted)) == other);
+  EXPECT_TRUE(settings_of(scene_with(scene, assignments)) == other);
   EXPECT_EQ(
-    command_line_text(wanted),
+    command_line_text(assignments),
     " --set \"Discretization/Order=2\" --set \"Time/Time step=0.0025\"");
 }

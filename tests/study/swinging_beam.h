@@ -7,7 +7,7 @@ namespace auxfem
 {
   namespace testing_support
   {
-    /** A cantilever that is pushed ever harder, in @p n_steps steps. */
+    /** A cantilever under a growing force, in @p n_steps steps. */
     inline SceneText swinging_beam(const double end, const unsigned int n_steps)
     {
       SceneText scene;

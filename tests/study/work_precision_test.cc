@@ -36,17 +36,17 @@ TEST(WorkPrecisionStudy, ErrorsAreSplitIntoThoseOfMeshAndStep)
 {
   const StudyReport report = small_study();
   ASSERT_EQ(report.rows.size(), 4u);
-  // One linear element is far too stiff, however short the steps.
+  // One linear element is far too stiff for any step length.
   EXPECT_GT(number(report, "error_by_mesh", "1", "0.005"), 0.05);
   EXPECT_NEAR(number(report, "error_by_mesh", "1", "0.005"),
               number(report, "error", "1", "0.005"),
               0.1 * number(report, "error", "1", "0.005"));
-  // The finest mesh of the study has no error of the mesh, by its measure.
+  // The finest mesh of the study has no mesh error by definition.
   EXPECT_EQ(number(report, "error_by_mesh", "3", "0.02"), 0);
   EXPECT_EQ(number(report, "error_by_step", "3", "0.02"),
             number(report, "error", "3", "0.02"));
-  // Second order: four times shorter steps, a sixteenth of the error; the
-  // reference is four times finer still.
+  // Second order: a quarter of the step gives a sixteenth of the error. The
+  // reference has another quarter.
   EXPECT_NEAR(number(report, "error_by_step", "3", "0.02") /
                 number(report, "error_by_step", "3", "0.005"),
               16,
@@ -70,7 +70,7 @@ TEST(WorkPrecisionStudy, BestRunsHaveNoCheaperAndBetterOne)
       n_best += !is_beaten;
     }
   EXPECT_GT(n_best, 0u);
-  // Whatever the times are, one run has the smallest error.
+  // Independently of times, one run has the smallest error.
   ASSERT_EQ(report.pictures.size(), 1u);
   EXPECT_EQ(report.pictures[0].curves.front().points.size(), n_best);
   EXPECT_TRUE(contains(report.text, "## What to take"));
@@ -93,7 +93,7 @@ TEST(WorkPrecisionStudy, ReducedCellHasNoMesh)
   EXPECT_EQ(report.pictures[0].curves[1].title.find(','), std::string::npos);
 }
 
-// F L^3 / (3 E I) at small displacements, to which shear adds next to nothing.
+// F L^3 / (3 E I) at small displacements; shear is negligible.
 TEST(WorkPrecisionStudy, ExactValuesTakeNoReference)
 {
   SceneText scene;

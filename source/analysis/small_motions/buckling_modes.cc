@@ -247,11 +247,11 @@ namespace auxfem
         if (largest_load == 0)
           {
             std::ostringstream why;
-            why
-              << "no load and no prescribed motion acts at t = " << time << " s"
-              << (state.time == time ? ""
-                                     : " beyond those of the reference state")
-              << ". Set Modes/Time of the loads to a time at which a "
+            why << "no load and no prescribed motion acts at t = " << time
+                << " s"
+                << (state.time == time ? ""
+                                       : " beyond those of the reference state")
+                << ". Set Modes/Time of the loads to a time at which a "
                    "load acts.";
             throw InputError(why.str());
           }

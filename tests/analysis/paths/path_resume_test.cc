@@ -8,8 +8,8 @@
 using namespace auxfem;
 using namespace auxfem::testing_support;
 
-// Paths of equilibria that go on from a checkpoint at every one of their
-// points: of what was before no more is handed on than this.
+// Paths of equilibria that continue from a checkpoint at each of their points,
+// which holds all data of the earlier path.
 
 namespace
 {
@@ -28,16 +28,19 @@ namespace
           << "joint " << joint << ", component " << c;
   }
 
-  /** Of the path @p whole, which was @p later from the checkpoint on. */
+  /**
+   * Compares the path @p whole with @p later, which continues from a
+   * checkpoint.
+   */
   void expect_end_of(const FollowedPath             &whole,
                      const FollowedPath::Checkpoint &checkpoint,
                      const FollowedPath             &later)
   {
-    const auto expect_same_part = [&](const auto &all, const auto &of_later) {
-      ASSERT_LE(of_later.size(), all.size());
-      const std::size_t first = all.size() - of_later.size();
-      for (std::size_t i = 0; i < of_later.size(); ++i)
-        expect_same(all[first + i], of_later[i]);
+    const auto expect_same_part = [&](const auto &all, const auto &later_part) {
+      ASSERT_LE(later_part.size(), all.size());
+      const std::size_t first = all.size() - later_part.size();
+      for (std::size_t i = 0; i < later_part.size(); ++i)
+        expect_same(all[first + i], later_part[i]);
     };
     EXPECT_EQ(whole.points.size(), checkpoint.n_points + later.points.size());
     EXPECT_EQ(whole.singular_points.size(),
@@ -48,7 +51,7 @@ namespace
     EXPECT_EQ(whole.result.findings.size(), later.result.findings.size());
   }
 
-  /** Goes on from every point of a path; returns that path. */
+  /** Continues from every point of a path; returns that path. */
   FollowedPath resume_everywhere(const SceneText                &scene,
                                  const std::vector<std::string> &settings = {})
   {
@@ -65,7 +68,7 @@ namespace
     return whole;
   }
 
-  /** That steps from a checkpoint met this many. */
+  /** Expects this number of singular points after a checkpoint. */
   void expect_singular_points(const FollowedPath &path,
                               const std::size_t   n_limits,
                               const std::size_t   n_bifurcations)
@@ -84,7 +87,7 @@ namespace
       .time(1, 1);
   }
 
-  /** Buckles; round-off must not decide to which side. */
+  /** A buckling structure; round-off must not determine the side. */
   SceneText star()
   {
     return static_scene()
@@ -101,8 +104,9 @@ namespace
       .time(1, 1);
   }
 
-  /** A column in space with a rigid top, pressed by a load that follows it and
-   * one that does not. */
+  /**
+   * A column in space with a rigid top under a follower load and a dead load.
+   */
   SceneText rigid_top_in_space()
   {
     return static_space_frame("0 0; 0 1; 0 1.4; 0 1.5", "0 1; 1 2; 2 3")
@@ -141,7 +145,7 @@ TEST(PathResume, WithRigidPartsAndFollowerLoadsInSpace)
                     {"Path/Largest displacement=0.8", "Path/Points=60"});
 }
 
-TEST(PathResume, AfterAnEndOfAnyKindIsAsIfThereHadBeenNone)
+TEST(PathResume, EqualsUninterruptedPathAfterAnyEnd)
 {
   const std::vector<std::string> far = {"Path/Largest load factor=0.9",
                                         "Path/Points=40"};
@@ -154,34 +158,37 @@ TEST(PathResume, AfterAnEndOfAnyKindIsAsIfThereHadBeenNone)
       near.emplace_back(end);
       const FollowedPath first(shallow_frame().str(), near, MPI_COMM_WORLD);
       ASSERT_LT(first.points.size(), whole.points.size());
-      // The last one is that which is left at the end.
-      const FollowedPath::Checkpoint &left = first.checkpoints.back();
+      // The last checkpoint is the one kept at the end.
+      const FollowedPath::Checkpoint &last_checkpoint =
+        first.checkpoints.back();
       expect_end_of(whole,
-                    left,
+                    last_checkpoint,
                     FollowedPath(shallow_frame().str(),
                                  far,
                                  MPI_COMM_WORLD,
-                                 &left.records));
+                                 &last_checkpoint.records));
     }
 }
 
-TEST(PathResume, MayHaveAnotherNumberOfRanks)
+TEST(PathResume, WorksWithAnotherNumberOfRanks)
 {
   const std::vector<std::string> settings = {"Path/Branch=1", "Path/Points=10"};
   const FollowedPath             whole(star().str(), settings, MPI_COMM_WORLD);
   const FollowedPath::Checkpoint &middle =
     whole.checkpoints[whole.checkpoints.size() / 2];
-  // As RunCheckpoints reads those of several ranks.
+  // RunCheckpoints merges the data of several ranks in the same way.
   CheckpointData all;
-  for (const CheckpointData &of_rank :
+  for (const CheckpointData &rank_data :
        dealii::Utilities::MPI::all_gather(MPI_COMM_WORLD, middle.records))
-    all.add(of_rank);
+    all.add(rank_data);
   const FollowedPath later(star().str(), settings, MPI_COMM_SELF, &all);
   ASSERT_EQ(whole.points.size(), middle.n_points + later.points.size());
   for (std::size_t i = 0; i < later.points.size(); ++i)
     {
-      const Point &of_whole = whole.points[middle.n_points + i];
-      EXPECT_NEAR(of_whole.load_factor, later.points[i].load_factor, 1e-8);
-      EXPECT_EQ(of_whole.n_negative, later.points[i].n_negative);
+      const Point &reference_point = whole.points[middle.n_points + i];
+      EXPECT_NEAR(reference_point.load_factor,
+                  later.points[i].load_factor,
+                  1e-8);
+      EXPECT_EQ(reference_point.n_negative, later.points[i].n_negative);
     }
 }

@@ -35,7 +35,7 @@ namespace
     return truss().load("weight", "1", {"0", text(-force) + " * t", "0"});
   }
 
-  /** Force on the apex that has gone down by @p v. */
+  /** Force on the apex after a downward displacement @p v. */
   double truss_force(const double v)
   {
     return 2 * bar_stiffness * (rise - v) *
@@ -80,7 +80,7 @@ TEST(StaticPath, PassesTheLimitPointsOfATruss)
   EXPECT_EQ(limits[1].singular.after.n_negative, 0u);
 }
 
-TEST(StaticPath, EnergiesBalanceAlongIt)
+TEST(StaticPath, EnergyBalanceHoldsAlongPath)
 {
   const auto error = [](const double resolution) {
     const FollowedPath path(pressed_truss().str(),
@@ -95,14 +95,14 @@ TEST(StaticPath, EnergiesBalanceAlongIt)
     EXPECT_GT(energy, 100);
     return largest / energy;
   };
-  // Steps go with the square root of the resolution, their error at least with
-  // the second power of their length.
+  // Steps are proportional to the square root of the resolution, their error at
+  // least to the square of their length.
   const double coarse = error(0.02), fine = error(0.002);
   EXPECT_LE(coarse, 2e-3);
   EXPECT_LE(fine, 0.1 * coarse);
 }
 
-TEST(StaticPath, ReversedLoadsPullTheOtherWay)
+TEST(StaticPath, ReversedLoadsReverseThePath)
 {
   const FollowedPath path(pressed_truss().str(), {"Path/Reversed loads=true"});
   EXPECT_EQ(path.points.back().load_factor, -1.);
@@ -110,9 +110,10 @@ TEST(StaticPath, ReversedLoadsPullTheOtherWay)
   EXPECT_LT(deflection(path.points.back()), 0);
 }
 
-TEST(StaticPath, SupportsMayDriveIt)
+TEST(StaticPath, SupportMotionDrivesPath)
 {
-  // A soft bar pushes the apex; its upper end goes back while the truss snaps.
+  // A soft bar pushes the apex; its upper end retreats while the truss snaps
+  // through.
   const double    stiffness = 300, travel = 5;
   const SceneText scene =
     static_frame(text(-half_span) + " 0; 0 " + text(rise) + "; " +
@@ -147,7 +148,7 @@ TEST(StaticPath, SupportsMayDriveIt)
     }
 }
 
-TEST(StaticPath, DeadLoadsOfAStaticStartStay)
+TEST(StaticPath, KeepsDeadLoadsOfStaticStart)
 {
   const double    dead  = 200;
   const SceneText scene = truss()
@@ -163,7 +164,7 @@ TEST(StaticPath, DeadLoadsOfAStaticStartStay)
               1e-5);
 }
 
-TEST(StaticPath, EndsWhereItIsTold)
+TEST(StaticPath, EndsAtRequestedLimit)
 {
   const FollowedPath by_motion(pressed_truss().str(),
                                {"Path/Largest displacement=0.5"});
@@ -176,18 +177,18 @@ TEST(StaticPath, EndsWhereItIsTold)
             std::string::npos);
 }
 
-TEST(StaticPath, PointsLieAsNearAsTheResolutionSays)
+TEST(StaticPath, PointSpacingFollowsResolution)
 {
   const auto n = [](const double resolution) {
     return FollowedPath(pressed_truss().str(),
                         {"Path/Resolution=" + text(resolution)})
       .points.size();
   };
-  // Deviations go with the square of the distance.
+  // Deviations are proportional to the square of the distance.
   EXPECT_NEAR(double(n(0.001)) / n(0.016), 4, 1.2);
 }
 
-TEST(StaticPath, WhatCannotBeFollowedIsRefused)
+TEST(StaticPath, UnsupportedScenesAreRejected)
 {
   expect_parts(input_error_of([] { FollowedPath(truss().str()); }),
                {"no load and no prescribed motion", "Path/Time of the loads"});
@@ -207,9 +208,9 @@ TEST(StaticPath, WhatCannotBeFollowedIsRefused)
                {"Solver/Type = gmres", "static path", "mumps"});
 }
 
-TEST(StaticPath, NoBifurcationIsMissedInSilence)
+TEST(StaticPath, UnsymmetricTangentNeedsDirectSolver)
 {
-  // The load turns with the tip, and CHOLMOD has the symmetric part.
+  // The load follows the tip, and CHOLMOD uses the symmetric part only.
   SceneText scene = static_frame("0 0; 0 1", "0 1");
   scene.section({1e4, 1e4, 1})
     .support("clamp", "0", "clamp")
@@ -229,7 +230,7 @@ TEST(StaticPath, NoBifurcationIsMissedInSilence)
     }
 }
 
-TEST(StaticPath, ViscousProcessesHaveComeToRest)
+TEST(StaticPath, ViscousProcessesAreRelaxed)
 {
   // A standard linear solid holds the apex by its long-time spring alone.
   const double    force = 600, stiffness = 150;
@@ -248,7 +249,7 @@ TEST(StaticPath, ViscousProcessesHaveComeToRest)
   EXPECT_LE(std::abs(path.points.back().energies.dissipated()), 1e-12);
 }
 
-TEST(StaticPath, LeavesABranchToEitherSide)
+TEST(StaticPath, SwitchesToEitherSideOfBranch)
 {
   const SceneText scene = static_frame("0 0; 0 1", "0 1")
                             .section({1e5, 1e5, 1})
@@ -270,7 +271,7 @@ TEST(StaticPath, LeavesABranchToEitherSide)
   EXPECT_NEAR(to_one, -to_other, 1e-6);
 }
 
-TEST(StaticPath, GoesPastABifurcationInTwoDirections)
+TEST(StaticPath, PassesDoubleBifurcation)
 {
   // Two equal columns in the plane, and one of square section in space, which
   // buckles to all sides alike, under 1.2 of pi^2 EI / (4 L^2).
@@ -303,7 +304,7 @@ TEST(StaticPath, GoesPastABifurcationInTwoDirections)
       // pi^2 / 4 (Timoshenko & Gere 1961, sec. 2.7).
       const auto &last = path.points.back();
       EXPECT_NEAR(last.load_factor, 1.2, 1e-6);
-      // In space the sign of what is free is round-off.
+      // In space the sign of the zero eigenvalue is round-off.
       if (dimension == 2)
         {
           EXPECT_EQ(last.n_negative, 0u);
@@ -340,7 +341,7 @@ TEST(StaticPathOnRanks, IsTheSame)
               1e-8);
 }
 
-TEST(StaticPath, TheDeterminantHasTheSignThatTheCountSays)
+TEST(StaticPath, DeterminantSignMatchesNegativeCount)
 {
   const SceneText column = static_frame("0 0; 0 1; 0 1.4", "0 1; 1 2")
                              .section({1e5, 1e5, 1})
@@ -369,7 +370,7 @@ TEST(StaticPath, TheDeterminantHasTheSignThatTheCountSays)
 
 namespace
 {
-  /** Pressed by forces of which some turn with the joints of its top. */
+  /** A column under forces, some of which follow the joints of its top. */
   SceneText stars_under_follower_loads()
   {
     return static_scene()
@@ -420,18 +421,18 @@ TEST(StaticPathOnRanks, FindsDivergence)
         EXPECT_NEAR(found.load_factor,
                     together.bifurcations().at(0).load_factor,
                     1e-7);
-        // It is known by its sign alone.
+        // Only the sign of the determinant detects it.
         EXPECT_FALSE(alone.points.back().n_negative);
         EXPECT_EQ(found.singular.before.determinant_sign, 1);
         EXPECT_EQ(found.singular.after.determinant_sign, -1);
-        // The path leaves for a stable branch or does not.
+        // The path may switch to a stable branch or not.
         const bool leaves = branch[0] == 's';
         EXPECT_EQ(n_beyond_divergence(together) == 0, leaves);
         EXPECT_EQ(alone.points.back().determinant_sign, leaves ? 1 : -1);
       }
 }
 
-TEST(StaticPath, LoadsWorkOnTheLeftNullVectorAtLimitPointsAlone)
+TEST(StaticPath, LoadProjectionSeparatesLimitPoints)
 {
   const SceneText shallow =
     static_frame("-12.943 0; 0 0.386; 12.943 0", "0 1; 1 2")

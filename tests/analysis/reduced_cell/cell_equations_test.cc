@@ -12,7 +12,9 @@ using namespace auxfem;
 namespace
 {
   constexpr double L1 = 0.4, theta0 = 0.6, m1 = 0.2, m2 = 0.7;
-  /** Of central differences: truncation and round-off both near 1e-10. */
+  /**
+   * Step of central differences; truncation and round-off are both near 1e-10.
+   */
   constexpr double h = 1e-5;
 
   CellEquations cell(const double bar_mass = m1, const double part_mass = m2)
@@ -32,8 +34,8 @@ namespace
   };
 
   /**
-   * The six parts where the geometry puts them: F = (-w, yF), A further in,
-   * B = (-w, yF + 2 L1 sin theta); the right side mirrored.
+   * Positions of the six parts: F = (-w, yF), A further in, B = (-w, yF + 2 L1
+   * sin theta); the right side is mirrored.
    */
   std::array<Body, 6> bodies(const CellVector &q)
   {
@@ -74,7 +76,7 @@ namespace
     return v;
   }
 
-  /** Motions all round the circle, cos theta = 0 among them. */
+  /** Motions at angles around the full circle, including cos theta = 0. */
   std::vector<CellMotion> motions()
   {
     std::vector<CellMotion> result;
@@ -155,7 +157,7 @@ TEST(CellEquations, ForcesDoTheirWorkOnTheExtension)
                     (2 * h),
                   1e-8);
     }
-  // A turn far below the last digit of theta0 still counts.
+  // A rotation far below the last digit of theta0 still counts.
   EXPECT_NEAR(equations.extension(vector(1e-20, 0)),
               2e-20 * L1 * std::cos(theta0),
               1e-34);
@@ -192,7 +194,7 @@ TEST(CellEquations, DerivativesAgainstDifferences)
 }
 
 // The resultant of all outer forces, -(f1 + F), changes the momentum of the six
-// bodies along y, whatever the hinges do.
+// bodies along y, independently of hinge forces.
 TEST(CellEquations, MomentumFollowsTheOuterForces)
 {
   const double force = 37, step = 1e-4;

@@ -27,7 +27,7 @@ namespace
   }
 } // namespace
 
-TEST(CellSchemes, EveryOneOfTheTableIsAllowedInAScene)
+TEST(CellSchemes, EveryRegisteredSchemeIsAccepted)
 {
   CellCase c;
   c.n_steps = 10;
@@ -54,7 +54,7 @@ TEST(CellSchemes, StartAtRest)
     }
 }
 
-TEST(CellSchemes, EveryLawButTwoWithEveryScheme)
+TEST(CellSchemes, WorkWithEveryLawExceptTwo)
 {
   for (const std::string &scheme : schemes())
     for (const RegistryEntry<ConnectorLaw> &law : connector_law_registry())
@@ -78,7 +78,7 @@ TEST(CellSchemes, EveryLawButTwoWithEveryScheme)
       }
 }
 
-TEST(CellSchemes, TheLastStepMayBeShorterWhereStepsNeedNotBeEqual)
+TEST(CellSchemes, LastStepMayBeShorter)
 {
   CellCase    c;
   std::string text = cell_text(c);
@@ -104,7 +104,7 @@ TEST(CellSchemes, TheLastStepMayBeShorterWhereStepsNeedNotBeEqual)
     }
 }
 
-TEST(CellSchemes, NewtonThatMayNotIterateFails)
+TEST(CellSchemes, NewtonWithoutIterationsFails)
 {
   CellCase c;
   c.scheme                  = "newmark";
@@ -118,8 +118,8 @@ TEST(CellSchemes, NewtonThatMayNotIterateFails)
   EXPECT_LT(history.samples.size(), 11u);
 }
 
-// Numbers of iterations tell a wrong tangent: Newton's method doubles the
-// digits, so that large steps to 1e-12 take few.
+// The number of iterations shows a wrong tangent, because Newton's method
+// converges quadratically.
 TEST(CellSchemes, NewtonConvergesFast)
 {
   for (const std::string law : {"kelvin-voigt", "maxwell"})
@@ -138,7 +138,7 @@ TEST(CellSchemes, NewtonConvergesFast)
     }
 }
 
-TEST(CellSchemes, ComparisonGoesOnAfterFailures)
+TEST(CellSchemes, ComparisonContinuesAfterFailures)
 {
   CellCase c;
   c.law                                 = "standard-linear-solid";
@@ -161,8 +161,8 @@ TEST(CellSchemes, ComparisonGoesOnAfterFailures)
   EXPECT_EQ(rows.front().angle_difference, 0);
 }
 
-// A dashpot of nearly nothing is too stiff for the reference: agreement with
-// the little it has is not agreement.
+// A nearly zero dashpot is too stiff for the reference, whose few samples must
+// not count as agreement.
 TEST(CellSchemes, WithoutAReferenceThereAreNoDifferences)
 {
   CellCase c = table_case(5);

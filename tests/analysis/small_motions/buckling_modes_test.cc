@@ -61,9 +61,9 @@ namespace
   }
 } // namespace
 
-TEST(BucklingModes, OfColumnsAreThoseOfEuler)
+TEST(BucklingModes, MatchEulerColumns)
 {
-  // Clamped and free; pinned; clamped at an end that may slide along.
+  // Clamped and free; pinned; clamped with one sliding end.
   const BucklingModes
     clamped = buckling_of(pressed(column().support("foot", "0", "clamp")), 4),
     pinned =
@@ -77,10 +77,10 @@ TEST(BucklingModes, OfColumnsAreThoseOfEuler)
                        1);
   for (unsigned int i = 0; i < 4; ++i)
     {
-      const double euler  = std::pow((2 * i + 1) * pi / 2, 2) * EI,
-                   of_pin = std::pow((i + 1) * pi, 2) * EI;
+      const double euler       = std::pow((2 * i + 1) * pi / 2, 2) * EI,
+                   pinned_load = std::pow((i + 1) * pi, 2) * EI;
       EXPECT_NEAR(clamped.modes.at(i).factor / with_shear(euler), 1, 1e-8);
-      EXPECT_NEAR(pinned.modes.at(i).factor / with_shear(of_pin), 1, 1e-8);
+      EXPECT_NEAR(pinned.modes.at(i).factor / with_shear(pinned_load), 1, 1e-8);
       EXPECT_LT(clamped.modes[i].residual, 1e-6);
     }
   EXPECT_NEAR(both.modes.at(0).factor / with_shear(4 * pi * pi * EI), 1, 1e-8);
@@ -89,11 +89,10 @@ TEST(BucklingModes, OfColumnsAreThoseOfEuler)
   EXPECT_NEAR(clamped.motion, 1 / EA, 1e-9);
 }
 
-TEST(BucklingModes, OfColumnsWithoutShearAreThoseOfEuler)
+TEST(BucklingModes, MatchEulerColumnsWithoutShear)
 {
-  // The shear that is made up for would lower the load by 5e-3 (kl)^2 / 12 of
-  // itself, on one element 4e-3; the square of this is left, beside 1e-5 of the
-  // mesh.
+  // Without compensation, shear lowers the load by 5e-3 (kl)^2 / 12, on one
+  // element 4e-3. The square of this remains, besides 1e-5 from the mesh.
   for (const unsigned int order : {4, 6})
     {
       const SceneText off = column()
@@ -112,7 +111,7 @@ TEST(BucklingModes, OfColumnsWithoutShearAreThoseOfEuler)
     }
 }
 
-TEST(BucklingModes, ReversedLoadsArePulledTheOtherWay)
+TEST(BucklingModes, ReversedLoadsChangeSign)
 {
   const SceneText pulled =
     column().support("foot", "0", "clamp").load("pull", "1", {"t", "0", "0"});
@@ -121,7 +120,7 @@ TEST(BucklingModes, ReversedLoadsArePulledTheOtherWay)
               1e-8);
 }
 
-TEST(BucklingModes, OfASquareColumnInSpaceComeInPairs)
+TEST(BucklingModes, SquareColumnInSpaceHasPairs)
 {
   const BucklingModes found =
     buckling_of(SceneText()
@@ -142,10 +141,10 @@ TEST(BucklingModes, OfASquareColumnInSpaceComeInPairs)
                 1e-7);
 }
 
-TEST(BucklingModes, LateralOnesAreThoseOfThinCantilevers)
+TEST(BucklingModes, MatchLateralBucklingOfThinCantilever)
 {
   // Timoshenko & Gere 1961, art. 6.3: 4.0126 sqrt(EI_2 GJ) / L^2, without
-  // warping, shear and what bends before.
+  // warping, shear and prebuckling deflection.
   const double        across = 1e-3, torsion = 2e-3;
   const BucklingModes found =
     buckling_of(SceneText()
@@ -162,7 +161,7 @@ TEST(BucklingModes, LateralOnesAreThoseOfThinCantilevers)
               5e-4);
 }
 
-TEST(BucklingModes, OfAPortalThatSways)
+TEST(BucklingModes, MatchSwayingPortal)
 {
   // Clamped feet, loads on the columns, all struts alike: k h cot(k h) = -6,
   // from y = A (1 - cos k x) and the moment 6 EI / b of the beam.
@@ -187,7 +186,7 @@ TEST(BucklingModes, OfAPortalThatSways)
   EXPECT_NEAR(found.modes.at(0).factor / (kh * kh), 1, 1e-5);
 }
 
-TEST(BucklingModes, KnowForcesOfConnectorsAndConstraints)
+TEST(BucklingModes, IncludeConnectorAndConstraintForces)
 {
   // A post of 2 m on a pin, held at its top by a spring of 3 N/m: P = k L. As a
   // connector, and as a rigid strut.
@@ -218,9 +217,10 @@ TEST(BucklingModes, KnowForcesOfConnectorsAndConstraints)
     EXPECT_NEAR(buckling_of(scene, 1).modes.at(0).factor, 6, 1e-7);
 }
 
-TEST(BucklingModes, AboutAnEquilibriumAreOfWhatIsAdded)
+TEST(BucklingModes, CountOnlyLoadsAddedToEquilibrium)
 {
-  // 1 N is there from the start. Exactly P (1 + P (1 / GA - 1 / EA)) = P_E.
+  // A load of 1 N acts from the start. Exactly P (1 + P (1 / GA - 1 / EA)) =
+  // P_E.
   const SceneText scene = column()
                             .support("foot", "0", "clamp")
                             .load("press", "1", {"-1 - 0.5 * t", "0", "0"})
@@ -240,7 +240,7 @@ TEST(BucklingModesOnRanks, AreTheSame)
     EXPECT_NEAR(together.modes[i].factor / alone.modes[i].factor, 1, 1e-9);
 }
 
-TEST(BucklingModes, WhatHasNoneIsRefused)
+TEST(BucklingModes, ScenesWithoutBucklingAreRejected)
 {
   const SceneText clamped = column().support("foot", "0", "clamp");
   expect_parts(input_error_of([&] { buckling_of(clamped, 1); }),
@@ -257,7 +257,7 @@ TEST(BucklingModes, WhatHasNoneIsRefused)
                              1);
                }),
                {"follow their joints"});
-  // Beyond its own buckling load.
+  // The initial load exceeds the buckling load.
   expect_parts(input_error_of([&] {
                  buckling_of(SceneText(clamped)
                                .load("tip", "1", {"-10 - t", "0", "0"})
@@ -265,7 +265,7 @@ TEST(BucklingModes, WhatHasNoneIsRefused)
                              1);
                }),
                {"not stable", "negative mode"});
-  // A strut beside a rigid one, which bears all of the load.
+  // A strut beside a rigid one, which carries all of the load.
   expect_parts(input_error_of([&] {
                  buckling_of(
                    pressed(SceneText()
@@ -280,10 +280,10 @@ TEST(BucklingModes, WhatHasNoneIsRefused)
                {"cause no buckling"});
 }
 
-TEST(BucklingModes, KeepTheirDigitsOnFineMeshes)
+TEST(BucklingModes, StayAccurateOnFineMeshes)
 {
-  // A bent frame, much stiffer along its struts than across: loads in the other
-  // sense have factors a thousand times smaller.
+  // A bent frame, much stiffer along its struts than across. Reversed loads
+  // have factors a thousand times smaller.
   const SceneText frame =
     SceneText()
       .frame("-0.00684 -0.00066; 0.0919 0.0621; -0.0163 0.1329; 0.0933 0.1788; "

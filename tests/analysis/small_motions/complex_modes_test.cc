@@ -20,14 +20,16 @@ namespace
 {
   using Number = std::complex<double>;
 
-  /** A rod of 1 m that swings along itself with sqrt(EA / m) = 1 m/s, held at
-   * its left end; @p beta: its damping. */
+  /**
+   * An axially vibrating rod of 1 m with sqrt(EA / m) = 1 m/s, fixed at its
+   * left end, with damping @p beta.
+   */
   SceneText unit_rod(const double beta)
   {
     return held_rod(1, 1, beta, 2);
   }
 
-  /** A run that has come as far as modes need it. */
+  /** A run that is prepared for a mode analysis. */
   struct PreparedRun
   {
     explicit PreparedRun(const SceneText &text,
@@ -49,7 +51,7 @@ namespace
     LatticeRun  run;
   };
 
-  /** Pressed by a force of 21 N that turns with its top: it flutters. */
+  /** A column under a follower force of 21 N, which causes flutter. */
   SceneText pressed_column()
   {
     SceneText scene;
@@ -66,7 +68,7 @@ namespace
     return scene.time(1, 0.1, "newmark");
   }
 
-  /** Bending is much faster than what the rods of these tests do. */
+  /** Bending is much faster than the axial motions of these tests. */
   double omega_of(const unsigned int i)
   {
     return (i + 0.5) * pi;
@@ -79,9 +81,9 @@ namespace
   }
 } // namespace
 
-TEST(ComplexModes, OverdampedOnesAreOutside)
+TEST(ComplexModes, OmitOverdampedModes)
 {
-  // The third has 1.2 times the critical damping.
+  // The third mode has 1.2 times the critical damping.
   PreparedRun prepared(unit_rod(2.4 / omega_of(2)));
   auto        pencil = prepared.pencil(Damping::all);
   const auto  found  = pencil.nearest(0.1, {swings, 100, 9.});
@@ -89,7 +91,7 @@ TEST(ComplexModes, OverdampedOnesAreOutside)
   EXPECT_EQ(found.roots.size(), 2u);
 }
 
-TEST(ComplexModes, OfADampedRod)
+TEST(ComplexModes, MatchDampedRod)
 {
   PreparedRun prepared(unit_rod(0.05));
   auto        pencil = prepared.pencil(Damping::all);
@@ -105,8 +107,8 @@ TEST(ComplexModes, OfADampedRod)
     }
 }
 
-// Two equal rods side by side: each root is there twice, with two shapes.
-TEST(ComplexModes, EqualOnesAreFoundEach)
+// Two equal rods side by side have each root twice, with two shapes.
+TEST(ComplexModes, FindsAllEqualRoots)
 {
   SceneText scene = unit_rod(0.05);
   scene.frame("0 0; 1 0; 0 1; 1 1", "0 1; 2 3")
@@ -137,16 +139,16 @@ TEST(ComplexModes, AreTheSameOnAllRanks)
   EXPECT_TRUE(found[1].modes[0].grows() || found[1].modes[1].grows());
 }
 
-TEST(ComplexModes, AtRestLoadsThatFollowAreNotThere)
+TEST(ComplexModes, FollowerLoadsVanishAtRest)
 {
   PreparedRun prepared(pressed_column().set("Modes/About", "rest"));
   EXPECT_TRUE(
     has_natural_modes(prepared.run.solver(), prepared.run.solution.state));
 }
 
-// k x tau / (1 - x tau) of the elements at the end holds what the rod pulls,
-// EA x coth x at the rate x (L = 1 m, wave speed 1 m/s).
-TEST(Relaxations, OfMaxwellElementsAtARod)
+// At the rate x, the force k x tau / (1 - x tau) of the elements at the end
+// balances that of the rod, EA x coth x (L = 1 m, wave speed 1 m/s).
+TEST(Relaxations, MatchMaxwellElementsAtRod)
 {
   const double k[] = {3, 2}, tau[] = {0.9, 0.1};
   SceneText    scene = unit_rod(0);
@@ -169,8 +171,9 @@ TEST(Relaxations, OfMaxwellElementsAtARod)
   EXPECT_GT(found[0].time(), found[1].time());
 }
 
-// A dashpot beyond the impedance of the rod: s = -atanh(1 / c) does not swing.
-TEST(Relaxations, OfAStrongDashpot)
+// With a dashpot above the impedance of the rod, s = -atanh(1 / c) does not
+// oscillate.
+TEST(Relaxations, MatchStrongDashpot)
 {
   SceneText scene = unit_rod(0);
   scene.connector("damper",
@@ -182,8 +185,8 @@ TEST(Relaxations, OfAStrongDashpot)
   EXPECT_NEAR(found[0].rate, std::atanh(0.5), 1e-6);
 }
 
-// Equal elements on equal rods: each relaxation is there twice.
-TEST(Relaxations, EqualOnesAreFoundEach)
+// Equal elements on equal rods have each relaxation twice.
+TEST(Relaxations, FindsAllEqualRoots)
 {
   SceneText scene = unit_rod(0);
   scene.frame("0 0; 1 0; 0 1; 1 1", "0 1; 2 3")
@@ -199,9 +202,9 @@ TEST(Relaxations, EqualOnesAreFoundEach)
   EXPECT_NEAR(found[0].rate, found[1].rate, 1e-6);
 }
 
-// Damping in proportion to the stiffness has very many that gather at beta:
-// they are not told apart, but what is slower is.
-TEST(Relaxations, ThoseThatGatherAreLeftOut)
+// Stiffness-proportional damping clusters very many relaxations at beta. These
+// are omitted, slower ones are not.
+TEST(Relaxations, OmitsClusters)
 {
   SceneText scene = unit_rod(0.01);
   scene.connector("damper",

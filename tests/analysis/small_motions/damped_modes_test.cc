@@ -20,7 +20,7 @@ namespace
 {
   using Number = std::complex<double>;
 
-  // A bar of 1 m, held at its left end, that swings along itself.
+  // An axially vibrating bar of 1 m, fixed at its left end.
   constexpr double rod_EA = 4, rod_mass = 2, rod_beta = 0.03;
 
   SceneText held_rod(const double beta = rod_beta)
@@ -47,23 +47,23 @@ namespace
   }
 
   /**
-   * Zero where s is an eigenvalue of the rod with a connector of dynamic
-   * stiffness @p at_end to the ground at its end, over its size.
+   * Relative residual of the characteristic equation of the rod with a
+   * connector of dynamic stiffness @p at_end between its end and the ground.
    */
-  double left_of_equation(const Number                         s,
-                          const double                         beta,
-                          const std::function<Number(Number)> &at_end)
+  double relative_residual(const Number                         s,
+                           const double                         beta,
+                           const std::function<Number(Number)> &at_end)
   {
-    const Number stiffness = rod_EA * (1. + s * beta),
-                 wave      = s * std::sqrt(rod_mass / stiffness),
-                 of_rod    = stiffness * wave / std::tanh(wave);
-    return std::abs(of_rod + at_end(s)) / std::abs(stiffness * wave);
+    const Number stiffness     = rod_EA * (1. + s * beta),
+                 wave          = s * std::sqrt(rod_mass / stiffness),
+                 rod_stiffness = stiffness * wave / std::tanh(wave);
+    return std::abs(rod_stiffness + at_end(s)) / std::abs(stiffness * wave);
   }
 } // namespace
 
-TEST(DampedModes, OfADampedRod)
+TEST(DampedModes, MatchDampedRod)
 {
-  // s^2 + beta omega^2 s + omega^2 = 0 with omega of the undamped one.
+  // s^2 + beta omega^2 s + omega^2 = 0 with omega of the undamped mode.
   const auto modes = damped_modes_of(held_rod(), 4);
   for (unsigned int i = 0; i < 4; ++i)
     {
@@ -78,16 +78,16 @@ TEST(DampedModes, OfADampedRod)
     }
 }
 
-TEST(DampedModes, OverdampedOnesDoNotSwing)
+TEST(DampedModes, OverdampedModesDoNotOscillate)
 {
-  // The third has 1.2 times its critical damping.
+  // The third mode has 1.2 times its critical damping.
   const auto modes = damped_modes_of(held_rod(0.22), 3);
   EXPECT_TRUE(modes[0].damped);
   EXPECT_TRUE(modes[1].damped);
   EXPECT_FALSE(modes[2].damped);
 }
 
-TEST(DampedModes, UndampedOnesStayWhatTheyAre)
+TEST(DampedModes, UndampedModesAreUnchanged)
 {
   const auto modes = damped_modes_of(held_rod(0), 3);
   for (const NaturalMode &mode : modes)
@@ -100,7 +100,7 @@ TEST(DampedModes, UndampedOnesStayWhatTheyAre)
     }
 }
 
-TEST(DampedModes, ConnectorsHaveTheirDynamicStiffness)
+TEST(DampedModes, UseDynamicStiffnessOfConnectors)
 {
   struct Law
   {
@@ -136,18 +136,18 @@ TEST(DampedModes, ConnectorsHaveTheirDynamicStiffness)
         {
           ASSERT_TRUE(mode.damped) << law.name;
           EXPECT_GT(mode.damped->ratio(), 0.01);
-          EXPECT_LT(left_of_equation(value_of(*mode.damped),
-                                     0.01,
-                                     law.stiffness),
+          EXPECT_LT(relative_residual(value_of(*mode.damped),
+                                      0.01,
+                                      law.stiffness),
                     1e-7)
             << law.name << ' ' << mode.angular_frequency();
         }
     }
 }
 
-// Two equal rods that a dashpot ties together: the modes in which they swing
-// alike stay undamped, the others do not.
-TEST(DampedModes, ModesOfOneFrequencyArePartedByADamper)
+// A dashpot connects two equal rods: symmetric modes stay undamped,
+// antisymmetric ones do not.
+TEST(DampedModes, DamperSeparatesEqualFrequencies)
 {
   SceneText scene;
   scene.frame("0 0; 1 0; 0 1; 1 1", "0 1; 2 3")
@@ -176,9 +176,9 @@ TEST(DampedModes, ModesOfOneFrequencyArePartedByADamper)
         }
       else
         {
-          EXPECT_LT(left_of_equation(s,
-                                     0,
-                                     [](const Number at) { return 0.4 * at; }),
+          EXPECT_LT(relative_residual(s,
+                                      0,
+                                      [](const Number at) { return 0.4 * at; }),
                     1e-6);
         }
     }
@@ -187,11 +187,13 @@ TEST(DampedModes, ModesOfOneFrequencyArePartedByADamper)
 
 namespace
 {
-  /** Damped modes of the rod with a dashpot at its end, of @p matched times
-   * what lets no wave come back; those that are told. */
-  std::vector<Number> of_rod_with_dashpot(const double       matched,
-                                          const unsigned int n,
-                                          const MPI_Comm     communicator)
+  /**
+   * Reported damped modes of the rod with a dashpot of @p matched times its
+   * impedance at the end.
+   */
+  std::vector<Number> damped_roots_with_dashpot(const double       matched,
+                                                const unsigned int n,
+                                                const MPI_Comm     communicator)
   {
     std::ostringstream coefficient;
     coefficient.precision(16);
@@ -202,33 +204,33 @@ namespace
                     "Between = ground: 1 | Geometry = direction | Direction = "
                     "1 0 | Damping coefficient = " +
                       coefficient.str());
-    std::vector<Number> told;
+    std::vector<Number> roots;
     for (const NaturalMode &mode : damped_modes_of(scene, n, communicator))
       if (mode.damped)
-        told.push_back(value_of(*mode.damped));
-    std::sort(told.begin(), told.end(), [](const Number a, const Number b) {
+        roots.push_back(value_of(*mode.damped));
+    std::sort(roots.begin(), roots.end(), [](const Number a, const Number b) {
       return a.imag() < b.imag();
     });
-    return told;
+    return roots;
   }
 } // namespace
 
-// tanh(s / w) = -1 / matched with w = sqrt(EA / m) / L: all modes decay alike;
-// with less than the matched dashpot they swing as a rod with a free end, with
-// more as one that is held, and one motion does not swing.
-TEST(DampedModesOnRanks, StronglyMixedOnesAreFound)
+// tanh(s / w) = -1 / matched with w = sqrt(EA / m) / L: all modes decay
+// equally. Below the matched dashpot they oscillate as a rod with a free end.
+// Above it they oscillate as a fixed rod, and one mode does not oscillate.
+TEST(DampedModesOnRanks, FindsStronglyMixedModes)
 {
   const double wave = std::sqrt(rod_EA / rod_mass);
   for (const double matched : {0.5, 0.8, 1.25, 2.})
     {
-      const auto told    = of_rod_with_dashpot(matched, 4, MPI_COMM_WORLD);
+      const auto roots = damped_roots_with_dashpot(matched, 4, MPI_COMM_WORLD);
       const bool is_held = matched > 1;
-      ASSERT_GE(told.size(), is_held ? 3u : 4u) << matched;
+      ASSERT_GE(roots.size(), is_held ? 3u : 4u) << matched;
       const double decay = wave * std::atanh(is_held ? 1 / matched : matched);
       for (unsigned int i = 0; i < 3; ++i)
         {
-          EXPECT_NEAR(told[i].real(), -decay, 1e-6 * wave) << matched;
-          EXPECT_NEAR(told[i].imag(),
+          EXPECT_NEAR(roots[i].real(), -decay, 1e-6 * wave) << matched;
+          EXPECT_NEAR(roots[i].imag(),
                       (i + (is_held ? 1. : 0.5)) * pi * wave,
                       1e-6 * wave)
             << matched;
@@ -236,7 +238,7 @@ TEST(DampedModesOnRanks, StronglyMixedOnesAreFound)
     }
 }
 
-TEST(DampedModes, OfAStiffMaxwellElementAreFoundOnce)
+TEST(DampedModes, FindsModesOfStiffMaxwellElementOnce)
 {
   constexpr double stiffness = 40, time = 0.15;
   SceneText        scene = held_rod(0);
@@ -244,28 +246,28 @@ TEST(DampedModes, OfAStiffMaxwellElementAreFoundOnce)
                   "maxwell",
                   "Between = ground: 1 | Geometry = direction | Direction = "
                   "1 0 | Spring stiffness = 40 | Damping coefficient = 6");
-  std::vector<Number> told;
+  std::vector<Number> roots;
   for (const NaturalMode &mode : damped_modes_of(scene, 4))
     if (mode.damped)
       {
         const Number s = value_of(*mode.damped);
-        for (const Number other : told)
+        for (const Number other : roots)
           EXPECT_GT(std::abs(s - other), 1e-3 * std::abs(s));
-        told.push_back(s);
-        EXPECT_LT(left_of_equation(s,
-                                   0,
-                                   [&](const Number at) {
-                                     return stiffness * at * time /
-                                       (1. + at * time);
-                                   }),
+        roots.push_back(s);
+        EXPECT_LT(relative_residual(s,
+                                    0,
+                                    [&](const Number at) {
+                                      return stiffness * at * time /
+                                        (1. + at * time);
+                                    }),
                   1e-6);
       }
-  EXPECT_GE(told.size(), 3u);
+  EXPECT_GE(roots.size(), 3u);
 }
 
 // A dashpot near the impedance of the rod moves modes far from the natural
 // ones.
-TEST(DampedModes, AreFoundUpToALimit)
+TEST(DampedModes, FindsAllModesUpToLimit)
 {
   for (const double coefficient : {0.1, 1.6, 3.4})
     {
@@ -281,18 +283,18 @@ TEST(DampedModes, AreFoundUpToALimit)
       NaturalModes found = natural_modes(run.solver(), run.solution.state, 4);
       add_damped_modes(run.solver(), run.solution.state, found);
       ASSERT_TRUE(found.damped_limit) << coefficient;
-      // tanh(s / w) = -w m / c: so many decay alike below the limit.
+      // The roots of tanh(s / w) = -w m / c below the limit decay equally.
       const double wave    = std::sqrt(rod_EA / rod_mass),
                    part    = coefficient / std::sqrt(rod_EA * rod_mass),
                    decay   = wave * std::atanh(part > 1 ? 1 / part : part);
-      unsigned int n_exact = 0, n_told = found.further_damped.size();
+      unsigned int n_exact = 0, n_reported = found.further_damped.size();
       while (std::hypot(decay, (n_exact + (part > 1 ? 1. : 0.5)) * pi * wave) <
              *found.damped_limit)
         ++n_exact;
       for (const NaturalMode &mode : found.modes)
         if (mode.damped)
-          ++n_told;
-      EXPECT_EQ(n_told, n_exact) << coefficient;
+          ++n_reported;
+      EXPECT_EQ(n_reported, n_exact) << coefficient;
     }
 }
 

@@ -18,8 +18,8 @@ namespace
 
   constexpr Complex imaginary_unit = {0, 1};
 
-  // A bar of 1 m, held at its left end, that swings along itself: EA u'' =
-  // rho A u with EA* = EA (1 + i omega beta).
+  // An axially vibrating bar of 1 m, fixed at its left end: EA u'' = rho A u
+  // with EA* = EA (1 + i omega beta).
   constexpr double bar_EA = 4, bar_mass = 2, bar_beta = 0.03, bar_force = 0.01;
 
   SceneText damped_bar(const unsigned int dimension = 2)
@@ -100,10 +100,10 @@ namespace
   }
 } // namespace
 
-TEST(HarmonicResponse, OfADampedBar)
+TEST(HarmonicResponse, MatchesDampedBar)
 {
   for (const unsigned int dimension : {2, 3})
-    // Slow, near the first two natural frequencies, beyond.
+    // Below, near and beyond the first two natural frequencies.
     for (const double omega : {0.01, 2.2, 6.7, 11.})
       {
         const auto [end, support] =
@@ -113,7 +113,7 @@ TEST(HarmonicResponse, OfADampedBar)
       }
 }
 
-TEST(HarmonicResponse, ConnectorsHaveTheirComplexStiffness)
+TEST(HarmonicResponse, UsesComplexStiffnessOfConnectors)
 {
   struct Law
   {
@@ -162,7 +162,7 @@ TEST(HarmonicResponse, ConnectorsHaveTheirComplexStiffness)
       }
 }
 
-TEST(HarmonicResponse, SupportsMayShake)
+TEST(HarmonicResponse, SupportMotionExcites)
 {
   const double    amplitude = 0.02;
   const SceneText scene =
@@ -177,7 +177,7 @@ TEST(HarmonicResponse, SupportsMayShake)
     }
 }
 
-TEST(HarmonicResponse, LoadsOfAStaticStartAreNoAmplitudes)
+TEST(HarmonicResponse, StaticLoadsAreNoAmplitudes)
 {
   SceneText scene = pushed(damped_bar());
   scene.set("Loads/push/Force x", "0.5 + " + text(bar_force) + " * t")
@@ -193,7 +193,7 @@ TEST(HarmonicResponseOnRanks, IsTheSame)
               vibration_of(scene, 2.2).first);
 }
 
-TEST(HarmonicResponse, SomethingMustShake)
+TEST(HarmonicResponse, RequiresExcitation)
 {
   expect_parts(input_error_of([] {
                  vibration_of(damped_bar().support("wall", "0", "clamp"), 1.);

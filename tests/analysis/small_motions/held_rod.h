@@ -7,9 +7,11 @@ namespace auxfem
 {
   namespace testing_support
   {
-    /** A rod of 1 m that swings along itself, held at its left end, with the
-     * stiffness @p EA (N), the mass @p mass (kg), elements of order 4, and damping
-     * of the struts by @p beta (s). */
+    /**
+     * An axially vibrating rod of 1 m, fixed at its left end, with the
+     * stiffness @p EA (N), the mass @p mass (kg), elements of order 4 and the
+     * damping @p beta (s).
+     */
     inline SceneText held_rod(const double       EA,
                               const double       mass,
                               const double       beta,

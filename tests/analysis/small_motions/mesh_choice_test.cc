@@ -11,7 +11,7 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  /** A clamped steel bar of 1 m and 10 mm that is pressed together. */
+  /** A clamped steel bar of 1 m and 10 mm under compression. */
   SceneText clamped_bar()
   {
     return SceneText()
@@ -81,7 +81,7 @@ namespace
       communicator);
   }
 
-  /** That the estimate is @p error but for a factor of three. */
+  /** Expects the estimate to be @p error within a factor of three. */
   void expect_estimate(const double estimate, const double error)
   {
     constexpr double round_off = 1e-8;
@@ -92,7 +92,7 @@ namespace
   }
 } // namespace
 
-TEST(MeshChoice, ErrorsOfNaturalFrequenciesAreThoseOfFinerElements)
+TEST(MeshChoice, FrequencyErrorsMatchFinerElements)
 {
   MeshErrors         errors;
   SceneText          bar   = clamped_bar().set("Modes/Number", 3);
@@ -117,7 +117,7 @@ TEST(MeshChoice, ErrorsOfNaturalFrequenciesAreThoseOfFinerElements)
     }
 }
 
-TEST(MeshChoice, ErrorsOfBucklingFactorsAreThoseOfTheClosedForm)
+TEST(MeshChoice, BucklingErrorsMatchClosedForm)
 {
   // P + P^2 / kGA = 4 pi^2 EI / L^2 (Engesser 1889) by the force EA u / L.
   constexpr double E = 210e9, A = 1e-4, kGA = 5. / 6 * A * E / 2.6;
@@ -140,7 +140,7 @@ TEST(MeshChoice, ErrorsOfBucklingFactorsAreThoseOfTheClosedForm)
     }
 }
 
-TEST(MeshChoice, ErrorsOfALoadedLatticeAreThoseOfFinerElements)
+TEST(MeshChoice, LoadedLatticeErrorsMatchFinerElements)
 {
   MeshErrors errors;
   SceneText  star = loaded_star()
@@ -193,7 +193,7 @@ TEST(MeshChoiceOnRanks, ErrorsAreTheSame)
     }
 }
 
-TEST(MeshChoice, FindsModesThatElementsLack)
+TEST(MeshChoice, DetectsMissingModes)
 {
   // One slender strut beside a stiff one: its modes need more elements.
   SceneText frame;
@@ -234,7 +234,7 @@ TEST(MeshChoice, ElementsFollowTheDispersion)
   EXPECT_FALSE(elements_accepted(scene, errors));
 }
 
-TEST(MeshChoice, GivenElementsAreJudged)
+TEST(MeshChoice, PrescribedElementsAreJudged)
 {
   Scene      scene;
   MeshErrors errors;

@@ -55,7 +55,7 @@ namespace
     const double q = n * M_PI, c0 = E * I * std::pow(q, 4),
                  c1 = rho * A + rho * I * (1 + E / (k * G)) * q * q,
                  c2 = rho * rho * I / (k * G);
-    // Without a difference of nearly equal numbers.
+    // This form avoids a difference of nearly equal numbers.
     return 2 * c0 / (c1 + std::sqrt(c1 * c1 - 4 * c2 * c0));
   }
 
@@ -73,7 +73,7 @@ namespace
 
 namespace
 {
-  /** Rigid edges hinged to soft struts: many motions are free. */
+  /** Rigid edges hinged to soft struts, with many free motions. */
   SceneText hinged_edges(const unsigned int n_cells, const unsigned int order)
   {
     SceneText cells;
@@ -89,7 +89,7 @@ namespace
   }
 } // namespace
 
-TEST(NaturalModes, OfManyFreeMotionsAreFound)
+TEST(NaturalModes, FindsManyFreeMotions)
 {
   const NaturalModes found = modes_of(hinged_edges(3, 2), 12);
   EXPECT_TRUE(found.is_counted);
@@ -98,7 +98,7 @@ TEST(NaturalModes, OfManyFreeMotionsAreFound)
     EXPECT_EQ(mode.eigenvalue, 0);
 }
 
-TEST(NaturalModes, OfMechanismsAreFoundHoweverManyAreAskedFor)
+TEST(NaturalModes, FindsAnyNumberOfMechanismModes)
 {
   const SceneText    cell = hinged_edges(1, 1);
   const NaturalModes few = modes_of(cell, 12), all = modes_of(cell, 20);
@@ -115,7 +115,7 @@ TEST(NaturalModes, OfMechanismsAreFoundHoweverManyAreAskedFor)
     EXPECT_LT(all.modes[i].residual, 1e-4) << i;
 }
 
-TEST(NaturalModes, OfAPinnedTimoshenkoBeam)
+TEST(NaturalModes, MatchPinnedTimoshenkoBeam)
 {
   const NaturalModes found = modes_of(bar()
                                         .mesh(6, 4)
@@ -128,7 +128,7 @@ TEST(NaturalModes, OfAPinnedTimoshenkoBeam)
   for (const NaturalMode &mode : found.modes)
     {
       EXPECT_LT(mode.residual, 1e-5);
-      // Along the bar it moves like a rod.
+      // Axially the bar vibrates like a rod.
       if (std::abs(mode.participation[0]) < 1e-6)
         bending.push_back(mode.eigenvalue);
     }
@@ -137,7 +137,7 @@ TEST(NaturalModes, OfAPinnedTimoshenkoBeam)
     EXPECT_NEAR(bending[n - 1] / pinned_beam(n), 1, 1e-8) << n;
 }
 
-TEST(NaturalModes, InSpaceComeInPairs)
+TEST(NaturalModes, PairInSpace)
 {
   // Bending along y and z alike: equal frequencies, counted.
   const NaturalModes found = modes_of(bar(3).support("left", "0", "clamp"), 4);
@@ -147,7 +147,7 @@ TEST(NaturalModes, InSpaceComeInPairs)
   EXPECT_GT(found.modes[2].eigenvalue, 2 * found.modes[0].eigenvalue);
 }
 
-TEST(NaturalModes, OfAFreeBarAreThreeMotionsWithoutStiffness)
+TEST(NaturalModes, FreeBarHasThreeRigidBodyModes)
 {
   const NaturalModes found = modes_of(bar(), 5);
   ASSERT_EQ(found.modes.size(), 5u);
@@ -161,7 +161,7 @@ TEST(NaturalModes, OfAFreeBarAreThreeMotionsWithoutStiffness)
     }
   EXPECT_NEAR(along, rho * A, 1e-6 * rho * A);
   EXPECT_NEAR(across, rho * A, 1e-6 * rho * A);
-  // Slender: (4.7300)^4 EI / rho A, less some per cent by shear.
+  // A slender bar has (4.7300)^4 EI / rho A, reduced by some percent by shear.
   EXPECT_NEAR(found.modes[3].eigenvalue /
                 (std::pow(4.73004, 4) * E * I / (rho * A)),
               0.93,
@@ -170,7 +170,7 @@ TEST(NaturalModes, OfAFreeBarAreThreeMotionsWithoutStiffness)
 
 TEST(NaturalModes, EffectiveMassesSumUpToTheMass)
 {
-  // All modes of a coarse mesh; what is next to the clamp counts, too.
+  // All modes of a coarse mesh; the mass next to the clamp counts, too.
   const NaturalModes found =
     modes_of(bar().mesh(2, 1).support("left", "0", "clamp"), 1000);
   EXPECT_EQ(found.modes.size(), 12u);
@@ -182,7 +182,7 @@ TEST(NaturalModes, EffectiveMassesSumUpToTheMass)
   EXPECT_LT(along, rho * A);
 }
 
-TEST(NaturalModes, AStretchedBarIsAString)
+TEST(NaturalModes, StretchedBarVibratesAsString)
 {
   // A thin wire: q^2 (T + EI q^2) / rho A.
   const double    d = 1e-3, T = 1000;
@@ -200,7 +200,7 @@ TEST(NaturalModes, AStretchedBarIsAString)
   const double       stretch = 1 + T / (E * area);
   for (unsigned int n = 1; n <= 3; ++n)
     {
-      // Of the stretched wire, which has the same mass.
+      // The stretched wire has the same mass.
       const double q = n * M_PI / stretch,
                    exact =
                      q * q * (T + E * inertia * q * q) / (rho * area / stretch);
@@ -208,7 +208,7 @@ TEST(NaturalModes, AStretchedBarIsAString)
     }
 }
 
-TEST(NaturalModes, APressedBarLosesItsLowestFrequencyWhereItBuckles)
+TEST(NaturalModes, LowestFrequencyVanishesAtBuckling)
 {
   const auto pressed = [](const double part) {
     const double euler = M_PI * M_PI * E * I;
@@ -228,9 +228,9 @@ TEST(NaturalModes, APressedBarLosesItsLowestFrequencyWhereItBuckles)
   EXPECT_GT(above.modes[1].eigenvalue, 0);
 }
 
-TEST(NaturalModes, OfARigidRodOnASpring)
+TEST(NaturalModes, MatchRigidRodOnSpring)
 {
-  // About its end: omega^2 = k L^2 / (m L^2 / 3).
+  // Rotation about its end: omega^2 = k L^2 / (m L^2 / 3).
   SceneText rod;
   rod.frame("0 0; 0 -2; 1 -2", "0 1")
     .rigid_part("rod", "0", "3 kg")
@@ -258,14 +258,14 @@ TEST(NaturalModesOnRanks, AreTheSame)
                   1,
                   1e-9);
       for (unsigned int d = 0; d < 2; ++d)
-        // The sign follows the numbers of unknowns.
+        // The sign depends on the numbering of unknowns.
         EXPECT_NEAR(std::abs(together.modes[i].participation[d]),
                     std::abs(alone.modes[i].participation[d]),
                     1e-6);
     }
 }
 
-TEST(NaturalModes, OfIterativeSolutionsAreNotCounted)
+TEST(NaturalModes, IterativeSolversGiveNoCount)
 {
   const NaturalModes direct = modes_of(star_lattice(), 4),
                      iterative =
@@ -279,7 +279,7 @@ TEST(NaturalModes, OfIterativeSolutionsAreNotCounted)
 }
 
 // The blocks of bent struts in space are not symmetric; their sum is.
-TEST(NaturalModes, OfALoadedFrameInSpaceAreThoseInItsPlane)
+TEST(NaturalModes, LoadedFrameInSpaceMatchesPlane)
 {
   const auto frequencies = [](const unsigned int dimension) {
     SceneText scene;
@@ -311,7 +311,7 @@ TEST(NaturalModes, OfALoadedFrameInSpaceAreThoseInItsPlane)
       << in_plane[i];
 }
 
-TEST(NaturalModes, LoadsThatFollowTheirJointAreRefused)
+TEST(NaturalModes, FollowerLoadsAreRejected)
 {
   const SceneText followed =
     bar()
