@@ -102,9 +102,9 @@ namespace auxfem
         message << "load factor " << load_factor
                 << ", and Path/Largest load factor is "
                 << scene.path.largest_load_factor;
-      else if (n_points >= scene.path.most_points)
+      else if (n_points >= scene.path.max_points)
         message << n_points << " points, and Path/Points is "
-                << scene.path.most_points;
+                << scene.path.max_points;
       else
         return;
       throw InputError("The path has got to " + message.str() +

@@ -135,7 +135,7 @@ namespace auxfem
         const double difference = std::abs(image[i] - b[i]);
         if (difference == 0)
           continue;
-        const double error = difference / (size + least_of_full_precision);
+        const double error = difference / (size + smallest_full_precision);
         if (!std::isfinite(error))
           largest = std::numeric_limits<double>::infinity();
         largest = std::max(largest, error);

@@ -54,8 +54,8 @@ namespace auxfem
       communicator);
   }
 
-  std::vector<std::string> texts_of_all_ranks(const std::string &mine,
-                                              const MPI_Comm     communicator)
+  std::vector<std::string> gather_texts(const std::string &mine,
+                                        const MPI_Comm     communicator)
   {
     const ItemsOfRanks letters(mine.size(), communicator);
     std::string        all(letters.n(), ' ');
@@ -66,9 +66,9 @@ namespace auxfem
     return texts;
   }
 
-  std::string text_of_rank(const unsigned int rank,
-                           std::string        text,
-                           const MPI_Comm     communicator)
+  std::string broadcast_text(const unsigned int rank,
+                             std::string        text,
+                             const MPI_Comm     communicator)
   {
     text.resize(
       dealii::Utilities::MPI::broadcast(communicator, text.size(), rank));

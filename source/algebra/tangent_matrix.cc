@@ -89,7 +89,7 @@ namespace auxfem
       }
   }
 
-  void TangentMatrix::take_symmetric_part()
+  void TangentMatrix::symmetrize_blocks()
   {
     for (std::size_t b = 0; b + 1 < first.size(); ++b)
       {

@@ -23,7 +23,7 @@ namespace auxfem
       layout.velocity = layout.acceleration = model.plan.simulated.inertia;
       layout.path                           = has_load_factor(model.plan);
       layout.algorithmic_acceleration = scheme.uses_algorithmic_acceleration();
-      layout.compensation             = scheme.balances_means();
+      layout.compensation             = scheme.uses_discrete_gradient();
       layout.n_rotations              = model.n_large_rotations();
       if (layout.compensation && model.plan.simulated.large_rotation)
         {

@@ -51,7 +51,7 @@ namespace auxfem
         MPI::min(mine.empty() ? layout.n_ranks() : layout.rank(),
                  layout.communicator());
       return lowest < layout.n_ranks()
-        ? text_of_rank(lowest, mine, layout.communicator())
+        ? broadcast_text(lowest, mine, layout.communicator())
         : "";
     }
 
@@ -196,7 +196,7 @@ namespace auxfem
     for (const auto &[effect, terms] : small_motion_terms)
       terms->add_relaxation_times(unknowns(), mine);
     const std::vector<double> all =
-      over_all_ranks(mine, unknowns().layout.communicator());
+      gather_over_ranks(mine, unknowns().layout.communicator());
     return {all.begin(), all.end()};
   }
 
@@ -310,7 +310,7 @@ namespace auxfem
     if (grow)
       {
         with_ghosts = std::move(more);
-        accepted.take_ghosts(unknowns().layout);
+        accepted.extend_ghosts(unknowns().layout);
       }
     tangent_pattern.reset(unknowns());
     register_blocks();
@@ -474,7 +474,8 @@ namespace auxfem
     return text_of_lowest_rank(layout, mine);
   }
 
-  std::string worst_unknown(const LatticeModel &model, const State &state)
+  std::string unknown_with_largest_residual(const LatticeModel &model,
+                                            const State        &state)
   {
     std::vector<double> sizes(model.numbering.layout().n_owned(), 0.);
     const auto measure = [&](const std::vector<int> &rows, const double unit) {

@@ -222,9 +222,9 @@ namespace auxfem
       value *= sign;
   }
 
-  unsigned int before_widest_gap(const std::vector<Eigenpair> &pairs,
-                                 const unsigned int            n,
-                                 const double                  shift)
+  unsigned int count_before_widest_gap(const std::vector<Eigenpair> &pairs,
+                                       const unsigned int            n,
+                                       const double                  shift)
   {
     unsigned int best   = n;
     double       widest = 0;
@@ -325,7 +325,7 @@ namespace auxfem
                          });
   }
 
-  void leave_out_constraints(TangentMatrix &matrix)
+  void clear_constraint_entries(TangentMatrix &matrix)
   {
     const TangentPattern &pattern = matrix.pattern();
     const auto           &kinds   = pattern.unknowns().kinds;

@@ -78,7 +78,7 @@ namespace auxfem
     const dealii::QGaussLobatto<1> lobatto(order + 1);
     std::vector<double>            masses;
     for (unsigned int a = 0; a <= order; ++a)
-      masses.push_back(mass * lobatto.weight(place_along(a, order)));
+      masses.push_back(mass * lobatto.weight(position_along(a, order)));
     return masses;
   }
 

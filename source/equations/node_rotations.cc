@@ -86,7 +86,7 @@ namespace auxfem
   {
     if (evaluation.kind == Evaluation::Kind::discrete_gradient)
       return transpose(rotated(evaluation.to.rotations[i],
-                               transpose(cayley_change_by_spin(cayley_rotation(
+                               transpose(cayley_spin_derivative(cayley_rotation(
                                  material_increment(evaluation, i))))));
     // T^-1 P^T is the transpose of P T^-T.
     return transpose(rotated(evaluation.to.rotations[i],

@@ -262,7 +262,7 @@ namespace auxfem
           }
         const auto [least, greatest] =
           std::minmax_element(values.begin(), values.end());
-        return largest.amount > noticeable_part * (*greatest - *least)
+        return largest.amount > noticeable_fraction * (*greatest - *least)
           ? std::optional(largest)
           : std::nullopt;
       }

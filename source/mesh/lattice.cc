@@ -65,13 +65,13 @@ namespace auxfem
   dealii::Point<3> Lattice::centroid(const Strut &strut) const
   {
     dealii::Point<3> result;
-    for (const auto &[position, weight] : even_points(strut))
+    for (const auto &[position, weight] : uniform_points(strut))
       result += weight * position;
     return result;
   }
 
   std::vector<std::pair<dealii::Point<3>, double>>
-  Lattice::even_points(const Strut &strut) const
+  Lattice::uniform_points(const Strut &strut) const
   {
     // Exact for a straight axis, to 1e-14 for a half circle.
     static const dealii::QGauss<1>                   rule(12);

@@ -149,11 +149,11 @@ namespace auxfem
     std::string shortened_list(const std::vector<std::string> &items)
     {
       std::string text;
-      for (std::size_t i = 0; i < std::min(n_listed, items.size()); ++i)
+      for (std::size_t i = 0; i < std::min(max_listed_items, items.size()); ++i)
         text += (i > 0 ? "; " : "") + items[i];
-      return items.size() <= n_listed
-        ? text
-        : text + "; and " + std::to_string(items.size() - n_listed) + " more";
+      return items.size() <= max_listed_items ? text
+                                              : text + "; and " +
+          std::to_string(items.size() - max_listed_items) + " more";
     }
 
     /** For each joint the first joint within @p distance, maybe itself. */

@@ -87,19 +87,19 @@ namespace auxfem
     }
   } // namespace
 
-  std::optional<std::array<double, 2>> meeting_point(const Segment &one,
-                                                     const Segment &other)
+  std::optional<std::array<double, 2>> intersection(const Segment &one,
+                                                    const Segment &other)
   {
     const dealii::Tensor<1, 3> a   = one.end - one.begin,
                                b   = other.end - other.begin,
                                gap = other.begin - one.begin;
     const double determinant       = cross(a, b);
     // Segments count as parallel if round-off of coordinates moves their
-    // intersection by more than accuracy_of_places of their lengths.
+    // intersection by more than position_tolerance of their lengths.
     const double round_off = std::numeric_limits<double>::epsilon() *
       std::max(largest_coordinate(one), largest_coordinate(other)) *
       (a.norm() + b.norm() + gap.norm());
-    if (accuracy_of_places * std::abs(determinant) <= round_off)
+    if (position_tolerance * std::abs(determinant) <= round_off)
       return {};
     const double along_one = cross(gap, b), along_other = cross(gap, a);
     const auto   is_inside = [determinant](const double numerator) {

@@ -20,7 +20,7 @@ namespace auxfem
     {
       Pieces(const Lattice &lattice, const unsigned int n_ranks)
       {
-        const bool in_cells = lattice.n_cells * noticeable_part >= n_ranks;
+        const bool in_cells = lattice.n_cells * noticeable_fraction >= n_ranks;
         weights.resize(in_cells ? lattice.n_cells : lattice.struts.size());
         for (unsigned int s = 0; s < lattice.struts.size(); ++s)
           {

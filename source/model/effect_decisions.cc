@@ -17,11 +17,11 @@ namespace auxfem
                            const double       tolerance,
                            EffectDecision    &decision)
     {
-      const bool is_called_for = decision.is_called_for(tolerance);
-      decision.on              = is_called_for || !retention_reason.empty();
-      decision.reason          = measured_text(*decision.measure) +
-        (is_called_for ? ", above " : ", below ") + part_text(tolerance);
-      if (!is_called_for && !retention_reason.empty())
+      const bool is_needed = decision.is_needed(tolerance);
+      decision.on          = is_needed || !retention_reason.empty();
+      decision.reason      = measured_text(*decision.measure) +
+        (is_needed ? ", above " : ", below ") + part_text(tolerance);
+      if (!is_needed && !retention_reason.empty())
         decision.reason += ", but " + retention_reason;
     }
 

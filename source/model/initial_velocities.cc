@@ -253,7 +253,7 @@ namespace auxfem
         const std::string  found = set.definition->path + "/Angular velocity: ";
         if (!numbering.joint_has(joint, rotation_z))
           throw InputError(
-            found + why_no_rotation(numbering, joint) +
+            found + missing_rotation_reason(numbering, joint) +
             " To turn a rigid part, name all its joints in one set.");
         if (const std::optional<unsigned int> part = rotating_part_of(joint);
             part && !set.has_all(lattice.rigid_parts[*part].joints))
@@ -279,10 +279,11 @@ namespace auxfem
           {
             const double velocity = defined.velocity[c];
             if (!support.fixed[c] || !numbering.joint_has(joint, c) ||
-                std::abs(velocity) <= given_digits * defined.size(c))
+                std::abs(velocity) <= input_precision * defined.size(c))
               continue;
             const double allowed = support.motion[c].jet(0)[1];
-            if (std::abs(velocity - allowed) <= given_digits * defined.size(c))
+            if (std::abs(velocity - allowed) <=
+                input_precision * defined.size(c))
               continue;
             const char        *unit = c < first_rotation ? " m/s" : " rad/s";
             std::ostringstream message;

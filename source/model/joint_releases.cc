@@ -357,7 +357,7 @@ namespace auxfem
       bool are_in_line(const unsigned int one, const unsigned int other) const
       {
         return cross_product_3d(direction(one), direction(other)).norm() <
-          given_digits;
+          input_precision;
       }
 
       const Lattice                         &lattice;

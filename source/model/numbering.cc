@@ -327,7 +327,7 @@ namespace auxfem
         for (unsigned int node = 0; node <= order; ++node)
           name(unknowns[numbering.n_components() * node + first_rotation],
                n_parts + n_joints + n_ends + first_node[interval.strut] +
-                 order * interval.number() + place_along(node, order));
+                 order * interval.number() + position_along(node, order));
       }
     for (unsigned int strut = 0; strut < lattice.struts.size(); ++strut)
       for (const unsigned int end : {0u, 1u})

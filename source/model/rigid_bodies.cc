@@ -87,16 +87,16 @@ namespace auxfem
     }
   } // namespace
 
-  void refuse_point_beside(const RigidPart        &part,
-                           const Lattice          &lattice,
-                           const dealii::Point<3> &point)
+  void refuse_unsupported_load_point(const RigidPart        &part,
+                                     const Lattice          &lattice,
+                                     const dealii::Point<3> &point)
   {
     if (!part.has_rotation)
       return;
     const std::vector<SpaceVector> arms = arms_of(part, lattice);
     SpaceVector                    rest;
     weights_of(arms, SpaceVector(point - part.centre_of_mass), rest);
-    if (rest.norm() > given_digits * arms.front().norm())
+    if (rest.norm() > input_precision * arms.front().norm())
       throw InputError("Loads: a line load on a rigid arc acts beside the "
                        "joints and the centre of mass of its part. Give the "
                        "part a joint beside the line of its joints, or load "
@@ -200,7 +200,7 @@ namespace auxfem
         {
           const Strut &strut = lattice.struts[number];
           const double share = lattice.length(strut) / length;
-          for (const auto &[position, weight] : lattice.even_points(strut))
+          for (const auto &[position, weight] : lattice.uniform_points(strut))
             portions.push_back({position, weight * share});
         }
       return portions;
@@ -235,7 +235,7 @@ namespace auxfem
       const dealii::Tensor<1, 3> base = lattice.joints[part.joints[1]] - origin;
       const auto is_on_line           = [&](const dealii::Point<3> &point) {
         return dealii::cross_product_3d(base, point - origin).norm() <=
-          given_digits * base.norm_square();
+          input_precision * base.norm_square();
       };
       return std::all_of(part.joints.begin(),
                          part.joints.end(),

@@ -65,7 +65,7 @@ namespace auxfem
         return true;
       throw InputError(definition.path + "/Rotation " +
                        "xyz"[component - first_rotation] + ": " +
-                       why_no_rotation(numbering, joint) +
+                       missing_rotation_reason(numbering, joint) +
                        " Type = pin holds displacements only.");
     }
 

@@ -154,11 +154,11 @@ namespace auxfem
                layout.communicator());
     const std::string text =
       lowest == layout.rank() ? describe(numbering, found - size.begin()) : "";
-    return text_of_rank(lowest, text, layout.communicator());
+    return broadcast_text(lowest, text, layout.communicator());
   }
 
-  std::string why_no_rotation(const DofNumbering &numbering,
-                              const unsigned int  joint)
+  std::string missing_rotation_reason(const DofNumbering &numbering,
+                                      const unsigned int  joint)
   {
     const bool is_of_rigid_part =
       joints_of_rigid_parts(numbering.lattice())[joint] &&
@@ -393,7 +393,7 @@ namespace auxfem
               for (unsigned int c = 0; c < numbering.n_components(); ++c)
                 serial.numbers[unknowns[c]] = serial.next +
                   (first[interval.strut] + order * interval.number() +
-                   place_along(node, order)) *
+                   position_along(node, order)) *
                     numbering.n_components() +
                   c;
         }

@@ -431,7 +431,7 @@ namespace auxfem
     archive.values("output: largest rotation", rotation_so_far);
   }
 
-  void refuse_columns_of_nothing(const Scene &scene, const Lattice &lattice)
+  void require_existing_columns(const Scene &scene, const Lattice &lattice)
   {
     if (scene.output.effective_strains)
       EffectiveStrains::check(lattice);

@@ -286,12 +286,12 @@ namespace auxfem
     unsigned int n = 0;
     std::string  text;
     for (const std::string &name : names)
-      if (!is_own(name) && n++ < n_listed)
+      if (!is_own(name) && n++ < max_listed_items)
         text += (text.empty() ? "" : ", ") + name;
     if (n == 0)
       return;
-    if (n > n_listed)
-      text += " and " + std::to_string(n - n_listed) + " more";
+    if (n > max_listed_items)
+      text += " and " + std::to_string(n - max_listed_items) + " more";
     throw InputError(
       "The output folder `" + path +
       "` has files that auxfem has not written there and would replace:\n  " +

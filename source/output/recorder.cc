@@ -84,7 +84,7 @@ namespace auxfem
                                  const MPI_Comm communicator)
     : scene(scene)
     , communicator(communicator)
-    , row_times(scene.output.row_interval, nearness_of_step_ends(scene.time))
+    , row_times(scene.output.row_interval, step_end_tolerance(scene.time))
   {}
 
   void MemoryRecorder::begin(const Equations &equations)

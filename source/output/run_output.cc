@@ -1,5 +1,6 @@
 #include <auxfem/output/console.h>
 #include <auxfem/output/history.h>
+#include <auxfem/output/notes.h>
 #include <auxfem/output/output_folder.h>
 #include <auxfem/output/recorder.h>
 #include <auxfem/output/run_checkpoints.h>
@@ -56,13 +57,12 @@ namespace auxfem
         , rules(options.rules)
         , construction_time(Clock::now())
         , first_step(construction_time)
-        , row_times(scene.output.row_interval,
-                    nearness_of_step_ends(scene.time))
+        , row_times(scene.output.row_interval, step_end_tolerance(scene.time))
         , graphics_times(scene.output.graphics &&
                              scene.output.graphics_interval > 0
                            ? std::optional(scene.output.graphics_interval)
                            : std::nullopt,
-                         nearness_of_step_ends(scene.time))
+                         step_end_tolerance(scene.time))
       {}
 
       void search_step(const RunPlan    &search,
@@ -91,7 +91,7 @@ namespace auxfem
         const Stopwatch watch(seconds);
         search_console.reset();
         // A mistyped probe must not destroy the results of an earlier run.
-        refuse_columns_of_nothing(scene, equations.model().lattice);
+        require_existing_columns(scene, equations.model().lattice);
 
         on_first_rank(communicator, [&]() {
           if (console) // A repeated run continues the same log.
@@ -423,13 +423,13 @@ namespace auxfem
       const Equations         *equations = nullptr; ///< from begin() on
       std::vector<std::string> notes;               ///< on rank 0
       /** Delays signals so that open files are completed. */
-      std::optional<SignalsWaitForStep> signals;
-      std::optional<RunFolder>          files;   ///< on rank 0
-      std::optional<Console>            console; ///< on rank 0
-      std::optional<History>            history;
-      std::optional<CsvTable>           table; ///< on rank 0
-      std::optional<VtuWriter>          graphics;
-      std::optional<RunCheckpoints>     checkpoints;
+      std::optional<DeferredSignals> signals;
+      std::optional<RunFolder>       files;   ///< on rank 0
+      std::optional<Console>         console; ///< on rank 0
+      std::optional<History>         history;
+      std::optional<CsvTable>        table; ///< on rank 0
+      std::optional<VtuWriter>       graphics;
+      std::optional<RunCheckpoints>  checkpoints;
       /** Files of singular points; only on a path of equilibria. */
       std::optional<SingularPointFiles> singular_points;
       /** Latest checkpoint, if it is not written yet. */

@@ -272,7 +272,7 @@ namespace auxfem
                            {"change_of", decision.measure->of},
                            {"tolerance", tolerance}});
           effect["verdict"] =
-            decision.is_called_for(tolerance) ? "called for" : "not called for";
+            decision.is_needed(tolerance) ? "called for" : "not called for";
           effect["reason"] = decision.reason;
           list.push_back(effect);
         }

@@ -98,7 +98,7 @@ namespace auxfem
     near.erase(std::unique(near.begin(), near.end()), near.end());
 
     std::vector<std::string> names;
-    for (std::size_t i = 0; i < std::min(n_listed, near.size()); ++i)
+    for (std::size_t i = 0; i < std::min(max_listed_items, near.size()); ++i)
       names.push_back(near[i].second);
     return names;
   }

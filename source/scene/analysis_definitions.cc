@@ -219,20 +219,20 @@ namespace auxfem
       Range::positive(),
       "Displacement of a node at which the path ends.",
       {none}};
-    const Integer most_points = {"Points",
-                                 1000,
-                                 1,
-                                 1000000,
-                                 "Number of points at which the path ends."};
-    const Integer branch      = {
-           "Branch",
-           0,
-           0,
-           1000,
-           "Number of the bifurcation at which the path changes to the other branch; "
-                "0: none; stable: all at which the present branch becomes less stable.",
-           {stable}};
-    const Boolean opposite_side = {
+    const Integer max_points = {"Points",
+                                1000,
+                                1,
+                                1000000,
+                                "Number of points at which the path ends."};
+    const Integer branch     = {
+          "Branch",
+          0,
+          0,
+          1000,
+          "Number of the bifurcation at which the path changes to the other branch; "
+              "0: none; stable: all at which the present branch becomes less stable.",
+          {stable}};
+    const Boolean reverse_branch = {
       "Reverse branch",
       false,
       "Whether the other branch is followed in the direction in which the mode's "
@@ -257,9 +257,9 @@ namespace auxfem
              resolution,
              largest_load_factor,
              largest_displacement,
-             most_points,
+             max_points,
              branch,
-             opposite_side,
+             reverse_branch,
              points_a_picture}};
   }
 
@@ -274,7 +274,7 @@ namespace auxfem
     path.largest_load_factor = values[largest_load_factor];
     if (!values.is_word(largest_displacement))
       path.largest_displacement = values[largest_displacement];
-    path.most_points = values[most_points];
+    path.max_points = values[max_points];
     if (values.is_word(branch))
       path.branch = PathDefinition::Branch::stable;
     else if (values[branch] > 0)
@@ -282,7 +282,7 @@ namespace auxfem
         path.branch        = PathDefinition::Branch::numbered;
         path.branch_number = values[branch];
       }
-    path.opposite_side     = values[opposite_side];
+    path.reverse_branch    = values[reverse_branch];
     path.graphics_interval = values[points_a_picture];
     return path;
   }

@@ -142,7 +142,7 @@ namespace auxfem
     return functions;
   }
 
-  double nearness_of_step_ends(const TimeParameters &time)
+  double step_end_tolerance(const TimeParameters &time)
   {
     return 1e-6 * time.step;
   }
@@ -180,7 +180,7 @@ namespace auxfem
   }
 
   StepEnds::StepEnds(const RunPlan &plan)
-    : tolerance(nearness_of_step_ends(plan.time))
+    : tolerance(step_end_tolerance(plan.time))
     , ends(step_ends(plan))
   {}
 
@@ -261,7 +261,7 @@ namespace auxfem
                                    const std::vector<StepEnd> &ends)
     {
       const TimeParameters &time      = plan.time;
-      const double          tolerance = nearness_of_step_ends(time);
+      const double          tolerance = step_end_tolerance(time);
       std::vector<double>   times{0.};
       auto                  event = ends.begin();
       for (unsigned long step = 1; step <= time.n_steps(); ++step)
@@ -452,7 +452,7 @@ namespace auxfem
     for (const TimeFunction &function : functions_of_time(plan))
       if (const double value = function.value(time); value != 0)
         {
-          if (++n > n_listed)
+          if (++n > max_listed_items)
             return text.str() + ", ...";
           text << (n > 1 ? ", " : "") << function.origin() << " = " << value;
         }

@@ -23,7 +23,7 @@ namespace auxfem
     , number(signal)
   {}
 
-  SignalsWaitForStep::SignalsWaitForStep()
+  DeferredSignals::DeferredSignals()
   {
     deferred_signal         = 0;
     struct sigaction action = {};
@@ -40,13 +40,13 @@ namespace auxfem
       }
   }
 
-  SignalsWaitForStep::~SignalsWaitForStep()
+  DeferredSignals::~DeferredSignals()
   {
     for (unsigned int i = 0; i < signals.size(); ++i)
       sigaction(signals[i], &former[i], nullptr);
   }
 
-  int noted_signal(const MPI_Comm communicator)
+  int pending_signal(const MPI_Comm communicator)
   {
     int signal = deferred_signal;
     MPI_Allreduce(MPI_IN_PLACE, &signal, 1, MPI_INT, MPI_MAX, communicator);
@@ -55,7 +55,7 @@ namespace auxfem
 
   void end_if_interrupted(const MPI_Comm communicator)
   {
-    if (const int signal = noted_signal(communicator); signal != 0)
+    if (const int signal = pending_signal(communicator); signal != 0)
       throw Interrupted(signal);
   }
 } // namespace auxfem

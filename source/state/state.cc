@@ -27,7 +27,7 @@ namespace auxfem
       compensation.emplace(n_unknowns, 0.);
   }
 
-  void State::take_ghosts(const UnknownLayout &layout)
+  void State::extend_ghosts(const UnknownLayout &layout)
   {
     const auto take = [&layout](Vector &values) {
       values.resize(layout.n_local(), 0.);

@@ -244,7 +244,7 @@ namespace auxfem
              joined_values(motion.velocities)});
         }
     RecordedField field;
-    add_elements(over_all_ranks(flat(local_elements), communicator),
+    add_elements(gather_over_ranks(flat(local_elements), communicator),
                  field.elements);
     std::sort(field.elements.begin(),
               field.elements.end(),

@@ -203,7 +203,7 @@ namespace auxfem
     const std::vector<PlannedRun> plan = kind_of(task.scene).plan(task);
 
     const std::string        &folder = scene.output.directory;
-    const SignalsWaitForStep  signals;
+    const DeferredSignals     signals;
     std::optional<RunFolder>  files;
     std::optional<StudyLines> lines;
     on_first_rank(communicator, [&]() {

@@ -139,7 +139,7 @@ namespace auxfem
           stored.push_back(run && run->has(selection) ? json_of(*run) : Json());
         }
     });
-    stored = Json::parse(text_of_rank(0, text_of(stored), communicator));
+    stored = Json::parse(broadcast_text(0, text_of(stored), communicator));
     for (std::size_t i = 0; i < tasks.size(); ++i)
       if (!stored[i].is_null())
         tasks[i].result = measured_run_of(stored[i]);
@@ -216,10 +216,10 @@ namespace auxfem
             outcome.wrong_input = error.what();
           }
       }
-    throw_if_any(texts_of_all_ranks(outcome.wrong_input, communicator),
-                 over_all_ranks<int>({outcome.signal}, communicator));
+    throw_if_any(gather_texts(outcome.wrong_input, communicator),
+                 gather_over_ranks<int>({outcome.signal}, communicator));
     for (const std::string &text :
-         texts_of_all_ranks(text_of(local_results), communicator))
+         gather_texts(text_of(local_results), communicator))
       {
         const Json rank_results = Json::parse(text);
         for (const auto &[number, run] : rank_results.items())

@@ -27,7 +27,7 @@ namespace auxfem
     // A load that is switched on at t = 0 acts from t = 0 on.
     instant.event_at_to = {0., TimeSide::after};
     prescribe_motion(model, instant);
-    hold_still(model, state, before);
+    copy_fixed_support_velocities(model, state, before);
     solver.residual(instant, results);
     if (!prepare_mass(instant))
       prepare_substitute_mass(instant, dt);
@@ -176,7 +176,7 @@ namespace auxfem
                                       const double rate) const
   {
     // Given velocities have few digits.
-    if (rate <= given_digits * largest_motion(model, *state.velocity).first)
+    if (rate <= input_precision * largest_motion(model, *state.velocity).first)
       return;
     std::ostringstream message;
     message

@@ -207,7 +207,7 @@ namespace auxfem
     const EvaluationResults &results = between.results;
     const double moment = results.moment / equations.model().mean_strut_length;
     return between.state.acceleration &&
-      std::max(results.force, moment) <= noticeable_part *
+      std::max(results.force, moment) <= noticeable_fraction *
         std::max(from.results.force_scale, to.results.force_scale);
   }
 

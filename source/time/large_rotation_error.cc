@@ -266,7 +266,7 @@ namespace auxfem
             std::max(accuracy * size(error),
                      accuracy_of_tolerance * allowed * size(motion)))
           return true;
-        is_reducing = plan.newton.kept_reduction * change_size <=
+        is_reducing = plan.newton.jacobian_reuse_threshold * change_size <=
           (uses_rest_stiffness ? before_last : last);
         if (uses_rest_stiffness && !is_reducing)
           return false;

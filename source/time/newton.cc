@@ -58,7 +58,7 @@ namespace auxfem
         {
           const double norm    = std::abs(state.residual[row]);
           const double allowed = tolerance * state.largest_forces[row] +
-            (round_off ? round_off[row] : 0.) + least_of_full_precision;
+            (round_off ? round_off[row] : 0.) + smallest_full_precision;
           if (!(norm <= excess * allowed))
             excess = norm / allowed;
         }
@@ -177,8 +177,9 @@ namespace auxfem
           }
         result.relative_residual = force > 0 ? norm / force : 0.;
         const auto stagnates     = [&] {
-          return result.iterations == 0 ? norm <= stagnation_threshold * force
-                                            : reduction < parameters.kept_reduction;
+          return result.iterations == 0
+                ? norm <= stagnation_threshold * force
+                : reduction < parameters.jacobian_reuse_threshold;
         };
         if (supports_in_place && meets_constraints(results, evaluation.to) &&
             is_small(evaluation, results, norm, force, stagnates()))
@@ -280,7 +281,7 @@ namespace auxfem
     if (stored && matches_step(*stored) &&
         (is_linear ||
          (parameters.keep_factorization &&
-          reduction >= parameters.kept_reduction)))
+          reduction >= parameters.jacobian_reuse_threshold)))
       {
         stored->is_fresh = false;
         return true;
@@ -288,7 +289,7 @@ namespace auxfem
     // The symmetric part is too far from the tangent if it does not even serve
     // at its own state.
     if (stored && stored->is_fresh && !stored->is_exact &&
-        reduction < parameters.kept_reduction)
+        reduction < parameters.jacobian_reuse_threshold)
       exactness = Exactness::exact;
     stored.reset();
     solver.assemble(evaluation, results, factors);
@@ -376,7 +377,7 @@ namespace auxfem
                                 AddedEquation *const  added,
                                 const double          part)
   {
-    solver.count_shortened();
+    solver.count_backtrack();
     increment = last_increment;
     scale(-part, increment);
     if (added != nullptr)

@@ -260,7 +260,7 @@ namespace auxfem
     bool mine = true;
     for (std::size_t i = 0; i < envelope.compressions.size() && mine; ++i)
       mine = motion.compressions[i] <=
-        std::max(envelope.compressions[i], noticeable_part);
+        std::max(envelope.compressions[i], noticeable_fraction);
     return layout.largest(mine ? 0. : 1.) == 0;
   }
 
@@ -296,7 +296,7 @@ namespace auxfem
       return;
     std::ostringstream text;
     text << reason_text << " (t = " << state.time << " s)";
-    throw BeyondSmallDisplacements(text.str());
+    throw SmallDisplacementLimitExceeded(text.str());
   }
 
   std::string SmallDisplacementLimit::reason(const State &state)

@@ -119,7 +119,7 @@ namespace auxfem
                                         base_displacement,
                                         rotation_vectors))
     , slopes(tableau.n_stages())
-    , taken_from_kinetic(tableau.n_stages())
+    , kinetic_defect_terms(tableau.n_stages())
   {}
 
   Stages::~Stages() = default;
@@ -167,8 +167,8 @@ namespace auxfem
       next.event_at_to = step.event_at_to;
     if (stage + 1 == n())
       {
-        next.ends_step          = true;
-        next.taken_from_kinetic = &taken_from_kinetic;
+        next.ends_step            = true;
+        next.kinetic_defect_terms = &kinetic_defect_terms;
       }
     return next;
   }
@@ -264,7 +264,7 @@ namespace auxfem
   {
     for (unsigned int i = 0; i < n(); ++i)
       {
-        auto &[first, second] = taken_from_kinetic[i];
+        auto &[first, second] = kinetic_defect_terms[i];
         first                 = slopes[i].velocity;
         second.assign(first.size(), 0.);
         for (unsigned int j = 0; j < n(); ++j)

@@ -180,9 +180,9 @@ namespace auxfem
     latest.error = motions.error;
     latest.error.add(local);
     const Motions &translations = all.front();
-    const double   target       = safety_of_steps *
+    const double   target       = step_safety_factor *
       allowed(motions, latest.largest, translations.latest.largest),
-                 previous_target = safety_of_steps *
+                 previous_target = step_safety_factor *
       allowed(motions, motions.largest, translations.largest);
     const double used = local.amplification * motions.error.total(),
                  rate = std::max((target - used) / (end_time - step.from.time),
@@ -191,7 +191,7 @@ namespace auxfem
     // motion adds, or earlier errors that the scheme damps.
     const double usable =
       std::max({rate * step.dt,
-                safety_of_steps * (target - previous_target),
+                step_safety_factor * (target - previous_target),
                 (1 - local.amplification) * target});
     latest.relative = std::max(0., latest.error.total() - used) / usable;
   }
@@ -300,7 +300,7 @@ namespace auxfem
   void StepError::sample(const State &state)
   {
     const double interval = state.time - samples.latest_time();
-    if (interval < (1 - given_digits) * sampling_interval)
+    if (interval < (1 - input_precision) * sampling_interval)
       return;
     if (const std::optional<Vector> third =
           samples.difference(3, state.time, state.displacement, interval))

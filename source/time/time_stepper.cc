@@ -77,14 +77,14 @@ namespace auxfem
       const Stopwatch watch(work.wall.contact);
       are_more_ghosts = equations.update_couplings(state);
     }
-    take_ghosts(are_more_ghosts);
+    extend_ghosts(are_more_ghosts);
   }
 
-  void TimeStepper::take_ghosts(const bool are_more)
+  void TimeStepper::extend_ghosts(const bool are_more)
   {
     if (!are_more)
       return;
-    trial.state.take_ghosts(equations.unknowns().layout);
+    trial.state.extend_ghosts(equations.unknowns().layout);
     if (stages)
       stages->reset_prediction();
   }
@@ -116,7 +116,7 @@ namespace auxfem
     State &state = solution.state;
     // The discrete gradient does not use accelerations at the start of a step.
     if (jump == Jump::none ||
-        (scheme.balances_means() && jump != Jump::velocities))
+        (scheme.uses_discrete_gradient() && jump != Jump::velocities))
       return;
     ConsistentRates rates(solvers->tangent);
     const double    event = *ends.event_at_begin(state.time);
@@ -217,7 +217,7 @@ namespace auxfem
   {
     if (!scheme.is_dynamic())
       return Evaluation::static_step(from, trial.state, dt);
-    return scheme.balances_means()
+    return scheme.uses_discrete_gradient()
       ? Evaluation::discrete_gradient(from, trial.state, dt)
       : Evaluation::step(from, trial.state, dt);
   }
@@ -254,7 +254,7 @@ namespace auxfem
   void TimeStepper::predict(const ImplicitScheme &rule, const Evaluation &step)
   {
     rule.predict(step.from, step.dt, step.to);
-    if (scheme.balances_means())
+    if (scheme.uses_discrete_gradient())
       extrapolate_predictor(rule, step, equations.model());
     if (equations.is_linear())
       repeat_last_increment(rule, step);
@@ -280,7 +280,7 @@ namespace auxfem
     std::ostringstream reason;
     reason << result.reason << "; relative residual "
            << result.relative_residual << ", largest at the "
-           << worst_unknown(equations.model(), trial.state);
+           << unknown_with_largest_residual(equations.model(), trial.state);
     return reject(reason.str());
   }
 
@@ -325,7 +325,7 @@ namespace auxfem
   {
     // In too long a step an implicit scheme can converge to an unrelated state,
     // which shows as created energy. The discrete gradient creates none.
-    if (scheme.balances_means())
+    if (scheme.uses_discrete_gradient())
       return false;
     const Energies &before = step.from.energies, &after = step.to.energies;
     // Numerical energy gain with inertia counts as created. In statics it only
@@ -374,7 +374,7 @@ namespace auxfem
                         solution,
                         step.event_at_from,
                         step.event_at_to,
-                        nearness_of_step_ends(parameters),
+                        step_end_tolerance(parameters),
                         solvers->tangent,
                         recorder);
     trial.state = solution.state;

@@ -80,7 +80,7 @@ namespace auxfem
 
   void TimeStepper::restart(Solution &solution)
   {
-    take_ghosts(equations.restart_couplings(solution.state));
+    extend_ghosts(equations.restart_couplings(solution.state));
     if (stages)
       stages->reset_prediction();
     scene_watches.forget_steps();

@@ -12,7 +12,7 @@ namespace auxfem
     constexpr unsigned int n_values = 5;
 
     /** Flag of presence, followed by the members. */
-    std::vector<double> values_of(const std::optional<Occurrence> &occurrence)
+    std::vector<double> values_of(const std::optional<LocatedEvent> &occurrence)
     {
       if (!occurrence)
         return std::vector<double>(n_values, 0.);
@@ -23,26 +23,26 @@ namespace auxfem
               double(occurrence->group)};
     }
 
-    std::optional<Occurrence> event_from(const std::vector<double> &values)
+    std::optional<LocatedEvent> event_from(const std::vector<double> &values)
     {
       if (values[0] == 0)
         return std::nullopt;
-      return Occurrence{values[1],
-                        values[2],
-                        static_cast<unsigned int>(values[3]),
-                        static_cast<unsigned int>(values[4])};
+      return LocatedEvent{values[1],
+                          values[2],
+                          static_cast<unsigned int>(values[3]),
+                          static_cast<unsigned int>(values[4])};
     }
 
     /** First event over all ranks in this order. */
     template <class ComesBefore>
-    std::optional<Occurrence>
-    extreme_over_ranks(const std::optional<Occurrence> &mine,
-                       const MPI_Comm                   communicator,
-                       const ComesBefore               &comes_before)
+    std::optional<LocatedEvent>
+    extreme_over_ranks(const std::optional<LocatedEvent> &mine,
+                       const MPI_Comm                     communicator,
+                       const ComesBefore                 &comes_before)
     {
-      std::optional<Occurrence> best;
-      const std::vector<double> all =
-        over_all_ranks(values_of(mine), communicator);
+      std::optional<LocatedEvent> best;
+      const std::vector<double>   all =
+        gather_over_ranks(values_of(mine), communicator);
       for (auto values = all.begin(); values < all.end(); values += n_values)
         if (const auto other = event_from({values, values + n_values});
             other && (!best || comes_before(*other, *best)))
@@ -56,7 +56,7 @@ namespace auxfem
     }
   } // namespace
 
-  void Occurrences::add(const Occurrence &occurrence)
+  void EventExtremes::add(const LocatedEvent &occurrence)
   {
     if (!first_event)
       first_event = occurrence;
@@ -64,34 +64,34 @@ namespace auxfem
       largest_event = occurrence;
   }
 
-  std::optional<Occurrence> Occurrences::first() const
+  std::optional<LocatedEvent> EventExtremes::first() const
   {
     return extreme_over_ranks(first_event,
                               communicator,
-                              [](const Occurrence &one,
-                                 const Occurrence &other) {
+                              [](const LocatedEvent &one,
+                                 const LocatedEvent &other) {
                                 return one.time < other.time ||
                                   (one.time == other.time &&
                                    one.size > other.size);
                               });
   }
 
-  std::optional<Occurrence> Occurrences::largest() const
+  std::optional<LocatedEvent> EventExtremes::largest() const
   {
     return extreme_over_ranks(largest_event,
                               communicator,
-                              [](const Occurrence &one,
-                                 const Occurrence &other) {
+                              [](const LocatedEvent &one,
+                                 const LocatedEvent &other) {
                                 return one.size > other.size;
                               });
   }
 
-  void Occurrences::serialize(const std::string &name,
-                              CheckpointArchive &archive)
+  void EventExtremes::serialize(const std::string &name,
+                                CheckpointArchive &archive)
   {
     for (const auto &[event, over_ranks] :
-         {std::pair(&first_event, &Occurrences::first),
-          {&largest_event, &Occurrences::largest}})
+         {std::pair(&first_event, &EventExtremes::first),
+          {&largest_event, &EventExtremes::largest}})
       {
         std::vector<double> values =
           values_of(archive.is_saving() ? (this->*over_ranks)() : std::nullopt);
@@ -167,9 +167,9 @@ namespace auxfem
     // In elastic statics time only orders the loads.
     const bool time_has_meaning = simulated.connector_viscosity ||
       simulated.strut_damping || has_friction(plan);
-    const bool       is_limited = simulated.small_displacements_are_limited;
-    const WatchedRun run{plan, equations, statistics, work};
-    const auto       add_if = [&](const bool is_needed, MakeWatch &make) {
+    const bool         is_limited = simulated.small_displacements_are_limited;
+    const WatchContext run{plan, equations, statistics, work};
+    const auto         add_if = [&](const bool is_needed, MakeWatch &make) {
       if (auto watch = is_needed ? make(run) : nullptr)
         watches.push_back(std::move(watch));
     };

@@ -198,7 +198,7 @@ TEST(LinearSolver, CountsEigenvaluesOfAllFreeUnknowns)
           if (type == "gmres")
             continue;
           EXPECT_EQ(modes->n, n_negative - 2);
-          EXPECT_FALSE(modes->is_least);
+          EXPECT_FALSE(modes->is_lower_bound);
           const std::optional<Inertia> inertia = solver.inertia();
           ASSERT_TRUE(inertia);
           EXPECT_EQ(inertia->negative, n_negative);

@@ -29,8 +29,8 @@ namespace
   {
     const unsigned int      n_ranks = mpi::n_mpi_processes(MPI_COMM_WORLD);
     const std::vector<Item> all =
-      over_all_ranks(items_of(mpi::this_mpi_process(MPI_COMM_WORLD)),
-                     MPI_COMM_WORLD);
+      gather_over_ranks(items_of(mpi::this_mpi_process(MPI_COMM_WORLD)),
+                        MPI_COMM_WORLD);
     ASSERT_EQ(all.size(), n_ranks * (n_ranks - 1) / 2);
     std::size_t next = 0;
     for (unsigned int rank = 0; rank < n_ranks; ++rank)
@@ -40,7 +40,7 @@ namespace
           EXPECT_EQ(all[next].value, item.value);
           ++next;
         }
-    EXPECT_EQ(over_all_ranks<int>({3}, MPI_COMM_WORLD),
+    EXPECT_EQ(gather_over_ranks<int>({3}, MPI_COMM_WORLD),
               std::vector<int>(n_ranks, 3));
   }
 
@@ -50,8 +50,8 @@ namespace
       return std::string(3 * rank, static_cast<char>('a' + rank));
     };
     const std::vector<std::string> texts =
-      texts_of_all_ranks(text_of(mpi::this_mpi_process(MPI_COMM_WORLD)),
-                         MPI_COMM_WORLD);
+      gather_texts(text_of(mpi::this_mpi_process(MPI_COMM_WORLD)),
+                   MPI_COMM_WORLD);
     ASSERT_EQ(texts.size(), mpi::n_mpi_processes(MPI_COMM_WORLD));
     for (unsigned int rank = 0; rank < texts.size(); ++rank)
       EXPECT_EQ(texts[rank], text_of(rank));
@@ -60,11 +60,11 @@ namespace
   TEST(SharedWork, EveryRankReceivesTheTextOfOne)
   {
     const unsigned int last = mpi::n_mpi_processes(MPI_COMM_WORLD) - 1;
-    EXPECT_EQ(text_of_rank(last,
-                           "of rank " +
-                             std::to_string(
-                               mpi::this_mpi_process(MPI_COMM_WORLD)),
-                           MPI_COMM_WORLD),
+    EXPECT_EQ(broadcast_text(last,
+                             "of rank " +
+                               std::to_string(
+                                 mpi::this_mpi_process(MPI_COMM_WORLD)),
+                             MPI_COMM_WORLD),
               "of rank " + std::to_string(last));
   }
 
@@ -75,7 +75,7 @@ namespace
     const auto          mine = share_of_rank(layout, n);
     EXPECT_LE(mine[0], mine[1]);
     std::vector<std::size_t> bounds =
-      over_all_ranks<std::size_t>({mine[0], mine[1]}, MPI_COMM_WORLD);
+      gather_over_ranks<std::size_t>({mine[0], mine[1]}, MPI_COMM_WORLD);
     EXPECT_EQ(bounds.front(), 0u);
     EXPECT_EQ(bounds.back(), n);
     for (std::size_t i = 1; i + 1 < bounds.size(); i += 2)

@@ -25,21 +25,21 @@ namespace
 
 TEST(MakeEquations, TwoSupportsMayHoldTheSameJointAtRest)
 {
-  const EquationsOnRanks of_scene(two_struts_with()
-                                    .support("wall", "0", "clamp")
-                                    .support("floor", "0, 2", "roller x"),
-                                  {},
-                                  MPI_COMM_SELF);
-  ASSERT_EQ(of_scene.model.supports.size(), 2u);
-  EXPECT_EQ(of_scene.model.supports[0].name, "wall");
+  const EquationsOnRanks setup(two_struts_with()
+                                 .support("wall", "0", "clamp")
+                                 .support("floor", "0, 2", "roller x"),
+                               {},
+                               MPI_COMM_SELF);
+  ASSERT_EQ(setup.model.supports.size(), 2u);
+  EXPECT_EQ(setup.model.supports[0].name, "wall");
   // The reaction is counted once, with the first.
-  EXPECT_EQ(of_scene.model.supports[0].unknowns.size(), 3u);
-  ASSERT_EQ(of_scene.model.supports[1].unknowns.size(), 1u);
-  EXPECT_EQ(of_scene.model.supports[1].unknowns[0].component, 1u);
-  EXPECT_EQ(of_scene.model.supports[1].unknowns[0].unknown,
-            of_scene.dofs().joint_unknown(2, 1));
-  EXPECT_EQ(of_scene.dofs().unknowns().n_free(),
-            of_scene.dofs().layout().n_global() - 4);
+  EXPECT_EQ(setup.model.supports[0].unknowns.size(), 3u);
+  ASSERT_EQ(setup.model.supports[1].unknowns.size(), 1u);
+  EXPECT_EQ(setup.model.supports[1].unknowns[0].component, 1u);
+  EXPECT_EQ(setup.model.supports[1].unknowns[0].unknown,
+            setup.dofs().joint_unknown(2, 1));
+  EXPECT_EQ(setup.dofs().unknowns().n_free(),
+            setup.dofs().layout().n_global() - 4);
 }
 
 TEST(MakeEquations, ContradictingSupportsAreRefusedByName)
@@ -119,17 +119,17 @@ TEST(MakeEquations, ASpringActsBetweenTheReleasedStrutAndTheJoint)
   // Strut 1 released against strut 0, or both: the same relative rotation.
   for (const std::string struts : {"1", "all"})
     {
-      EquationsOnRanks of_scene(
+      EquationsOnRanks setup(
         two_struts_with().add("Joints/middle",
                               "Joints = 1 | Struts = " + struts +
                                 " | Type = rotational spring | "
                                 "Stiffness = 7"),
         {"Time/Scheme=static"},
         MPI_COMM_SELF);
-      State from = of_scene.equations.initial_state(), to = from;
+      State from = setup.equations.initial_state(), to = from;
       // Strut 1 rotates rigidly by a tiny angle, so it has no forces.
       const double angle = 1e-9;
-      const auto   names = name_unknowns(of_scene.model);
+      const auto   names = name_unknowns(setup.model);
       for (unsigned int i = 0; i < names.size(); ++i)
         {
           const unsigned int c = std::get<3>(names[i].name);
@@ -138,17 +138,17 @@ TEST(MakeEquations, ASpringActsBetweenTheReleasedStrutAndTheJoint)
           if (c == rotation_z && names[i].position[0] > 1)
             to.displacement[i] = angle;
         }
-      to.displacement[of_scene.dofs().end_rotation(1, 0)] = angle;
-      const Evaluation step = of_scene.step(from, to, 1.);
-      of_scene.residual(step);
+      to.displacement[setup.dofs().end_rotation(1, 0)] = angle;
+      const Evaluation step = setup.step(from, to, 1.);
+      setup.residual(step);
       // The square of the rotation causes strains of 1e-18.
-      EXPECT_NEAR(to.residual[of_scene.dofs().end_rotation(1, 0)],
+      EXPECT_NEAR(to.residual[setup.dofs().end_rotation(1, 0)],
                   7 * angle,
                   1e-6 * angle);
-      EXPECT_NEAR(to.residual[of_scene.dofs().end_rotation(0, 1)],
+      EXPECT_NEAR(to.residual[setup.dofs().end_rotation(0, 1)],
                   -7 * angle,
                   1e-6 * angle);
-      of_scene.accept(step);
+      setup.accept(step);
       EXPECT_NEAR(to.energies.strain(),
                   3.5 * angle * angle,
                   1e-6 * angle * angle);

@@ -16,17 +16,17 @@ namespace
   struct Trial
   {
     explicit Trial(const std::vector<std::string> &overrides = {})
-      : of_scene(star_with_everything(1, 1), overrides, MPI_COMM_SELF)
-      , from(of_scene.equations.initial_state())
+      : setup(star_with_everything(1, 1), overrides, MPI_COMM_SELF)
+      , from(setup.equations.initial_state())
       , to(from)
     {
       to.time = dt;
-      fill_by_position(of_scene.model, 0.1, from.displacement);
-      fill_by_position(of_scene.model, 0.4, to.displacement);
+      fill_by_position(setup.model, 0.1, from.displacement);
+      fill_by_position(setup.model, 0.4, to.displacement);
       if (to.velocity)
-        fill_by_position(of_scene.model, 0.7, *to.velocity);
+        fill_by_position(setup.model, 0.7, *to.velocity);
       if (to.acceleration)
-        fill_by_position(of_scene.model, 1.1, *to.acceleration);
+        fill_by_position(setup.model, 1.1, *to.acceleration);
     }
 
     /** Residual of the step with unknown @p i moved by @p h, as an increment moves it. */
@@ -39,17 +39,17 @@ namespace
         (*moved.velocity)[i] += factors.damping * h;
       if (moved.acceleration)
         (*moved.acceleration)[i] += factors.mass * h;
-      of_scene.residual(of_scene.step(from, moved, dt));
+      setup.residual(setup.step(from, moved, dt));
       return moved.residual;
     }
 
     Evaluation step()
     {
-      return of_scene.step(from, to, dt);
+      return setup.step(from, to, dt);
     }
 
     double           dt = 0.4;
-    EquationsOnRanks of_scene;
+    EquationsOnRanks setup;
     State            from, to;
   };
 
@@ -58,11 +58,11 @@ namespace
                      const TangentFactors           &factors)
   {
     Trial               trial(overrides);
-    EquationsOnRanks   &of_scene = trial.of_scene;
-    const DofNumbering &dofs     = of_scene.dofs();
-    const auto          matrix   = of_scene.make_tangent();
-    of_scene.residual(trial.step());
-    of_scene.tangent(trial.step(), factors, *matrix);
+    EquationsOnRanks   &setup  = trial.setup;
+    const DofNumbering &dofs   = setup.dofs();
+    const auto          matrix = setup.make_tangent();
+    setup.residual(trial.step());
+    setup.tangent(trial.step(), factors, *matrix);
 
     const int    n = dofs.layout().n_global();
     Vector       unit(dofs.layout().n_local()), column(unit);
@@ -136,8 +136,8 @@ TEST(Equations, ScenesWithoutLargeRotationAreLinear)
 TEST(Equations, ResidualNormLeavesPrescribedRowsOut)
 {
   Trial                    trial;
-  const DofNumbering      &dofs    = trial.of_scene.dofs();
-  const EvaluationResults &norm    = trial.of_scene.residual(trial.step());
+  const DofNumbering      &dofs    = trial.setup.dofs();
+  const EvaluationResults &norm    = trial.setup.residual(trial.step());
   double                   sums[2] = {0, 0};
   for (unsigned int i = 0; i < dofs.layout().n_owned(); ++i)
     if (dofs.unknowns().kinds[i] != UnknownKind::prescribed)
@@ -151,14 +151,14 @@ TEST(Equations, ResidualNormLeavesPrescribedRowsOut)
 TEST(Equations, UnknownWithTheLargestResidualIsFree)
 {
   Trial       trial;
-  const auto &dofs = trial.of_scene.dofs();
+  const auto &dofs = trial.setup.dofs();
   trial.to.residual.assign(trial.to.residual.size(), 0);
-  const unsigned int joint = trial.of_scene.lattice.joint_sets.at("tips")[1];
+  const unsigned int joint = trial.setup.lattice.joint_sets.at("tips")[1];
   trial.to.residual[dofs.joint_unknown(joint, 1)] = -2;
-  trial.to.residual[dofs.joint_unknown(trial.of_scene.lattice.joint_sets.at(
-                                         "bottom")[0],
-                                       0)]        = 5;
-  EXPECT_EQ(worst_unknown(trial.of_scene.model, trial.to),
+  trial.to
+    .residual[dofs.joint_unknown(trial.setup.lattice.joint_sets.at("bottom")[0],
+                                 0)] = 5;
+  EXPECT_EQ(unknown_with_largest_residual(trial.setup.model, trial.to),
             describe(dofs, dofs.joint_unknown(joint, 1)));
 }
 
@@ -173,18 +173,18 @@ TEST(Equations, LengthScaleIsTheMeanStrutLength)
 
 TEST(Equations, PrescribedMotionAndRightSideFollowTheSupports)
 {
-  EquationsOnRanks    of_scene(star_with_everything(1, 1), {}, MPI_COMM_SELF);
-  const DofNumbering &dofs = of_scene.dofs();
+  EquationsOnRanks    setup(star_with_everything(1, 1), {}, MPI_COMM_SELF);
+  const DofNumbering &dofs = setup.dofs();
   const int           shaken =
-    dofs.joint_unknown(of_scene.lattice.joint_sets.at("left")[0], 0);
-  const State before    = of_scene.equations.initial_state();
+    dofs.joint_unknown(setup.lattice.joint_sets.at("left")[0], 0);
+  const State before    = setup.equations.initial_state();
   State       state     = before;
   state.time            = 0.2;
   const Evaluation step = Evaluation::step(before, state, 0.01);
   Vector           right_side(dofs.layout().n_owned());
   state.displacement[shaken] = 0.001;
   state.residual.assign(state.residual.size(), 7);
-  find_right_side(of_scene.model, step, right_side.data());
+  find_right_side(setup.model, step, right_side.data());
   const double position = 0.02 * std::sin(3 * 0.2);
   EXPECT_NEAR(right_side[shaken], position - 0.001, 1e-16);
   for (unsigned int i = 0; i < dofs.layout().n_owned(); ++i)
@@ -195,7 +195,7 @@ TEST(Equations, PrescribedMotionAndRightSideFollowTheSupports)
                                                                       : -7.);
       }
 
-  prescribe_motion(of_scene.model, step);
+  prescribe_motion(setup.model, step);
   EXPECT_DOUBLE_EQ(state.displacement[shaken], position);
   EXPECT_NEAR((*state.velocity)[shaken], 0.06 * std::cos(0.6), 1e-13);
   EXPECT_NEAR((*state.acceleration)[shaken], -9 * position, 1e-10);
@@ -261,36 +261,34 @@ TEST(Equations, StatesCarryASecondAccelerationOnlyIfTheSchemeUsesIt)
                                    {"static", false}})
     {
       SCOPED_TRACE(scheme);
-      const EquationsOnRanks of_scene(star_with_everything(1, 1),
-                                      {"Time/Scheme=" + scheme},
-                                      MPI_COMM_SELF);
-      EXPECT_EQ(of_scene.equations.layout().algorithmic_acceleration, uses_it);
-      EXPECT_EQ(bool(
-                  of_scene.equations.initial_state().algorithmic_acceleration),
+      const EquationsOnRanks setup(star_with_everything(1, 1),
+                                   {"Time/Scheme=" + scheme},
+                                   MPI_COMM_SELF);
+      EXPECT_EQ(setup.equations.layout().algorithmic_acceleration, uses_it);
+      EXPECT_EQ(bool(setup.equations.initial_state().algorithmic_acceleration),
                 uses_it);
     }
 }
 
 TEST(Equations, WithoutViscosityConnectorsAreTheirLongTimeSprings)
 {
-  EquationsOnRanks of_scene(star_with_everything(1, 1),
-                            {"Effects/Connector viscosity=off"},
-                            MPI_COMM_SELF);
-  State            from = of_scene.equations.initial_state(), to = from;
-  fill_by_position(of_scene.model, 0.2, to.displacement);
-  fill_by_position(of_scene.model, 5., *to.velocity);
+  EquationsOnRanks setup(star_with_everything(1, 1),
+                         {"Effects/Connector viscosity=off"},
+                         MPI_COMM_SELF);
+  State            from = setup.equations.initial_state(), to = from;
+  fill_by_position(setup.model, 0.2, to.displacement);
+  fill_by_position(setup.model, 5., *to.velocity);
   const Evaluation step = Evaluation::step(from, to, 0.1);
-  of_scene.residual(step);
+  setup.residual(step);
   const double stiffness[4] = {0.6, 0, 0.2, 0.4};
-  EXPECT_EQ(n_kept(of_scene.equations.layout(), ": dissipated energy"), 0u);
-  ASSERT_EQ(of_scene.equations.reporting().connectors.size(), 4u);
+  EXPECT_EQ(n_kept(setup.equations.layout(), ": dissipated energy"), 0u);
+  ASSERT_EQ(setup.equations.reporting().connectors.size(), 4u);
   for (unsigned int g = 0; g < 4; ++g)
     {
-      const ConnectorGroup &group =
-        of_scene.equations.reporting().connectors[g];
+      const ConnectorGroup &group = setup.equations.reporting().connectors[g];
       for (unsigned int i = 0; i < group.forces->n_reported(); ++i)
         {
-          const ConnectorReport report = group.report(i, to, of_scene.results);
+          const ConnectorReport report = group.report(i, to, setup.results);
           EXPECT_NE(report.extension, 0);
           EXPECT_DOUBLE_EQ(report.force, stiffness[g] * report.extension);
         }
@@ -303,13 +301,13 @@ namespace
   struct EvaluatedTrial
   {
     /** Irregular motion proportional to @p size. */
-    EvaluatedTrial(const EquationsOnRanks &of_scene, const double size)
-      : of_scene(of_scene)
-      , from(of_scene.equations.initial_state())
+    EvaluatedTrial(const EquationsOnRanks &setup, const double size)
+      : setup(setup)
+      , from(setup.equations.initial_state())
       , to(from)
-      , results(of_scene.equations.make_results())
+      , results(setup.equations.make_results())
     {
-      const LatticeModel &model = of_scene.model;
+      const LatticeModel &model = setup.model;
       from.time                 = 0.1;
       to.time                   = from.time + dt;
       fill_by_position(model, 0.1, from.displacement);
@@ -323,13 +321,13 @@ namespace
 
     Evaluation evaluation()
     {
-      return of_scene.step(from, to, dt);
+      return setup.step(from, to, dt);
     }
 
     /** Evaluates; returns the residual and the norms. */
     std::vector<double> residual()
     {
-      of_scene.equations.residual(evaluation(), results);
+      setup.equations.residual(evaluation(), results);
       std::vector<double> answer(to.residual.data(),
                                  to.residual.data() + to.residual.size());
       answer.insert(answer.end(), to.history.begin(), to.history.end());
@@ -344,8 +342,8 @@ namespace
     /** Entries of the tangent at the last residual. */
     std::vector<double> tangent()
     {
-      TangentMatrix matrix(of_scene.equations.pattern());
-      of_scene.equations.tangent(evaluation(), results, {1., 5., 25.}, matrix);
+      TangentMatrix matrix(setup.equations.pattern());
+      setup.equations.tangent(evaluation(), results, {1., 5., 25.}, matrix);
       const std::size_t   last = matrix.pattern().n_blocks() - 1;
       const double *const end  = matrix.values(last) +
         matrix.pattern().size(last) * matrix.pattern().size(last);
@@ -355,13 +353,13 @@ namespace
     /** Energies by entry, and the history, as accept() leaves them. */
     std::vector<double> accepted()
     {
-      of_scene.equations.accept(evaluation(), results);
+      setup.equations.accept(evaluation(), results);
       std::vector<double> answer = to.energies.amounts();
       answer.insert(answer.end(), to.history.begin(), to.history.end());
       return answer;
     }
 
-    const EquationsOnRanks &of_scene;
+    const EquationsOnRanks &setup;
     double                  dt = 0.3;
     State                   from, to;
     EvaluationResults       results;
@@ -403,15 +401,15 @@ TEST(Equations, RepeatedEvaluationsAgree)
   for (const std::string text :
        {star_with_everything(1, 1), space_star_with_everything()})
     {
-      const EquationsOnRanks of_scene(text, {}, MPI_COMM_SELF);
-      EvaluatedTrial         trial(of_scene, 0.4);
+      const EquationsOnRanks setup(text, {}, MPI_COMM_SELF);
+      EvaluatedTrial         trial(setup, 0.4);
       const auto             residual = trial.residual();
       EXPECT_EQ(trial.residual(), residual);
       const auto tangent  = trial.tangent();
       const auto accepted = trial.accepted();
       EXPECT_EQ(trial.tangent(), tangent);
       EXPECT_EQ(trial.accepted(), accepted);
-      EvaluatedTrial again(of_scene, 0.4);
+      EvaluatedTrial again(setup, 0.4);
       EXPECT_EQ(again.residual(), residual);
       EXPECT_EQ(again.tangent(), tangent);
       EXPECT_EQ(again.accepted(), accepted);
@@ -424,19 +422,19 @@ TEST(Equations, LoadDerivativeIsTheDifferenceOfResiduals)
   for (const std::string text :
        {star_with_everything(1, 1), space_star_with_everything()})
     {
-      const EquationsOnRanks of_scene(text, {}, MPI_COMM_SELF);
-      EvaluatedTrial         trial(of_scene, 0.4);
+      const EquationsOnRanks setup(text, {}, MPI_COMM_SELF);
+      EvaluatedTrial         trial(setup, 0.4);
       const Evaluation       evaluation = trial.evaluation();
       evaluation.to.path.emplace();
       const auto residual = [&](const double load_factor) {
         evaluation.to.path->load_factor = load_factor;
-        of_scene.equations.residual(evaluation, trial.results);
+        setup.equations.residual(evaluation, trial.results);
         return trial.to.residual;
       };
       const double at = 0.3, step = 1e-4;
       const Vector more = residual(at + step), less = residual(at - step);
       evaluation.to.path->load_factor = at;
-      const Vector derivative = of_scene.equations.load_derivative(evaluation);
+      const Vector derivative = setup.equations.load_derivative(evaluation);
       const double size       = largest_size(derivative);
       EXPECT_GT(size, 0.1);
       for (unsigned int i = 0; i < derivative.size(); ++i)
@@ -461,12 +459,12 @@ namespace
 
 TEST(Equations, AStageInsideAStepHasTheForcesOfItsOwnTime)
 {
-  const EquationsOnRanks of_scene(relaxing, {}, MPI_COMM_SELF),
+  const EquationsOnRanks setup(relaxing, {}, MPI_COMM_SELF),
     without(relaxing,
             {"Effects/Connector viscosity=off", "Loads/pull/Force x=0"},
             MPI_COMM_SELF);
-  const int    tip  = of_scene.dofs().joint_unknown(1, 0);
-  const State  from = of_scene.equations.initial_state();
+  const int    tip  = setup.dofs().joint_unknown(1, 0);
+  const State  from = setup.equations.initial_state();
   const double rate = 0.5, relaxation_time = 3. / 2;
   // One trial state serves all stages, as in a time stepper.
   State      to    = from;
@@ -475,8 +473,8 @@ TEST(Equations, AStageInsideAStepHasTheForcesOfItsOwnTime)
     to.time                   = time;
     to.displacement[tip]      = rate * time;
     (*to.velocity)[tip]       = rate;
-    EvaluationResults results = of_scene.equations.make_results();
-    of_scene.equations.residual(Evaluation::step(from, to, time), results);
+    EvaluationResults results = setup.equations.make_results();
+    setup.equations.residual(Evaluation::step(from, to, time), results);
 
     State       plain               = without.equations.initial_state();
     const State start               = plain;

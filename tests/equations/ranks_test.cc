@@ -100,8 +100,8 @@ namespace
                 tolerance * single.force_scale);
     EXPECT_EQ(all.on_ranks.dofs().unknowns().n_free(),
               alone.on_ranks.dofs().unknowns().n_free());
-    EXPECT_EQ(worst_unknown(all.on_ranks.model, all.to),
-              worst_unknown(alone.on_ranks.model, alone.to));
+    EXPECT_EQ(unknown_with_largest_residual(all.on_ranks.model, all.to),
+              unknown_with_largest_residual(alone.on_ranks.model, alone.to));
   }
 } // namespace
 

@@ -33,15 +33,15 @@ namespace auxfem
     struct SpaceEffect
     {
       explicit SpaceEffect(const std::string &text, const bool large_rotation)
-        : of_scene(text,
-                   large_rotation
-                     ? std::vector<std::string>()
-                     : std::vector<std::string>{"Effects/Large rotation=off"},
-                   MPI_COMM_SELF)
-        , rotations(of_scene.dofs())
-        , from(of_scene.equations.initial_state())
+        : setup(text,
+                large_rotation
+                  ? std::vector<std::string>()
+                  : std::vector<std::string>{"Effects/Large rotation=off"},
+                MPI_COMM_SELF)
+        , rotations(setup.dofs())
+        , from(setup.equations.initial_state())
         , to(from)
-        , n(of_scene.dofs().layout().n_global())
+        , n(setup.dofs().layout().n_global())
       {
         to = moved(irregular(0.4), 1.5);
         for (unsigned int i = 0; i < n; ++i)
@@ -53,7 +53,7 @@ namespace auxfem
 
       bool is_multiplier(const unsigned int i) const
       {
-        return of_scene.dofs().unknowns().kinds[i] == UnknownKind::multiplier;
+        return setup.dofs().unknowns().kinds[i] == UnknownKind::multiplier;
       }
 
       std::vector<double> irregular(const double phase) const
@@ -67,7 +67,7 @@ namespace auxfem
       /** Adds the state variables of @p effect to the states. */
       void make_room_for(Effect &effect)
       {
-        StateLayout layout = of_scene.equations.layout();
+        StateLayout layout = setup.equations.layout();
         effect.register_in(layout);
         make_room(layout, from);
         make_room(layout, to);
@@ -122,7 +122,7 @@ namespace auxfem
       /** Compares the tangent of @p effect with differences. */
       void expect_tangent(Effect &effect, const TangentFactors &factors)
       {
-        TangentAlone tangent(effect, of_scene.dofs());
+        TangentAlone tangent(effect, setup.dofs());
         tangent.fill(EvaluatedAlone(effect, Evaluation::step(from, to, 1.)),
                      factors);
         const std::vector<double> direction = irregular(0.9),
@@ -138,7 +138,7 @@ namespace auxfem
         for (unsigned int i = 0; i < n; ++i)
           // h^2 and round-off 1e-15 / h.
           EXPECT_NEAR(y[i], (forward[i] - backward[i]) / (2 * h), 1e-8 * size)
-            << describe(of_scene.dofs(), i);
+            << describe(setup.dofs(), i);
       }
 
       /** Expects forces of multipliers to be derivatives of the constraints. */
@@ -159,7 +159,7 @@ namespace auxfem
               if (is_multiplier(k))
                 work += to.displacement[k] * (forward[k] - backward[k]);
             EXPECT_NEAR(rows[i], work / (2 * h), 1e-8)
-              << describe(of_scene.dofs(), i);
+              << describe(setup.dofs(), i);
           }
       }
 
@@ -187,13 +187,13 @@ namespace auxfem
                           (later[i] - 2 * here[i] + before[i]) /
                             (long_step * long_step),
                           1e-5)
-                << describe(of_scene.dofs(), i);
+                << describe(setup.dofs(), i);
             }
           else
             EXPECT_EQ(rates[i], 0);
       }
 
-      EquationsOnRanks    of_scene;
+      EquationsOnRanks    setup;
       const NodeRotations rotations;
       State               from, to;
       const unsigned int  n;

@@ -61,9 +61,9 @@ namespace
   struct SpaceTrial
   {
     explicit SpaceTrial(const std::vector<std::string> &overrides)
-      : of_scene(frame_with_everything, overrides, MPI_COMM_SELF)
-      , rotations(of_scene.dofs())
-      , from(of_scene.equations.initial_state())
+      : setup(frame_with_everything, overrides, MPI_COMM_SELF)
+      , rotations(setup.dofs())
+      , from(setup.equations.initial_state())
       , to(from)
     {
       add_noise(0.2, from.displacement);
@@ -81,7 +81,7 @@ namespace
 
     Evaluation step(State &trial) const
     {
-      return of_scene.step(from, trial, dt);
+      return setup.step(from, trial, dt);
     }
 
     /** Residual after an increment @p h of unknown @p i, as of Newton's method. */
@@ -98,7 +98,7 @@ namespace
         add_multiple(factors.damping, increment, *moved.velocity);
       if (moved.acceleration)
         add_multiple(factors.mass, increment, *moved.acceleration);
-      of_scene.residual(step(moved));
+      setup.residual(step(moved));
       return moved.residual;
     }
 
@@ -115,7 +115,7 @@ namespace
 
     std::mt19937     generator;
     double           dt = 0.4;
-    EquationsOnRanks of_scene;
+    EquationsOnRanks setup;
     NodeRotations    rotations;
     State            from, to;
   };
@@ -126,7 +126,7 @@ namespace
     /** @param size of increments in the step (m, rad) */
     SpaceMeanStep(std::vector<std::string> overrides, const double size)
       : trial(with_scheme(overrides))
-      , scheme(trial.of_scene.scene.time.implicit_scheme())
+      , scheme(trial.setup.scene.time.implicit_scheme())
     {
       State &from = trial.from;
       // Neighbouring nodes rotate relative to each other by less than half a
@@ -137,8 +137,8 @@ namespace
           exponential(SpaceVector({1.1, -0.8, 0.9}));
       trial.add_noise(0.3, *from.velocity);
       const State before = from;
-      trial.of_scene.residual(Evaluation::consistent_rates(before, from));
-      trial.of_scene.accept(Evaluation::consistent_rates(before, from));
+      trial.setup.residual(Evaluation::consistent_rates(before, from));
+      trial.setup.accept(Evaluation::consistent_rates(before, from));
       trial.to      = from;
       trial.to.time = from.time + trial.dt;
       scheme.predict(from, trial.dt, trial.to);
@@ -170,13 +170,11 @@ namespace
      * largest entry. */
     double error_of_tangent()
     {
-      EquationsOnRanks &of_scene   = trial.of_scene;
-      const auto        matrix     = of_scene.make_tangent();
+      EquationsOnRanks &setup      = trial.setup;
+      const auto        matrix     = setup.make_tangent();
       const Evaluation  evaluation = this->evaluation(trial.to);
-      of_scene.residual(evaluation);
-      of_scene.tangent(evaluation,
-                       scheme.factors(trial.from, trial.dt),
-                       *matrix);
+      setup.residual(evaluation);
+      setup.tangent(evaluation, scheme.factors(trial.from, trial.dt), *matrix);
       const unsigned int n = trial.to.displacement.size();
       Vector             column(n);
       double             worst = 0, scale = 0;
@@ -191,10 +189,10 @@ namespace
           move(unit, right);
           unit[j] = -h;
           move(unit, left);
-          of_scene.residual(this->evaluation(right));
-          of_scene.residual(this->evaluation(left));
+          setup.residual(this->evaluation(right));
+          setup.residual(this->evaluation(left));
           for (unsigned int i = 0; i < n; ++i)
-            if (of_scene.dofs().unknowns().kinds[i] != UnknownKind::prescribed)
+            if (setup.dofs().unknowns().kinds[i] != UnknownKind::prescribed)
               {
                 const double difference =
                   (right.residual[i] - left.residual[i]) / (2 * h);
@@ -213,12 +211,12 @@ namespace
                            const TangentFactors           &factors)
   {
     SpaceTrial          trial(overrides);
-    EquationsOnRanks   &of_scene = trial.of_scene;
-    const DofNumbering &dofs     = of_scene.dofs();
-    const auto          matrix   = of_scene.make_tangent();
-    const Evaluation    step     = trial.step(trial.to);
-    of_scene.residual(step);
-    of_scene.tangent(step, factors, *matrix);
+    EquationsOnRanks   &setup  = trial.setup;
+    const DofNumbering &dofs   = setup.dofs();
+    const auto          matrix = setup.make_tangent();
+    const Evaluation    step   = trial.step(trial.to);
+    setup.residual(step);
+    setup.tangent(step, factors, *matrix);
 
     Vector       unit(dofs.layout().n_local()), column(unit);
     double       worst = 0, scale = 0;
@@ -278,30 +276,30 @@ TEST(SpaceTangent, MeanForcesBetweenStatesBalanceTheLedger)
       SpaceMeanStep     step({"Discretization/Order=" + order}, 0.4);
       State            &from = step.trial.from, &to = step.trial.to;
       const Evaluation  evaluation = step.evaluation(to);
-      EquationsOnRanks &of_scene   = step.trial.of_scene;
-      const StepTravel  travel(evaluation, of_scene.dofs());
-      of_scene.residual(evaluation);
+      EquationsOnRanks &setup      = step.trial.setup;
+      const StepTravel  travel(evaluation, setup.dofs());
+      setup.residual(evaluation);
       // Constraints are not satisfied here; whole runs test that their forces
       // do no work.
       double     work = 0, multiplier_work = 0;
       const auto without_multipliers = [&] {
         State free = to;
         for (unsigned int i = 0; i < free.displacement.size(); ++i)
-          if (of_scene.dofs().unknowns().kinds[i] == UnknownKind::multiplier)
+          if (setup.dofs().unknowns().kinds[i] == UnknownKind::multiplier)
             free.displacement[i] = 0;
-        of_scene.residual(step.evaluation(free));
+        setup.residual(step.evaluation(free));
         return free.residual;
       };
       const Vector residual = without_multipliers();
       for (unsigned int i = 0; i < residual.size(); ++i)
-        if (of_scene.dofs().unknowns().kinds[i] != UnknownKind::multiplier)
+        if (setup.dofs().unknowns().kinds[i] != UnknownKind::multiplier)
           {
             work += residual[i] * travel.of(i);
             multiplier_work += (to.residual[i] - residual[i]) * travel.of(i);
           }
       EXPECT_GT(std::abs(multiplier_work), 1e-3);
-      of_scene.residual(evaluation);
-      of_scene.accept(evaluation);
+      setup.residual(evaluation);
+      setup.accept(evaluation);
       const Energies &start = from.energies, &end = to.energies;
       double          loads = end.external();
       for (unsigned int i = 0; i < end.ledger().entries().size(); ++i)

@@ -89,7 +89,7 @@ namespace
     for (const unsigned int n : scene.lattice.n_cells)
       n_cells *= n;
     if (scene.context.model == Model::lattice && n_cells <= many)
-      refuse_columns_of_nothing(scene, build_lattice(scene));
+      require_existing_columns(scene, build_lattice(scene));
   }
 
   /** The defect of a message to the user; empty if there is none. */

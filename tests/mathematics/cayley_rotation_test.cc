@@ -31,7 +31,7 @@ TEST(CayleyRotation, SeriesOfSmallAnglesAreExactToTheLastDigit)
     {
       EXPECT_NEAR(sinc(x), std::sin(x) / x, 2.3e-16) << x;
       EXPECT_EQ(sinc(-x), sinc(x));
-      EXPECT_NEAR(cosine_of_small(x), std::cos(x), 2.3e-16) << x;
+      EXPECT_NEAR(small_angle_cosine(x), std::cos(x), 2.3e-16) << x;
     }
 }
 
@@ -69,8 +69,8 @@ TEST(CayleyRotation, ChangeBySpinAgreesWithDifferences)
         (2 * h);
       for (unsigned int i = 0; i < 3; ++i)
         {
-          EXPECT_NEAR(cayley_change_by_spin(c)[i][j], material[i], 1e-9);
-          EXPECT_NEAR(cayley_change_by_spin(-c)[i][j], fixed[i], 1e-9);
+          EXPECT_NEAR(cayley_spin_derivative(c)[i][j], material[i], 1e-9);
+          EXPECT_NEAR(cayley_spin_derivative(-c)[i][j], fixed[i], 1e-9);
         }
     }
 }

@@ -23,14 +23,14 @@ namespace
   /** One of @p objects for each lane. */
   ///@{
   template <class T, std::size_t... lane>
-  EachLane<T> one_each(const std::vector<T> &objects,
-                       std::index_sequence<lane...>)
+  LaneArray<T> one_each(const std::vector<T> &objects,
+                        std::index_sequence<lane...>)
   {
     return {{objects[lane]...}};
   }
 
   template <class T>
-  EachLane<T> one_each(const std::vector<T> &objects)
+  LaneArray<T> one_each(const std::vector<T> &objects)
   {
     return one_each(objects, std::make_index_sequence<n_lanes>());
   }
@@ -38,9 +38,9 @@ namespace
 
   /** Irregular numbers that differ from lane to lane. */
   template <class Array>
-  EachLane<Array> irregular_lanes(const unsigned int seed)
+  LaneArray<Array> irregular_lanes(const unsigned int seed)
   {
-    EachLane<Array> result;
+    LaneArray<Array> result;
     for (std::size_t lane = 0; lane < n_lanes; ++lane)
       result[lane] = irregular<Array>(sizes[lane], seed + lane);
     return result;
@@ -57,7 +57,7 @@ namespace
   {
     Array deviation = numbers;
     for (std::size_t i = 0; i < numbers.size(); ++i)
-      deviation[i] -= number_in(lanes[i], lane);
+      deviation[i] -= lane_value(lanes[i], lane);
     return largest(deviation) / largest(numbers);
   }
 
@@ -65,32 +65,32 @@ namespace
   template <int order>
   struct PlaneElements
   {
-    using Beam                 = BeamOnTrial<order>;
-    using Vector               = typename Beam::Vector;
-    using Matrix               = typename Beam::Matrix;
-    const EachLane<Beam> beams = one_each<Beam>(
+    using Beam                  = BeamOnTrial<order>;
+    using Vector                = typename Beam::Vector;
+    using Matrix                = typename Beam::Matrix;
+    const LaneArray<Beam> beams = one_each<Beam>(
       {{1.6, 0.4, 0.}, {0.7, 2., 0.8}, {2.2, -1., -0.3}, {1., 3., 0.}});
-    const EachLane<Vector> u = irregular_lanes<Vector>(1),
-                           v = irregular_lanes<Vector>(11);
+    const LaneArray<Vector> u = irregular_lanes<Vector>(1),
+                            v = irregular_lanes<Vector>(11);
 
     std::array<Beam2D::FrameOf<Lanes>, order> frames() const
     {
-      EachLane<std::array<Beam2D::Frame, order>> by_beam;
+      LaneArray<std::array<Beam2D::Frame, order>> by_beam;
       for (std::size_t lane = 0; lane < n_lanes; ++lane)
         std::copy_n(beams[lane].gauss_frames(), order, by_beam[lane].begin());
-      return in_lanes<std::array<Beam2D::FrameOf<Lanes>, order>>(by_beam);
+      return pack_lanes<std::array<Beam2D::FrameOf<Lanes>, order>>(by_beam);
     }
 
     Lanes jacobian() const
     {
-      return each_lane([&](const auto lane) { return beams[lane].jacobian; });
+      return make_lanes([&](const auto lane) { return beams[lane].jacobian; });
     }
 
     Beam2D::StiffnessOf<Lanes> section() const
     {
-      EachLane<Beam2D::Stiffness> by_beam;
+      LaneArray<Beam2D::Stiffness> by_beam;
       by_beam.fill(beams[0].section);
-      return in_lanes<Beam2D::StiffnessOf<Lanes>>(by_beam);
+      return pack_lanes<Beam2D::StiffnessOf<Lanes>>(by_beam);
     }
   };
 
@@ -103,8 +103,8 @@ namespace
     const Elements        elements;
     constexpr std::size_t n      = std::tuple_size_v<Vector>;
     const auto            frames = elements.frames();
-    const auto            u      = in_lanes<std::array<Lanes, n>>(elements.u),
-               v                 = in_lanes<std::array<Lanes, n>>(elements.v);
+    const auto            u      = pack_lanes<std::array<Lanes, n>>(elements.u),
+               v                 = pack_lanes<std::array<Lanes, n>>(elements.v);
     std::array<Lanes, n>     force;
     std::array<Lanes, n * n> matrix;
     const auto energy = Beam2D::internal_force<order, large_rotation, damped>(
@@ -138,12 +138,12 @@ namespace
                                                         elements.v[lane],
                                                         0.9,
                                                         2.5);
-        EXPECT_NEAR(number_in(energy.strain, lane) / beam_energy.strain,
+        EXPECT_NEAR(lane_value(energy.strain, lane) / beam_energy.strain,
                     1,
                     lanes_round_off);
         if (damped)
           {
-            EXPECT_NEAR(number_in(energy.dissipation, lane) /
+            EXPECT_NEAR(lane_value(energy.dissipation, lane) /
                           beam_energy.dissipation,
                         1,
                         lanes_round_off);
@@ -166,13 +166,13 @@ namespace
     using Velocities = std::array<Beam3D::NodeVelocity, order + 1>;
     using Tensors    = std::array<SpaceTensor, order + 1>;
 
-    const EachLane<Beam>           beams = one_each<Beam>({{1.6, {0., 0.3, 0.}},
-                                                           {0.7, {0.8, 0.3, 0.8}},
-                                                           {2.2, {0.4, -0.5, 0.}},
-                                                           {1., {0., 1., 0.7}}});
-    EachLane<typename Beam::Nodes> nodes;
-    EachLane<Velocities>           velocities;
-    EachLane<Tensors>              by_spin;
+    const LaneArray<Beam> beams = one_each<Beam>({{1.6, {0., 0.3, 0.}},
+                                                  {0.7, {0.8, 0.3, 0.8}},
+                                                  {2.2, {0.4, -0.5, 0.}},
+                                                  {1., {0., 1., 0.7}}});
+    LaneArray<typename Beam::Nodes> nodes;
+    LaneArray<Velocities>           velocities;
+    LaneArray<Tensors>              by_spin;
 
     SpaceElements()
     {
@@ -195,22 +195,22 @@ namespace
 
     std::array<Beam3D::FrameOf<Lanes>, order> frames() const
     {
-      EachLane<const std::array<Beam3D::Frame, order> *> by_beam;
+      LaneArray<const std::array<Beam3D::Frame, order> *> by_beam;
       for (std::size_t lane = 0; lane < n_lanes; ++lane)
         by_beam[lane] = &beams[lane].frames;
-      return in_lanes<std::array<Beam3D::FrameOf<Lanes>, order>>(by_beam);
+      return pack_lanes<std::array<Beam3D::FrameOf<Lanes>, order>>(by_beam);
     }
 
     Lanes jacobian() const
     {
-      return each_lane([&](const auto lane) { return beams[lane].jacobian; });
+      return make_lanes([&](const auto lane) { return beams[lane].jacobian; });
     }
 
     Beam3D::StiffnessOf<Lanes> section() const
     {
-      EachLane<Beam3D::Stiffness> by_beam;
+      LaneArray<Beam3D::Stiffness> by_beam;
       by_beam.fill(beams[0].section);
-      return in_lanes<Beam3D::StiffnessOf<Lanes>>(by_beam);
+      return pack_lanes<Beam3D::StiffnessOf<Lanes>>(by_beam);
     }
   };
 
@@ -299,20 +299,20 @@ namespace
 TEST(Lanes, UnpackToTheObjectsTheyWerePackedFrom)
 {
   using Object = std::array<double, 3>;
-  EachLane<Object> objects;
+  LaneArray<Object> objects;
   for (std::size_t lane = 0; lane < n_lanes; ++lane)
     objects[lane] = {{1. + lane, -0.5 * lane, 1e-3}};
-  const auto lanes = in_lanes<std::array<Lanes, 3>>(objects);
+  const auto lanes = pack_lanes<std::array<Lanes, 3>>(objects);
   for (std::size_t lane = 0; lane < n_lanes; ++lane)
-    EXPECT_EQ(in_lane<Object>(lanes, lane), objects[lane]);
+    EXPECT_EQ(unpack_lane<Object>(lanes, lane), objects[lane]);
 }
 
 TEST(Lanes, KeepTheOrderOfTheNumbersOfObjects)
 {
   using Nodes      = std::array<Beam3D::Node, 2>;
   using LanesNodes = std::array<Beam3D::NodeOf<Lanes>, 2>;
-  EachLane<Nodes> nodes;
-  double          number = 0;
+  LaneArray<Nodes> nodes;
+  double           number = 0;
   for (Nodes &lane_nodes : nodes)
     for (Beam3D::Node &node : lane_nodes)
       {
@@ -322,7 +322,7 @@ TEST(Lanes, KeepTheOrderOfTheNumbersOfObjects)
         for (int i = 0; i < 3; ++i)
           node.rotation.vector[i] = ++number;
       }
-  const auto lanes = in_lanes<LanesNodes>(nodes);
+  const auto lanes = pack_lanes<LanesNodes>(nodes);
   for (std::size_t lane = 0; lane < n_lanes; ++lane)
     for (int a = 0; a < 2; ++a)
       {
@@ -331,22 +331,23 @@ TEST(Lanes, KeepTheOrderOfTheNumbersOfObjects)
           {
             const Lanes displacement = lanes[a].displacement[i],
                         vector       = lanes[a].rotation.vector[i];
-            EXPECT_EQ(number_in(displacement, lane), node.displacement[i]);
-            EXPECT_EQ(number_in(vector, lane), node.rotation.vector[i]);
+            EXPECT_EQ(lane_value(displacement, lane), node.displacement[i]);
+            EXPECT_EQ(lane_value(vector, lane), node.rotation.vector[i]);
           }
-        EXPECT_EQ(number_in(lanes[a].rotation.scalar, lane),
+        EXPECT_EQ(lane_value(lanes[a].rotation.scalar, lane),
                   node.rotation.scalar);
       }
 }
 
 TEST(Lanes, AreCopiedOneByOne)
 {
-  const Lanes lanes[] = {each_lane([](const auto lane) { return 10. + lane; }),
-                         each_lane([](const auto lane) { return 20. + lane; })};
+  const Lanes lanes[] = {make_lanes([](const auto lane) { return 10. + lane; }),
+                         make_lanes(
+                           [](const auto lane) { return 20. + lane; })};
   for (std::size_t lane = 0; lane < n_lanes; ++lane)
     {
       double numbers[2];
-      take_lane(lanes, lane, numbers);
+      copy_lane(lanes, lane, numbers);
       EXPECT_EQ(numbers[0], 10. + lane);
       EXPECT_EQ(numbers[1], 20. + lane);
     }
@@ -374,12 +375,12 @@ TEST(Lanes, BeamsInSpaceAgreeWithScalarOnes)
         const SpaceElements<p> elements;
         const auto             frames = elements.frames();
         const auto             nodes =
-          in_lanes<std::array<Beam3D::NodeOf<Lanes>, p + 1>>(elements.nodes);
+          pack_lanes<std::array<Beam3D::NodeOf<Lanes>, p + 1>>(elements.nodes);
         const auto velocities =
-          in_lanes<std::array<Beam3D::NodeVelocityOf<Lanes>, p + 1>>(
+          pack_lanes<std::array<Beam3D::NodeVelocityOf<Lanes>, p + 1>>(
             elements.velocities);
         const auto by_spin =
-          in_lanes<std::array<TensorOf<Lanes>, p + 1>>(elements.by_spin);
+          pack_lanes<std::array<TensorOf<Lanes>, p + 1>>(elements.by_spin);
         const SpaceResults<p, Lanes> lanes(elements.beams[0].shape,
                                            frames.data(),
                                            elements.jacobian(),
@@ -399,10 +400,10 @@ TEST(Lanes, BeamsInSpaceAgreeWithScalarOnes)
               elements.nodes[lane].data(),
               elements.velocities[lane].data(),
               elements.by_spin[lane].data());
-            EXPECT_NEAR(number_in(lanes.energy, lane) / single.energy,
+            EXPECT_NEAR(lane_value(lanes.energy, lane) / single.energy,
                         1,
                         lanes_round_off);
-            EXPECT_NEAR(number_in(lanes.power, lane) / single.power,
+            EXPECT_NEAR(lane_value(lanes.power, lane) / single.power,
                         1,
                         lanes_round_off);
             EXPECT_LT(difference(single.force, lanes.force, lane),
@@ -424,8 +425,8 @@ TEST(Lanes, SmallDisplacementsInSpaceAgreeWithScalarOnes)
         using Vector             = typename SpaceElements<p>::Vector;
         const auto frames        = elements.frames();
         const auto displacements = irregular_lanes<Vector>(31);
-        const auto u =
-          in_lanes<std::array<Lanes, std::tuple_size_v<Vector>>>(displacements);
+        const auto u = pack_lanes<std::array<Lanes, std::tuple_size_v<Vector>>>(
+          displacements);
         const SmallDisplacementResults<p, Lanes> lanes(elements.beams[0].shape,
                                                        frames.data(),
                                                        elements.jacobian(),
@@ -441,7 +442,7 @@ TEST(Lanes, SmallDisplacementsInSpaceAgreeWithScalarOnes)
               beam.jacobian,
               beam.section,
               displacements[lane].data());
-            EXPECT_NEAR(number_in(lanes.energy, lane) / single.energy,
+            EXPECT_NEAR(lane_value(lanes.energy, lane) / single.energy,
                         1,
                         lanes_round_off);
             EXPECT_LT(difference(single.force, lanes.force, lane),

@@ -10,17 +10,17 @@ using dealii::Point;
 TEST(Segment, IntersectsInThePlaneAtFractionsOfBoth)
 {
   const Segment one{Point<3>(0, 0, 0), Point<3>(4, 0, 0)};
-  const auto at = meeting_point(one, {Point<3>(1, -1, 0), Point<3>(1, 3, 0)});
+  const auto    at = intersection(one, {Point<3>(1, -1, 0), Point<3>(1, 3, 0)});
   ASSERT_TRUE(at);
   EXPECT_DOUBLE_EQ((*at)[0], 0.25);
   EXPECT_DOUBLE_EQ((*at)[1], 0.25);
   // The other way round.
-  EXPECT_TRUE(meeting_point({Point<3>(1, -1, 0), Point<3>(1, 3, 0)}, one));
+  EXPECT_TRUE(intersection({Point<3>(1, -1, 0), Point<3>(1, 3, 0)}, one));
 
-  EXPECT_FALSE(meeting_point(one, {Point<3>(1, 1, 0), Point<3>(1, 3, 0)}));
-  EXPECT_FALSE(meeting_point(one, {Point<3>(5, -1, 0), Point<3>(5, 3, 0)}));
-  EXPECT_FALSE(meeting_point(one, {Point<3>(0, 1, 0), Point<3>(4, 1, 0)}));
-  EXPECT_FALSE(meeting_point(one, one));
+  EXPECT_FALSE(intersection(one, {Point<3>(1, 1, 0), Point<3>(1, 3, 0)}));
+  EXPECT_FALSE(intersection(one, {Point<3>(5, -1, 0), Point<3>(5, 3, 0)}));
+  EXPECT_FALSE(intersection(one, {Point<3>(0, 1, 0), Point<3>(4, 1, 0)}));
+  EXPECT_FALSE(intersection(one, one));
 }
 
 TEST(Segment, PartsOfOneLineDoNotIntersect)
@@ -38,11 +38,11 @@ TEST(Segment, PartsOfOneLineDoNotIntersect)
       const auto at = [&](const unsigned int n) {
         return begin + n * third + 1e-5 * n * third;
       };
-      EXPECT_FALSE(meeting_point({at(0), at(1)}, {at(2), at(3)})) << i;
+      EXPECT_FALSE(intersection({at(0), at(1)}, {at(2), at(3)})) << i;
     }
   // Barely crossing segments intersect.
-  EXPECT_TRUE(meeting_point({Point<3>(0, 0, 0), Point<3>(1, 1e-9, 0)},
-                            {Point<3>(0, 1e-9, 0), Point<3>(1, 0, 0)}));
+  EXPECT_TRUE(intersection({Point<3>(0, 0, 0), Point<3>(1, 1e-9, 0)},
+                           {Point<3>(0, 1e-9, 0), Point<3>(1, 0, 0)}));
 }
 
 TEST(Segment, DistanceOfTwoSegments)

@@ -61,9 +61,9 @@ namespace
   void expect_rigid(const std::string              &scene,
                     const std::vector<std::string> &overrides)
   {
-    const EquationsOnRanks of_scene(scene, overrides);
-    const State            state = of_scene.equations.initial_state();
-    const auto             names = name_unknowns(of_scene.model);
+    const EquationsOnRanks setup(scene, overrides);
+    const State            state = setup.equations.initial_state();
+    const auto             names = name_unknowns(setup.model);
     for (unsigned int i = 0; i < names.size(); ++i)
       EXPECT_NEAR((*state.velocity)[i],
                   rigid_in_plane(names[i].position[0], names[i].position[1])
@@ -75,7 +75,7 @@ namespace
                       const std::vector<std::string> &overrides = {})
   {
     return input_error_of(
-      [&] { const EquationsOnRanks of_scene(scene, overrides); });
+      [&] { const EquationsOnRanks setup(scene, overrides); });
   }
 } // namespace
 
@@ -97,7 +97,7 @@ TEST(InitialVelocities, AStrutBetweenTwoSetsIsBentAsABeam)
 {
   // Ends at (0, 0) and (2, 0), the second moves across by 1 m/s and turns by
   // 0.5 rad/s: v = 3 s^2 - 2 s^3 - L s^2 (1 - s) / 2, the spin its slope.
-  const EquationsOnRanks of_scene(
+  const EquationsOnRanks setup(
     frame_scene(
       "0 0; 2 0",
       "0 1",
@@ -106,8 +106,8 @@ TEST(InitialVelocities, AStrutBetweenTwoSetsIsBentAsABeam)
              "1",
              "Velocity x = 4 | Velocity y = 1 | Angular velocity z = 0.5"))),
     {"Discretization/Order=4", "Discretization/Global refinements=1"});
-  const State state = of_scene.equations.initial_state();
-  const auto  names = name_unknowns(of_scene.model);
+  const State state = setup.equations.initial_state();
+  const auto  names = name_unknowns(setup.model);
   for (unsigned int i = 0; i < names.size(); ++i)
     {
       const double                         s        = names[i].position[0] / 2;

@@ -71,11 +71,10 @@ namespace
 
 TEST(JointReleases, AHingeInSpaceReleasesAllThreeRotations)
 {
-  const EquationsOnRanks of_scene(tripod(
-                                    definition("hinge", "0", "1", "hinge")),
-                                  {},
-                                  MPI_COMM_SELF);
-  const auto            &dofs = of_scene.dofs();
+  const EquationsOnRanks setup(tripod(definition("hinge", "0", "1", "hinge")),
+                               {},
+                               MPI_COMM_SELF);
+  const auto            &dofs = setup.dofs();
   for (unsigned int c = 3; c < 6; ++c)
     {
       EXPECT_NE(dofs.end_rotation(1, 0, c), dofs.joint_unknown(0, c));

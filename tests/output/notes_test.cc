@@ -1,3 +1,4 @@
+#include <auxfem/output/notes.h>
 #include <auxfem/output/verdict.h>
 
 #include <equations/equations_on_ranks.h>

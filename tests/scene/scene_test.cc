@@ -339,7 +339,8 @@ end
     expect_close(scene.newton.tolerance, plain.newton.tolerance);
     EXPECT_EQ(scene.newton.maximum_iterations, plain.newton.maximum_iterations);
     EXPECT_EQ(scene.newton.keep_factorization, plain.newton.keep_factorization);
-    expect_close(scene.newton.kept_reduction, plain.newton.kept_reduction);
+    expect_close(scene.newton.jacobian_reuse_threshold,
+                 plain.newton.jacobian_reuse_threshold);
     EXPECT_EQ(scene.discretization.order, plain.discretization.order);
     EXPECT_EQ(scene.solver.type, plain.solver.type);
     EXPECT_EQ(scene.solver.preconditioner, plain.solver.preconditioner);

@@ -1,6 +1,6 @@
 #include <auxfem/time/equilibrium_jumps.h>
 
-#include <analysis/checks/findings_of.h>
+#include <analysis/verdict/findings_of.h>
 #include <gtest/gtest.h>
 #include <support/run_program.h>
 #include <support/scene_text.h>

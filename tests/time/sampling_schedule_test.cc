@@ -1,7 +1,7 @@
 #include <auxfem/analysis/simulation/lattice_run.h>
 #include <auxfem/time/watch.h>
 
-#include <analysis/checks/findings_of.h>
+#include <analysis/verdict/findings_of.h>
 #include <gtest/gtest.h>
 #include <support/scene_text.h>
 

@@ -3,7 +3,7 @@
 #include <auxfem/struts/effects/struts.h>
 #include <auxfem/time/small_displacement_error.h>
 
-#include <analysis/checks/findings_of.h>
+#include <analysis/verdict/findings_of.h>
 #include <gtest/gtest.h>
 #include <support/scene_text.h>
 

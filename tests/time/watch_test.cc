@@ -1,5 +1,5 @@
-#include <analysis/checks/findings_of.h>
 #include <analysis/simulation/resumed_run.h>
+#include <analysis/verdict/findings_of.h>
 #include <gtest/gtest.h>
 #include <support/run_program.h>
 #include <support/scene_text.h>

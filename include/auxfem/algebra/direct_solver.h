@@ -163,7 +163,7 @@ namespace auxfem
    * Backward error of @p x, the largest of |A x - b| / (|A| y + |b|) by rows
    * (J. L. Rigal, J. Gaches, J. ACM 14, 1967, 543-548). y is the largest |x| of
    * all motions, rotations times Unknowns::length, or of all multipliers.
-   * Residuals below least_of_full_precision are ignored; non-finite numbers
+   * Residuals below smallest_full_precision are ignored; non-finite numbers
    * give infinity.
    *
    * @param x values at local unknowns, ghosts up to date
@@ -241,7 +241,7 @@ namespace auxfem
    * Numbers below this are denormal or arise from denormal terms, with fewer
    * digits than others: e.g. tails of a Gaussian load.
    */
-  constexpr double least_of_full_precision =
+  constexpr double smallest_full_precision =
     std::numeric_limits<double>::min() / std::numeric_limits<double>::epsilon();
 } // namespace auxfem
 

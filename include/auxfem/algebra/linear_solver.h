@@ -28,7 +28,7 @@ namespace auxfem
      * Whether `n`, if positive, is only a lower bound: iterative solvers do not
      * count all.
      */
-    bool is_least = false;
+    bool is_lower_bound = false;
   };
 
   /**

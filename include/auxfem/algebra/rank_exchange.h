@@ -64,8 +64,8 @@ namespace auxfem
    * all_gather() would compress them, which is slower to run and to compile.
    */
   template <typename T>
-  std::vector<T> over_all_ranks(const std::vector<T> &mine,
-                                const MPI_Comm        communicator)
+  std::vector<T> gather_over_ranks(const std::vector<T> &mine,
+                                   const MPI_Comm        communicator)
   {
     static_assert(std::is_trivially_copyable_v<T>);
     const ItemsOfRanks items(mine.size(), communicator);
@@ -92,7 +92,8 @@ namespace auxfem
     results.reserve(end - begin);
     for (std::size_t i = begin; i < end; ++i)
       results.push_back(result_of(i));
-    return is_shared ? over_all_ranks(results, layout.communicator()) : results;
+    return is_shared ? gather_over_ranks(results, layout.communicator())
+                     : results;
   }
 
   /**
@@ -112,12 +113,12 @@ namespace auxfem
   }
 
   /** Texts of all ranks on all ranks. Collective. */
-  std::vector<std::string> texts_of_all_ranks(const std::string &mine,
-                                              MPI_Comm           communicator);
+  std::vector<std::string> gather_texts(const std::string &mine,
+                                        MPI_Comm           communicator);
 
   /** Broadcasts @p text of @p rank. Collective. */
   std::string
-  text_of_rank(unsigned int rank, std::string text, MPI_Comm communicator);
+  broadcast_text(unsigned int rank, std::string text, MPI_Comm communicator);
   ///@}
 
   /** Numbers of values, by rank. */

@@ -161,7 +161,7 @@ namespace auxfem
     void transpose();
 
     /** Replaces each block by its symmetric part (A + A^T)/2. */
-    void take_symmetric_part();
+    void symmetrize_blocks();
 
     /**
      * Adds @p values of the owned rows to the diagonal of free rows, until the

@@ -13,7 +13,7 @@ namespace auxfem
   struct ElementBatch
   {
     /** Element per lane; the last element fills unused lanes. */
-    EachLane<unsigned int> elements;
+    LaneArray<unsigned int> elements;
     /** Number of distinct elements. */
     unsigned int size;
 
@@ -27,7 +27,7 @@ namespace auxfem
     template <class ElementFunction>
     auto each(const ElementFunction &value_of) const
     {
-      EachLane<decltype(value_of(0u))> results;
+      LaneArray<decltype(value_of(0u))> results;
       for (std::size_t lane = 0; lane < n_lanes; ++lane)
         results[lane] = value_of(elements[lane]);
       return results;
@@ -37,7 +37,7 @@ namespace auxfem
     template <class ElementFunction>
     Lanes numbers(const ElementFunction &value_of) const
     {
-      return each_lane(
+      return make_lanes(
         [&](const auto lane) { return value_of(elements[lane]); });
     }
   };
@@ -64,11 +64,11 @@ namespace auxfem
     return values[unknowns[i]];
   }
 
-  inline Lanes value_at(const double                *values,
-                        const EachLane<const int *> &unknowns,
-                        const int                    i)
+  inline Lanes value_at(const double                 *values,
+                        const LaneArray<const int *> &unknowns,
+                        const int                     i)
   {
-    return each_lane(
+    return make_lanes(
       [&](const auto lane) { return values[unknowns[lane][i]]; });
   }
 
@@ -81,10 +81,10 @@ namespace auxfem
    * Displacement of unknown @p i relative to unknown @p other. The compensation
    * of @p state keeps all digits of the difference.
    */
-  inline Lanes relative_displacement(const State                 &state,
-                                     const EachLane<const int *> &unknowns,
-                                     const int                    i,
-                                     const int                    other)
+  inline Lanes relative_displacement(const State                  &state,
+                                     const LaneArray<const int *> &unknowns,
+                                     const int                     i,
+                                     const int                     other)
   {
     const double *u = state.displacement.data(),
                  *c = state.compensation->data();
@@ -100,7 +100,7 @@ namespace auxfem
                 double           *values)
   {
     for (std::size_t i = 0; i < n; ++i)
-      values[unknowns[i]] += number_in(lane_values[i], lane);
+      values[unknowns[i]] += lane_value(lane_values[i], lane);
   }
   ///@}
 } // namespace auxfem

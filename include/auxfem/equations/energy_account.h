@@ -79,12 +79,12 @@ namespace auxfem
     }
 
     /** Whether the evaluation is a step with a motion. */
-    bool takes_time() const
+    bool has_duration() const
     {
       return step.dt > 0 && step.kind != Evaluation::Kind::stage;
     }
 
-    /** Motion of the step; requires takes_time(). */
+    /** Motion of the step; requires has_duration(). */
     const StepMotion &motion();
 
     /** Adds the kinetic energy v.M v / 2 of a constant mass matrix and its
@@ -96,10 +96,10 @@ namespace auxfem
                      const Product     &product)
     {
       add(kinetic_entry, product(*step.to.velocity, *step.to.velocity) / 2);
-      if (takes_time() && has_excess())
+      if (has_duration() && has_excess())
         add_in_step(numerical_entry, motion().kinetic_energy_defect(product));
-      if (step.taken_from_kinetic != nullptr)
-        for (const Evaluation::Pair &pair : *step.taken_from_kinetic)
+      if (step.kinetic_defect_terms != nullptr)
+        for (const Evaluation::Pair &pair : *step.kinetic_defect_terms)
           add_in_step(numerical_entry, product(pair.first, pair.second));
     }
 

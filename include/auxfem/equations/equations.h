@@ -231,7 +231,7 @@ namespace auxfem
 
     /** Updates the couplings of effects and the matrix pattern for an accepted
      * state. Returns true if @p accepted gained ghosts, which other states then
-     * need too (State::take_ghosts()). Collective. */
+     * need too (State::extend_ghosts()). Collective. */
     bool update_couplings(State &accepted);
 
     /** As update_couplings(), independent of earlier states
@@ -350,7 +350,8 @@ namespace auxfem
   std::string nonfinite_quantity(const LatticeModel &model, const State &state);
 
   /** Describes the unknown with the largest free residual over all ranks. */
-  std::string worst_unknown(const LatticeModel &model, const State &state);
+  std::string unknown_with_largest_residual(const LatticeModel &model,
+                                            const State        &state);
 } // namespace auxfem
 
 #endif

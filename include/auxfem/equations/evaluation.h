@@ -64,7 +64,7 @@ namespace auxfem
     /** Set for the last stage of a step: the sum of first.M second is the
      * kinetic energy lost by the scheme for a constant mass matrix M; see
      * ButcherTableau::missed_growth(). */
-    const std::vector<Pair> *taken_from_kinetic = nullptr;
+    const std::vector<Pair> *kinetic_defect_terms = nullptr;
 
     /** A step with inertia of the length @p dt (s). */
     static Evaluation step(const State &from, State &to, const double dt)
@@ -114,7 +114,7 @@ namespace auxfem
     }
 
     /** Whether the rows of constraints hold second derivatives. */
-    bool wants_constraint_accelerations() const
+    bool has_constraint_accelerations() const
     {
       return kind == Kind::consistent_rates && to.acceleration;
     }

@@ -112,7 +112,7 @@ namespace auxfem
   };
 
   /** Sets the entries of constraints in @p matrix to zero. */
-  void leave_out_constraints(TangentMatrix &matrix);
+  void clear_constraint_entries(TangentMatrix &matrix);
 
   /** Additional modes in which a spectral gap for counting is searched. */
   inline constexpr unsigned int n_guard_modes = 4;
@@ -124,9 +124,9 @@ namespace auxfem
    * Number of pairs before the widest spectral gap, relative to the distance
    * from the @p shift; at least @p n.
    */
-  unsigned int before_widest_gap(const std::vector<Eigenpair> &pairs,
-                                 unsigned int                  n,
-                                 double                        shift);
+  unsigned int count_before_widest_gap(const std::vector<Eigenpair> &pairs,
+                                       unsigned int                  n,
+                                       double                        shift);
 
   /** Values of modes on finer elements. */
   struct FinerValues

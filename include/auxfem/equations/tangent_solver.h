@@ -37,7 +37,7 @@ namespace auxfem
                             EvaluationResults &results);
 
     /** Counts Work::shortened. */
-    void count_shortened()
+    void count_backtrack()
     {
       ++work.shortened;
     }

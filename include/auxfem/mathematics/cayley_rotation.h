@@ -44,7 +44,7 @@ namespace auxfem
 
   /** cos(x). */
   template <class Number>
-  inline Number cosine_of_small(const Number &x)
+  inline Number small_angle_cosine(const Number &x)
   {
     using std::cos;
     const Number y      = x * x;
@@ -98,7 +98,7 @@ namespace auxfem
    * 2 + c c^T / 4. For a spatial spin, C <- exp(theta) C, take it at -c.
    */
   template <class Number>
-  inline TensorOf<Number> cayley_change_by_spin(const VectorOf<Number> &c)
+  inline TensorOf<Number> cayley_spin_derivative(const VectorOf<Number> &c)
   {
     return plus_identity(0.5 * cross_product_tensor(c) + 0.25 * dyad(c, c),
                          Number(1));

@@ -26,13 +26,13 @@ namespace auxfem
 
   /** The values of @p function at all lanes. */
   template <class Function>
-  Lanes each_lane(const Function &function)
+  Lanes make_lanes(const Function &function)
   {
     return function(std::size_t(0));
   }
 
   /** The number in one @p lane. */
-  inline double number_in(const Lanes &lanes, const std::size_t /*lane*/)
+  inline double lane_value(const Lanes &lanes, const std::size_t /*lane*/)
   {
     return lanes;
   }
@@ -48,13 +48,13 @@ namespace auxfem
 
   /** The values of @p function at all lanes. */
   template <class Function>
-  Lanes each_lane(const Function &function)
+  Lanes make_lanes(const Function &function)
   {
     return Lanes(function);
   }
 
   /** The number in one @p lane. */
-  inline double number_in(const Lanes &lanes, const std::size_t lane)
+  inline double lane_value(const Lanes &lanes, const std::size_t lane)
   {
     return lanes[lane];
   }
@@ -62,7 +62,7 @@ namespace auxfem
 
   /** One object per lane. */
   template <class T>
-  using EachLane = std::array<T, n_lanes>;
+  using LaneArray = std::array<T, n_lanes>;
 
   /**
    * Packs one object per lane into an object of Lanes. @p LaneObject must have
@@ -70,49 +70,49 @@ namespace auxfem
    * members.
    */
   template <class LaneObject, class Object>
-  LaneObject in_lanes(const EachLane<const Object *> &objects)
+  LaneObject pack_lanes(const LaneArray<const Object *> &objects)
   {
     static_assert(sizeof(LaneObject) == n_lanes * sizeof(Object) &&
                   sizeof(Lanes) == n_lanes * sizeof(double));
     LaneObject result;
     auto      *lanes = reinterpret_cast<Lanes *>(&result);
     for (std::size_t i = 0; i < sizeof(Object) / sizeof(double); ++i)
-      lanes[i] = each_lane([&](const auto lane) {
+      lanes[i] = make_lanes([&](const auto lane) {
         return reinterpret_cast<const double *>(objects[lane])[i];
       });
     return result;
   }
 
-  /** @copydoc in_lanes */
+  /** @copydoc pack_lanes */
   template <class LaneObject, class Object>
-  LaneObject in_lanes(const EachLane<Object> &objects)
+  LaneObject pack_lanes(const LaneArray<Object> &objects)
   {
-    EachLane<const Object *> pointers;
+    LaneArray<const Object *> pointers;
     for (std::size_t lane = 0; lane < n_lanes; ++lane)
       pointers[lane] = &objects[lane];
-    return in_lanes<LaneObject>(pointers);
+    return pack_lanes<LaneObject>(pointers);
   }
 
-  /** Unpacks the object of one @p lane; inverse of in_lanes(). */
+  /** Unpacks the object of one @p lane; inverse of pack_lanes(). */
   template <class Object, class LaneObject>
-  Object in_lane(const LaneObject &objects, const std::size_t lane)
+  Object unpack_lane(const LaneObject &objects, const std::size_t lane)
   {
     static_assert(sizeof(LaneObject) == n_lanes * sizeof(Object));
     Object      result;
     const auto *lanes   = reinterpret_cast<const Lanes *>(&objects);
     auto       *numbers = reinterpret_cast<double *>(&result);
     for (std::size_t i = 0; i < sizeof(Object) / sizeof(double); ++i)
-      numbers[i] = number_in(lanes[i], lane);
+      numbers[i] = lane_value(lanes[i], lane);
     return result;
   }
 
   /** Copies the @p n numbers of one @p lane to @p numbers. */
   template <std::size_t n>
   void
-  take_lane(const Lanes (&lanes)[n], const std::size_t lane, double *numbers)
+  copy_lane(const Lanes (&lanes)[n], const std::size_t lane, double *numbers)
   {
     for (std::size_t i = 0; i < n; ++i)
-      numbers[i] = number_in(lanes[i], lane);
+      numbers[i] = lane_value(lanes[i], lane);
   }
 } // namespace auxfem
 

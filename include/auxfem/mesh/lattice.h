@@ -223,7 +223,7 @@ namespace auxfem
     /** Quadrature points on the undeformed axis of @p strut (m) with weights of
      * sum 1, for quantities spread evenly along it. */
     std::vector<std::pair<dealii::Point<3>, double>>
-    even_points(const Strut &strut) const;
+    uniform_points(const Strut &strut) const;
 
     /** Centroid of the undeformed axis of @p strut (m). */
     dealii::Point<3> centroid(const Strut &strut) const;

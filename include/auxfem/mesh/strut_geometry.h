@@ -47,8 +47,8 @@ namespace auxfem
 
   /** Intersection of two segments in the plane z = 0, as fractions of both
    * lengths; nothing if they do not meet or are parallel. */
-  std::optional<std::array<double, 2>> meeting_point(const Segment &one,
-                                                     const Segment &other);
+  std::optional<std::array<double, 2>> intersection(const Segment &one,
+                                                    const Segment &other);
 
   /** Shortest distance (m) between two segments (Ericson, Real-Time Collision
    * Detection, 2005, section 5.1.9). */

@@ -68,8 +68,8 @@ namespace auxfem
    * Position along the element, 0..order, of @p node in the order of FE_Q (both
    * ends, then the inner nodes).
    */
-  inline unsigned int place_along(const unsigned int node,
-                                  const unsigned int order)
+  inline unsigned int position_along(const unsigned int node,
+                                     const unsigned int order)
   {
     return node == 0 ? 0 : (node == 1 ? order : node - 1);
   }

@@ -89,13 +89,14 @@ namespace auxfem
    * the joints and the centre of mass of a rotating @p part. Forces on these
    * cannot have their resultant there. Call on all ranks.
    */
-  void refuse_point_beside(const RigidPart        &part,
-                           const Lattice          &lattice,
-                           const dealii::Point<3> &point);
+  void refuse_unsupported_load_point(const RigidPart        &part,
+                                     const Lattice          &lattice,
+                                     const dealii::Point<3> &point);
 
   /**
    * As above, for rotating bodies: forces on the centre of mass and joints with
-   * the same resultant. The point must have passed refuse_point_beside().
+   * the same resultant. The point must have passed
+   * refuse_unsupported_load_point().
    */
   ForceShares force_shares(const RotatingBody     &body,
                            const Lattice          &lattice,

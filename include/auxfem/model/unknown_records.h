@@ -31,8 +31,8 @@ namespace auxfem
                                const std::vector<double> &size);
 
   /** Sentence for the user: why @p joint has no rotation, and what to do. */
-  std::string why_no_rotation(const DofNumbering &numbering,
-                              unsigned int        joint);
+  std::string missing_rotation_reason(const DofNumbering &numbering,
+                                      unsigned int        joint);
 
   /**
    * Assigns unknowns to ranks: the first rank that claims an unknown owns and

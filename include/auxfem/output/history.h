@@ -33,7 +33,7 @@ namespace auxfem
   {
   public:
     /**
-     * Locates the probes. Throws InputError as refuse_columns_of_nothing().
+     * Locates the probes. Throws InputError as require_existing_columns().
      * @param equations must outlive the history.
      */
     History(const Scene     &scene,
@@ -164,7 +164,7 @@ namespace auxfem
    * Throws InputError if a probe of @p scene matches no joint of @p lattice, or
    * if effective strains are requested for a lattice without sides.
    */
-  void refuse_columns_of_nothing(const Scene &scene, const Lattice &lattice);
+  void require_existing_columns(const Scene &scene, const Lattice &lattice);
 } // namespace auxfem
 
 #endif

@@ -91,7 +91,7 @@ namespace auxfem
     if (outcome == interrupted)
       throw Interrupted(
         dealii::Utilities::MPI::broadcast(communicator, signal));
-    message = text_of_rank(0, message, communicator);
+    message = broadcast_text(0, message, communicator);
     if (outcome == input_error)
       throw InputError(message);
     throw ComputationError(message);

@@ -3,6 +3,7 @@
 
 #include <auxfem/equations/equations.h>
 #include <auxfem/output/history.h>
+#include <auxfem/output/notes.h>
 #include <auxfem/output/output_folder.h>
 #include <auxfem/output/recorder.h>
 #include <auxfem/output/verdict.h>

@@ -11,6 +11,18 @@
 
 namespace auxfem
 {
+  /**
+   * Relative error above which a result is doubtful.
+   * @tuned judgement: 8 steps a period with the trapezoidal rule
+   */
+  inline constexpr double doubtful_error = 0.05;
+
+  /**
+   * Relative error above which a result is not to be used.
+   * @tuned judgement: 3.6 steps a period with the trapezoidal rule
+   */
+  inline constexpr double unusable_error = 0.25;
+
   /** Reliability of the results of a run, from good to bad. */
   enum class Verdict
   {
@@ -74,7 +86,7 @@ namespace auxfem
      * Whether the balance of a state, before it is added, is beyond the limit
      * of a finding, if it is not round-off.
      */
-    bool is_off(const Energies &energies) const;
+    bool exceeds_balance_limit(const Energies &energies) const;
 
     /**
      * Adds an accepted state at @p time (s).
@@ -95,14 +107,6 @@ namespace auxfem
     double        zero = 0, initial = 0, work = 0; ///< J
     LargestInTime error, energy_gain, energy_loss; ///< J
   };
-
-  /**
-   * Notes on a valid scene that may be unintended: time scheme with rigid
-   * parts, functions of time (time_function_notes()), sections too thick for
-   * their struts, and struts that overlap at rest with contact. Texts for the
-   * screen and summary.json.
-   */
-  std::vector<std::string> notes_on(const Equations &equations);
 } // namespace auxfem
 
 #endif

@@ -22,7 +22,7 @@ namespace auxfem
    * Accuracy of numbers written by a user with six digits or more: positions,
    * velocities, times.
    */
-  inline constexpr double given_digits = 1e-6;
+  inline constexpr double input_precision = 1e-6;
 
   /**
    * Perturbation of states for finite differences of forces: rotation (rad), or
@@ -31,7 +31,7 @@ namespace auxfem
   inline constexpr double finite_difference_step = 1e-3;
 
   /** Accuracy of a position along a line or an axis, relative to its length. */
-  inline constexpr double accuracy_of_places = 1e-3;
+  inline constexpr double position_tolerance = 1e-3;
 
   /**
    * Rotation or strain up to which linear theory holds.
@@ -43,7 +43,7 @@ namespace auxfem
    * Fraction of a result, an energy or a force that matters to an engineer.
    * @tuned judgement
    */
-  inline constexpr double noticeable_part = 0.01;
+  inline constexpr double noticeable_fraction = 0.01;
 } // namespace auxfem
 
 #endif

@@ -82,7 +82,7 @@ namespace auxfem
   std::string percentage_text(double part, unsigned int digits = 2);
 
   /** Number of items that a message lists before it gives a count. */
-  inline constexpr std::size_t n_listed = 3;
+  inline constexpr std::size_t max_listed_items = 3;
 
   /**
    * @p message with lines of at most 800 bytes; longer lines, which quote a

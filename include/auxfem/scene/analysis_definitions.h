@@ -76,7 +76,7 @@ namespace auxfem
     ///@{
     double                largest_load_factor = 1;
     std::optional<double> largest_displacement; ///< m
-    unsigned int          most_points = 1000;
+    unsigned int          max_points = 1000;
     ///@}
 
     /** Bifurcations at which the path changes to the other branch. */
@@ -89,7 +89,7 @@ namespace auxfem
     Branch       branch        = Branch::primary;
     unsigned int branch_number = 0;
     /** Whether the new branch is followed against the sense of the mode. */
-    bool opposite_side = false;
+    bool reverse_branch = false;
     /** Number of points from one .vtu file to the next. */
     unsigned int graphics_interval = 1;
   };

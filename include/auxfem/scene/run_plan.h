@@ -32,7 +32,7 @@ namespace auxfem
 
     /** Whether the effect changes the result by more than @p tolerance; without
      * a measure, whether it is on. */
-    bool is_called_for(const double tolerance) const
+    bool is_needed(const double tolerance) const
     {
       return measure ? measure->change > tolerance : on;
     }

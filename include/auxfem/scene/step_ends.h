@@ -74,7 +74,7 @@ namespace auxfem
   };
 
   /** Distance (s) below which two times are the same for the steps. */
-  double nearness_of_step_ends(const TimeParameters &time);
+  double step_end_tolerance(const TimeParameters &time);
 
   /** All functions of time that act on the lattice. */
   std::vector<TimeFunction> functions_of_time(const RunPlan &plan);

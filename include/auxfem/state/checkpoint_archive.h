@@ -237,7 +237,7 @@ namespace auxfem
     void largest(const std::string &name, Largest &...largest)
     {
       if (is_saving())
-        ((largest = largest.over_all_ranks(layout)), ...);
+        ((largest = largest.gather_over_ranks(layout)), ...);
       values(name, largest...);
     }
 

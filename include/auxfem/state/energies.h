@@ -23,7 +23,7 @@ namespace auxfem
     }
 
     /** Largest value over all ranks of @p layout. Collective. */
-    LargestInTime over_all_ranks(const UnknownLayout &layout) const
+    LargestInTime gather_over_ranks(const UnknownLayout &layout) const
     {
       const double largest = layout.largest(value);
       return {largest, layout.largest(largest == value ? time : 0.)};

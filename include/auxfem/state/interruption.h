@@ -29,18 +29,18 @@ namespace auxfem
   };
 
   /**
-   * Defers SIGTERM and SIGINT to noted_signal() during its lifetime. A second
+   * Defers SIGTERM and SIGINT to pending_signal() during its lifetime. A second
    * signal of a kind ends the process at once; ignored signals stay ignored.
    * Only one object may exist at a time.
    */
-  class SignalsWaitForStep
+  class DeferredSignals
   {
   public:
-    SignalsWaitForStep();
-    ~SignalsWaitForStep();
+    DeferredSignals();
+    ~DeferredSignals();
 
-    SignalsWaitForStep(const SignalsWaitForStep &)            = delete;
-    SignalsWaitForStep &operator=(const SignalsWaitForStep &) = delete;
+    DeferredSignals(const DeferredSignals &)            = delete;
+    DeferredSignals &operator=(const DeferredSignals &) = delete;
 
   private:
     static constexpr std::array<int, 2> signals = {{SIGTERM, SIGINT}};
@@ -49,7 +49,7 @@ namespace auxfem
   };
 
   /** Deferred signal of any rank; 0: none. Collective. */
-  int noted_signal(MPI_Comm communicator);
+  int pending_signal(MPI_Comm communicator);
 
   /** Throws Interrupted on all ranks if a signal is pending. Collective. */
   void end_if_interrupted(MPI_Comm communicator);

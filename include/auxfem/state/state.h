@@ -84,7 +84,7 @@ namespace auxfem
      * Adds ghosts that @p layout has gained and fetches their values.
      * Collective.
      */
-    void take_ghosts(const UnknownLayout &layout);
+    void extend_ghosts(const UnknownLayout &layout);
 
     /** s; on an equilibrium path the arc length (m). */
     double        time = 0;

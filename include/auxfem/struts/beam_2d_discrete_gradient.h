@@ -95,10 +95,10 @@ namespace auxfem
             x[a]       = u1[3 * a] - u0[3 * a];
             y[a]       = u1[3 * a + 1] - u0[3 * a + 1];
             half[a]    = (u1[3 * a + 2] - u0[3 * a + 2]) / 2;
-            cosines[a] = cosine_of_small(half[a]);
+            cosines[a] = small_angle_cosine(half[a]);
           }
         reference        = (half[0] + half[1]) / 2;
-        reference_cosine = cosine_of_small(reference);
+        reference_cosine = small_angle_cosine(reference);
         // Both ends have the same distance from their mean.
         const Number end_factor =
           reference_cosine / sinc(Number(half[0] - reference));
@@ -179,7 +179,7 @@ namespace auxfem
       StepKinematicsOf<Number> k;
       k.start                = start.strains;
       const Number half_sine = d.half * sinc(d.half);
-      k.half_cosine          = cosine_of_small(d.half);
+      k.half_cosine          = small_angle_cosine(d.half);
       k.cosine =
         k.half_cosine * (k.half_cosine * start.cosine - half_sine * start.sine);
       k.sine =

@@ -238,7 +238,7 @@ namespace auxfem
       k.couple_by_spin       = -1. * slope_cross * k.force_by_spin;
       k.moment_by_spin_slope = moment_by_kappa * transpose(end_axes);
       const TensorOf<Number> turn_by_spin =
-        cayley_change_by_spin(-1. * point.turn);
+        cayley_spin_derivative(-1. * point.turn);
       k.moment_by_spin = -stiffness_factor * point.determinant *
         (cross_product_tensor(start_axes * mean.moment) + dyad(m, point.turn)) *
         turn_by_spin;

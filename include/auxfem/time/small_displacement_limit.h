@@ -80,7 +80,7 @@ namespace auxfem
    * Thrown when small displacements are no longer accurate; what() says why
    * and when.
    */
-  class BeyondSmallDisplacements : public std::runtime_error
+  class SmallDisplacementLimitExceeded : public std::runtime_error
   {
   public:
     using std::runtime_error::runtime_error;
@@ -107,7 +107,7 @@ namespace auxfem
      */
     LargeRotationError check_static_answer();
 
-    /** Checks an accepted step. Throws BeyondSmallDisplacements. */
+    /** Checks an accepted step. Throws SmallDisplacementLimitExceeded. */
     void check(const Evaluation &step);
 
     /**

@@ -103,7 +103,7 @@ namespace auxfem
     unsigned int        stage = 0;       ///< of the last next()
     std::vector<Slopes> slopes;
     /** See Evaluation. */
-    std::vector<Evaluation::Pair> taken_from_kinetic;
+    std::vector<Evaluation::Pair> kinetic_defect_terms;
 
     /** Accelerations at the stages of the previous step; empty without one. */
     std::vector<Vector> before;

@@ -103,7 +103,7 @@ namespace auxfem
     /** Detects contact candidates in an accepted state. */
     void update_couplings(State &state);
     /** Enlarges states and results if ghosts @p are_more. */
-    void take_ghosts(bool are_more);
+    void extend_ghosts(bool are_more);
     /**
      * Handles a kink or jump of loads or support motions at the state. Returns
      * whether the next step begins with a jump.

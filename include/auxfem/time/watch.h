@@ -16,7 +16,7 @@
 namespace auxfem
 {
   /** An event at a part of the structure, as found by a watch. */
-  struct Occurrence
+  struct LocatedEvent
   {
     double       size;      ///< severity, in the watch's unit
     double       time;      ///< s
@@ -28,34 +28,34 @@ namespace auxfem
    * First and largest event of a kind during a run; each rank adds those of
    * its own parts.
    */
-  class Occurrences
+  class EventExtremes
   {
   public:
-    explicit Occurrences(const MPI_Comm communicator)
+    explicit EventExtremes(const MPI_Comm communicator)
       : communicator(communicator)
     {}
 
     /** Events must be added in the order of time. */
-    void add(const Occurrence &occurrence);
+    void add(const LocatedEvent &occurrence);
 
     /** Largest event of this rank. */
-    const std::optional<Occurrence> &largest_here() const
+    const std::optional<LocatedEvent> &largest_here() const
     {
       return largest_event;
     }
 
     /** @name Of all ranks, equal on each; collective. */
     ///@{
-    std::optional<Occurrence> first() const;
-    std::optional<Occurrence> largest() const;
+    std::optional<LocatedEvent> first() const;
+    std::optional<LocatedEvent> largest() const;
     ///@}
 
     /** Collective. */
     void serialize(const std::string &name, CheckpointArchive &archive);
 
   private:
-    const MPI_Comm            communicator;
-    std::optional<Occurrence> first_event, largest_event;
+    const MPI_Comm              communicator;
+    std::optional<LocatedEvent> first_event, largest_event;
   };
 
   /**
@@ -85,7 +85,7 @@ namespace auxfem
       return maxima[name];
     }
 
-    Occurrences &occurrences(const std::string &name)
+    EventExtremes &occurrences(const std::string &name)
     {
       return events.try_emplace(name, communicator).first->second;
     }
@@ -108,7 +108,7 @@ namespace auxfem
     const MPI_Comm                             communicator;
     std::map<std::string, double>              numbers;
     std::map<std::string, LargestInTime>       maxima;
-    std::map<std::string, Occurrences>         events;
+    std::map<std::string, EventExtremes>       events;
     std::map<std::string, std::vector<double>> lists;
     std::map<std::string, std::string>         texts;
   };
@@ -318,7 +318,7 @@ namespace auxfem
   };
 
   /** Objects that watches refer to; all must outlive them. */
-  struct WatchedRun
+  struct WatchContext
   {
     const RunPlan   &plan;
     const Equations &equations;
@@ -326,7 +326,7 @@ namespace auxfem
     Work            &work; ///< counts the effort of watches
   };
 
-  using MakeWatch = std::unique_ptr<Watch>(const WatchedRun &);
+  using MakeWatch = std::unique_ptr<Watch>(const WatchContext &);
 
   /** @name The watches; watch.cc decides which scenes have which. */
   ///@{

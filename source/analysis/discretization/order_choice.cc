@@ -2,7 +2,7 @@
 #include <auxfem/analysis/simulation/lattice_run.h>
 #include <auxfem/output/history.h>
 #include <auxfem/output/summary.h>
-#include <auxfem/output/verdict_limits.h>
+#include <auxfem/output/verdict.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/numerical_limits.h>
 #include <auxfem/struts/beam_dispatch.h>
@@ -43,16 +43,16 @@ namespace auxfem
                                  std::numeric_limits<double>::infinity());
       for (unsigned int i = 0; i < struts.size(); ++i)
         coarse.move(struts[i], motions[i]);
-      if (!coarse.settle())
+      if (!coarse.solve_equilibrium())
         return errors;
       for (const unsigned int strut : struts)
         finer.move(strut, coarse.motion(strut));
-      if (!finer.settle())
+      if (!finer.solve_equilibrium())
         return errors;
       for (unsigned int i = 0; i < struts.size(); ++i)
         if (const double error = finer.difference(struts[i], coarse) +
-              coarse.out_of_balance(struts[i]) +
-              finer.out_of_balance(struts[i]);
+              coarse.last_correction_work(struts[i]) +
+              finer.last_correction_work(struts[i]);
             std::isfinite(error))
           errors[i] = error;
       return errors;
@@ -165,8 +165,8 @@ namespace auxfem
     }
   } // namespace
 
-  std::vector<double> own_frequencies(const Lattice              &lattice,
-                                      const std::vector<Section> &sections)
+  std::vector<double> clamped_frequencies(const Lattice              &lattice,
+                                          const std::vector<Section> &sections)
   {
     std::vector<double> frequencies;
     for (unsigned int i = 0; i < lattice.struts.size(); ++i)
@@ -195,7 +195,7 @@ namespace auxfem
     , communicator(model.numbering.layout().communicator())
   {
     if (model.plan.simulated.inertia)
-      frequencies = own_frequencies(model.lattice, model.sections);
+      frequencies = clamped_frequencies(model.lattice, model.sections);
   }
 
   void MeshErrorObserver::start(const State &state)
@@ -284,7 +284,7 @@ namespace auxfem
       TimeParameters &time  = search.time;
       if (time.relative_tolerance)
         time.relative_tolerance =
-          std::max(*time.relative_tolerance, noticeable_part);
+          std::max(*time.relative_tolerance, noticeable_fraction);
       else
         time.step =
           std::min(search_step_factor * time.step,
@@ -386,7 +386,7 @@ namespace auxfem
       const MPI_Comm communicator = run.model.numbering.layout().communicator();
       const double   n_struts =
                      mpi::sum(double(error.struts().size()), communicator),
-                   allowed_error = std::pow(part_of_tolerance_for_elements *
+                   allowed_error = std::pow(element_tolerance_fraction *
                                               chosen.report.tolerance,
                                             2) *
         error.largest_energy();
@@ -422,7 +422,7 @@ namespace auxfem
       search.elements = chosen;
       LatticeRun run(search, communicator);
       // Scenes that the run refuses at its start must not cost a search.
-      refuse_columns_of_nothing(search.scene, run.lattice);
+      require_existing_columns(search.scene, run.lattice);
       SearchProgress progress(search, listener);
       try
         {

@@ -73,7 +73,7 @@ namespace auxfem
           run.model.numbering.layout().communicator();
         while (!has_ended())
           {
-            if (const int signal = noted_signal(communicator); signal != 0)
+            if (const int signal = pending_signal(communicator); signal != 0)
               {
                 recorder.keep_checkpoint();
                 throw Interrupted(signal);
@@ -106,7 +106,7 @@ namespace auxfem
         if (has_reached_end())
           return all;
         std::ostringstream text;
-        text << "The path ended after Path/Points = " << path.most_points
+        text << "The path ended after Path/Points = " << path.max_points
              << " points, at load factor " << point.load_factor()
              << ", before it reached Largest load factor"
              << (path.largest_displacement ? " or Largest displacement" : "")
@@ -271,7 +271,7 @@ namespace auxfem
       PathPoint branch_off(const SingularPoint &singular, StepReport &report)
       {
         PathTangent across{singular.null_vector, 0.};
-        if (path.opposite_side)
+        if (path.reverse_branch)
           scale(-1., across.direction);
         // Shorter steps would drown in the round-off of a soft direction.
         constexpr double       min_branch_step = 1e-3;
@@ -356,7 +356,7 @@ namespace auxfem
       bool has_ended() const
       {
         return has_reached_end() ||
-          point.solution.state.step >= path.most_points;
+          point.solution.state.step >= path.max_points;
       }
 
       /** Whether the last point is the requested end of the path. */
@@ -410,7 +410,7 @@ namespace auxfem
     {
       LatticeRun run(plan_of_path(scene), communicator);
       run.prepare();
-      refuse_columns_of_nothing(scene, run.lattice);
+      require_existing_columns(scene, run.lattice);
       print_overview(scene, run.equations);
     }
   } // namespace

@@ -150,7 +150,7 @@ namespace auxfem
       const FileRules         rules;
       const Clock::time_point start;
       /** Delays signals so that open files are completed. */
-      SignalsWaitForStep        signals;
+      DeferredSignals           signals;
       std::optional<RunFolder>  files;
       std::optional<Console>    console;
       std::optional<CsvTable>   table;

@@ -21,7 +21,7 @@ namespace auxfem
         exact.unknowns().n_free() > 0 && !exact.is_linear() &&
         exact.reporting().constraints.empty() &&
         exact.reporting().plates == nullptr &&
-        !plan.time.implicit_scheme().balances_means() &&
+        !plan.time.implicit_scheme().uses_discrete_gradient() &&
         std::none_of(loads.begin(),
                      loads.end(),
                      [](const JointLoadDefinition &load) {
@@ -102,7 +102,7 @@ namespace auxfem
         {
           return small.run.run(recorder);
         }
-      catch (const BeyondSmallDisplacements &reason)
+      catch (const SmallDisplacementLimitExceeded &reason)
         {
           exact.add_effort(small.run.work_of_all());
           exact.model.explain(

@@ -201,7 +201,7 @@ namespace auxfem
     const MPI_Comm      communicator = model.numbering.layout().communicator();
     while (solution.state.time < model.plan.time.end_time)
       {
-        if (const int signal = noted_signal(communicator); signal != 0)
+        if (const int signal = pending_signal(communicator); signal != 0)
           {
             recorder.keep_checkpoint();
             throw Interrupted(signal);
@@ -305,7 +305,7 @@ namespace auxfem
       {
         throw;
       }
-    catch (const BeyondSmallDisplacements &)
+    catch (const SmallDisplacementLimitExceeded &)
       {
         throw;
       }
@@ -368,7 +368,7 @@ namespace auxfem
   {
     LatticeRun run(scene, communicator);
     run.prepare();
-    refuse_columns_of_nothing(scene, run.lattice);
+    require_existing_columns(scene, run.lattice);
     explain_kinematics(run);
     print_overview(scene, run.equations);
     advise_on_inertia(run);

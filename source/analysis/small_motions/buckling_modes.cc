@@ -272,7 +272,7 @@ namespace auxfem
           add_strut_and_connector_change(response,
                                          sign * finite_difference_step /
                                            motion);
-        leave_out_constraints(change);
+        clear_constraint_entries(change);
       }
 
       bool loads_elastic_parts(const Vector &response) const
@@ -422,7 +422,7 @@ namespace auxfem
                        const std::vector<Eigenpair> &pairs,
                        const unsigned int            n)
     {
-      const unsigned int counted = before_widest_gap(pairs, n, 0.);
+      const unsigned int counted = count_before_widest_gap(pairs, n, 0.);
       const auto         n_all   = buckling.count_below(
         (pairs[counted - 1].value + pairs[counted].value) / 2);
       return n_all && *n_all == counted;

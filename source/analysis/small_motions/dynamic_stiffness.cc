@@ -46,7 +46,7 @@ namespace auxfem
                           {0., 0., square.imag()},
                           imaginary);
       }
-    leave_out_constraints(imaginary);
+    clear_constraint_entries(imaginary);
   }
 
   void DynamicStiffness::assemble_mass(TangentMatrix &matrix)

@@ -372,7 +372,7 @@ namespace auxfem
     // Errors of the scene must not destroy the results of an earlier run.
     auto computation =
       std::make_unique<ResponseComputation>(first, communicator);
-    const SignalsWaitForStep  signals;
+    const DeferredSignals     signals;
     RunReport                 report(scene,
                      computation->run.equations,
                      options.rules,
@@ -419,7 +419,7 @@ namespace auxfem
   void check_frequency_response(const Scene &scene, const MPI_Comm communicator)
   {
     LatticeRun run(plan_of_vibrations(scene), communicator);
-    refuse_columns_of_nothing(scene, run.lattice);
+    require_existing_columns(scene, run.lattice);
     run.prepare();
     print_overview(scene, run.equations);
   }

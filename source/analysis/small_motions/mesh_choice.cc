@@ -149,13 +149,13 @@ namespace auxfem
           "refinements.";
     }
 
-    std::vector<double> own_frequencies(const Scene &scene)
+    std::vector<double> clamped_frequencies(const Scene &scene)
     {
       std::vector<Section> sections;
       for (const SectionDefinition &definition : scene.sections)
         sections.push_back(definition.section);
       std::vector<double> all =
-        auxfem::own_frequencies(designed_lattice(scene), sections);
+        auxfem::clamped_frequencies(designed_lattice(scene), sections);
       all.erase(std::remove(all.begin(), all.end(), 0.), all.end());
       return all;
     }
@@ -173,7 +173,7 @@ namespace auxfem
 
   double phase_of_modes(const Scene &scene, const unsigned int n)
   {
-    const std::vector<double> first_frequencies = own_frequencies(scene);
+    const std::vector<double> first_frequencies = clamped_frequencies(scene);
     if (first_frequencies.empty())
       return clamped_phase;
     // Clamped modes have the phases (j + 1/2) pi within a percent.
@@ -205,7 +205,7 @@ namespace auxfem
 
   double phase_at(const Scene &scene, const double omega)
   {
-    const std::vector<double> first_frequencies = own_frequencies(scene);
+    const std::vector<double> first_frequencies = clamped_frequencies(scene);
     return first_frequencies.empty() ? clamped_phase
                                      : clamped_phase *
         std::sqrt(omega /
@@ -237,7 +237,7 @@ namespace auxfem
     const double phase =
       division.n_elements * phase_with_dispersion(division.order, error);
     return choose_division(phase,
-                           part_of_tolerance_for_elements *
+                           element_tolerance_fraction *
                              *plan.scene.discretization.tolerance,
                            division.n_inner_nodes(),
                            first.division.n_elements,
@@ -275,8 +275,8 @@ namespace auxfem
     if (!errors.unknown_reason.empty())
       return findings;
     const double limit = plan.scene.discretization.tolerance
-      ? *plan.scene.discretization.tolerance / part_of_tolerance_for_elements
-      : noticeable_part;
+      ? *plan.scene.discretization.tolerance / element_tolerance_fraction
+      : noticeable_fraction;
     if (error > limit)
       add(error > std::max(limit, unusable_mode_error) ? Verdict::not_to_be_used
                                                        : Verdict::doubtful,

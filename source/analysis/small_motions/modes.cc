@@ -269,7 +269,7 @@ namespace auxfem
         choose_elements(scene.analysis == Analysis::buckling
                           ? phase_of_buckling(scene, scene.modes.number)
                           : phase_of_modes(scene, scene.modes.number),
-                        noticeable_part,
+                        noticeable_fraction,
                         plan);
       return plan;
     }
@@ -371,8 +371,8 @@ namespace auxfem
     const RunPlan first = plan_with_elements(scene);
     // Errors of the scene must not destroy the results of an earlier run.
     auto computation = std::make_unique<ModeComputation>(first, communicator);
-    const SignalsWaitForStep signals;
-    RunReport                report(scene,
+    const DeferredSignals signals;
+    RunReport             report(scene,
                      computation->run.equations,
                      options.rules,
                      mode_contents());

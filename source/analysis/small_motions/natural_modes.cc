@@ -43,7 +43,7 @@ namespace auxfem
         equations.tangent(evaluation, results, {0, 0, 1}, mass);
         equations.tangent(evaluation, results, {1, 0, 0}, stiffness);
         if (part == StiffnessPart::symmetric)
-          stiffness.take_symmetric_part();
+          stiffness.symmetrize_blocks();
         else if (!stiffness.is_symmetric())
           throw InputError(
             "The stiffness is not symmetric, since loads follow their joints, "
@@ -56,7 +56,7 @@ namespace auxfem
       {
         solver.assemble(evaluation, results, {1, 0, -shift});
         if (part == StiffnessPart::symmetric)
-          solver.matrix().take_symmetric_part();
+          solver.matrix().symmetrize_blocks();
         return solver.factorize();
       }
 
@@ -235,7 +235,7 @@ namespace auxfem
                        const double                  shift,
                        const unsigned long           n_below_shift)
     {
-      const unsigned int counted = before_widest_gap(pairs, n, shift);
+      const unsigned int counted = count_before_widest_gap(pairs, n, shift);
       const double       limit =
         (pairs[counted - 1].value + pairs[counted].value) / 2;
       if (!vibration.factorize(limit))

@@ -227,7 +227,7 @@ namespace auxfem
               continue;
             account.add_in_step(dissipated_entry, energy.dissipated);
             // The mean force of Kind::discrete_gradient does exactly this work.
-            if (account.takes_time() &&
+            if (account.has_duration() &&
                 step.kind != Evaluation::Kind::discrete_gradient)
               account.add_in_step(numerical_entry,
                                   numerical_work(i, step, cache, energy));

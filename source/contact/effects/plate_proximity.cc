@@ -180,7 +180,8 @@ namespace auxfem
           if (const double here =
                 depth_at_rest(&axis - axes.data(),
                               *plate.definition,
-                              given_digits * (axis.half_thickness + thickest));
+                              input_precision *
+                                (axis.half_thickness + thickest));
               here > depth)
             {
               deepest = &axis;
@@ -365,7 +366,7 @@ namespace auxfem
     last_search = Search{accepted.displacement, -layout.largest(-clearance)};
     if (layout.n_ranks() == 1)
       return mine;
-    std::vector<PlatePair> all = over_all_ranks(mine, layout.communicator());
+    std::vector<PlatePair> all = gather_over_ranks(mine, layout.communicator());
     std::sort(all.begin(), all.end());
     return all;
   }

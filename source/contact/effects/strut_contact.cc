@@ -108,7 +108,7 @@ namespace auxfem
       {
         ContactEffect::account_step(step, results, account);
         if (step.kind == Evaluation::Kind::discrete_gradient &&
-            account.takes_time())
+            account.has_duration())
           for (const StrutTouch &touch : points_of(results))
             if (is_owned(touch))
               account.add_in_step(numerical_entry, touch.stored_energy_defect);

@@ -196,7 +196,7 @@ namespace auxfem
          pairs_that_meet(boxes, share_of_rank(layout, boxes.size())))
       if (curves.common_nodes(pair[0], pair[1]).empty() && !never_touch(pair))
         axes.insert(axes.end(), pair.begin(), pair.end());
-    axes = over_all_ranks(axes, layout.communicator());
+    axes = gather_over_ranks(axes, layout.communicator());
     std::vector<AxisPair> pairs;
     for (std::size_t i = 0; i < axes.size(); i += 2)
       pairs.push_back({{axes[i], axes[i + 1]}});

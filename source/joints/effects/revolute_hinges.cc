@@ -82,7 +82,7 @@ namespace auxfem
                       residual[hinge.unknowns[c]] += moment[c];
                     residual[hinge.unknowns[3 + c]] -= moment[c];
                   }
-                if (evaluation.wants_constraint_accelerations())
+                if (evaluation.has_constraint_accelerations())
                   residual[row] += acceleration(hinge, now, i, state);
                 else if (large_rotation)
                   residual[row] += unit * (now.across[i] * now.axis);

@@ -11,7 +11,7 @@ namespace auxfem
   {
     /** Stiffness of a hold relative to the torsional stiffness GJ / L of its
      * strut, large enough not to change torsional modes noticeably. */
-    constexpr double relative_stiffness = 1 / noticeable_part;
+    constexpr double relative_stiffness = 1 / noticeable_fraction;
 
     /**
      * Springs K' phi that prevent singular tangents: in statics nothing else

@@ -47,7 +47,7 @@ namespace auxfem
                 if (!numbering.joint_has(joint, c))
                   throw InputError(definition.path + "/Moment " +
                                    "xyz"[c - first_rotation] + ": " +
-                                   why_no_rotation(numbering, joint));
+                                   missing_rotation_reason(numbering, joint));
                 const int unknown = numbering.joint_unknown(joint, c);
                 if (unknown >= 0)
                   load.weights.push_back({unknown, 1.});
@@ -68,7 +68,7 @@ namespace auxfem
             if (!numbering.joint_has(joint, rotation_z))
               throw InputError(definition.path +
                                "/Direction = follows the joint: " +
-                               why_no_rotation(numbering, joint));
+                               missing_rotation_reason(numbering, joint));
             if (numbering.joint_unknown(joint, rotation_z) >= 0)
               load.joints.push_back(joint);
           }
@@ -86,9 +86,10 @@ namespace auxfem
             for (const RigidPart &part : lattice.rigid_parts)
               for (const unsigned int strut : part.struts)
                 if (chosen[strut])
-                  refuse_point_beside(part,
-                                      lattice,
-                                      lattice.centroid(lattice.struts[strut]));
+                  refuse_unsupported_load_point(part,
+                                                lattice,
+                                                lattice.centroid(
+                                                  lattice.struts[strut]));
             for (unsigned int c = 0; c < lattice.dimension; ++c)
               {
                 if (definition.components[c].is_zero())

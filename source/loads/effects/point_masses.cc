@@ -340,8 +340,8 @@ namespace auxfem
     {
       if (mass.rotary_inertia.norm() > 0 &&
           !numbering.joint_has(joint, rotation_z))
-        throw InputError(
-          mass.path + "/Rotary inertia: " + why_no_rotation(numbering, joint));
+        throw InputError(mass.path + "/Rotary inertia: " +
+                         missing_rotation_reason(numbering, joint));
     }
 
     SpaceTensor along_global_axes(const SpaceVector &values)

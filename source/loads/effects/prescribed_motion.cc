@@ -222,7 +222,9 @@ namespace auxfem
     return true;
   }
 
-  void hold_still(const LatticeModel &model, const State &after, State &before)
+  void copy_fixed_support_velocities(const LatticeModel &model,
+                                     const State        &after,
+                                     State              &before)
   {
     const NodeRotations rotations(model.numbering);
     for (const Support &support : model.supports)

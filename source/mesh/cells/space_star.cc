@@ -1,5 +1,5 @@
 #include <auxfem/mesh/cells/cell_table.h>
-#include <auxfem/mesh/cells/star_shape.h>
+#include <auxfem/mesh/cells/star.h>
 #include <auxfem/parameters/errors.h>
 
 #include <cmath>

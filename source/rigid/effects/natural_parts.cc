@@ -114,7 +114,7 @@ namespace auxfem
             residual[unknowns[dim + c]] += u[unknowns[2 * dim]] * direction[c];
           }
         double &row = residual[unknowns[2 * dim]];
-        if (evaluation.wants_constraint_accelerations())
+        if (evaluation.has_constraint_accelerations())
           {
             row += G *
               base_difference<dim>(unknowns,
@@ -138,7 +138,7 @@ namespace auxfem
                                          double           *residual) const
   {
     const double *u = evaluation.to.displacement.data();
-    const double *q = evaluation.wants_constraint_accelerations()
+    const double *q = evaluation.has_constraint_accelerations()
       ? evaluation.to.acceleration->data()
       : u;
     for (const Joint &joint : joints)
@@ -178,7 +178,7 @@ namespace auxfem
         residual[unknowns[4]] += lambda * force.second;
 
         double &row = residual[unknowns[5]];
-        if (evaluation.wants_constraint_accelerations())
+        if (evaluation.has_constraint_accelerations())
           {
             const double *a = evaluation.to.acceleration->data();
             const double *v = evaluation.to.velocity->data();

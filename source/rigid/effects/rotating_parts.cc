@@ -73,7 +73,7 @@ namespace auxfem
                                 dealii::cross_product_3d(lambda,
                                                          lever(joint,
                                                                evaluation)),
-                              row = evaluation.wants_constraint_accelerations()
+                              row = evaluation.has_constraint_accelerations()
               ? second_derivative(joint, evaluation.to)
               : constraint(joint, evaluation.to);
             for (unsigned int c = 0; c < 3; ++c)

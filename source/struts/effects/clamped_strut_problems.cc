@@ -196,7 +196,7 @@ namespace auxfem
     return sum;
   }
 
-  bool ClampedStrutProblems::settle()
+  bool ClampedStrutProblems::solve_equilibrium()
   {
     // A motion of low order has spurious strains between its Gauss points,
     // which the first iterations must remove.
@@ -246,7 +246,8 @@ namespace auxfem
       }
   }
 
-  double ClampedStrutProblems::out_of_balance(const unsigned int strut) const
+  double
+  ClampedStrutProblems::last_correction_work(const unsigned int strut) const
   {
     return last_work[strut] > round_off * strain_energy() ? last_work[strut]
                                                           : 0.;

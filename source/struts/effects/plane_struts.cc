@@ -87,9 +87,9 @@ namespace auxfem
       }
 
       static MotionOf<Lanes>
-      tangent_motion(const DofNumbering          &numbering,
-                     const EachLane<const int *> &unknowns,
-                     const Evaluation            &evaluation,
+      tangent_motion(const DofNumbering           &numbering,
+                     const LaneArray<const int *> &unknowns,
+                     const Evaluation             &evaluation,
                      const TangentFactors & /*factors*/)
       {
         return motion(numbering, unknowns, evaluation.to);
@@ -122,8 +122,8 @@ namespace auxfem
         StepStart(const BeamShape<order> &shape,
                   const AtRestOf<Lanes>  &at_rest,
                   const DofNumbering & /*numbering*/,
-                  const EachLane<const int *> &unknowns,
-                  const State                 &state)
+                  const LaneArray<const int *> &unknowns,
+                  const State                  &state)
           : turns(round(
               Lanes(value_at(state.displacement.data(), unknowns, 2) / turn)))
         {
@@ -132,8 +132,8 @@ namespace auxfem
         }
 
         /** Reduced displacements at another state. */
-        StepEnd displacements(const EachLane<const int *> &unknowns,
-                              const State                 &state) const
+        StepEnd displacements(const LaneArray<const int *> &unknowns,
+                              const State                  &state) const
         {
           StepEnd u;
           for (int i = 0; i < n; i += n_components)
@@ -160,9 +160,9 @@ namespace auxfem
       };
 
       static StepEnd end_of_step(const DofNumbering & /*numbering*/,
-                                 const EachLane<const int *> &unknowns,
-                                 const StepStart             &start,
-                                 const State                 &state)
+                                 const LaneArray<const int *> &unknowns,
+                                 const StepStart              &start,
+                                 const State                  &state)
       {
         return start.displacements(unknowns, state);
       }

@@ -115,10 +115,11 @@ namespace auxfem
         return energy;
       }
 
-      static TangentMotion tangent_motion(const DofNumbering &numbering,
-                                          const EachLane<const int *> &unknowns,
-                                          const Evaluation     &evaluation,
-                                          const TangentFactors &factors)
+      static TangentMotion
+      tangent_motion(const DofNumbering           &numbering,
+                     const LaneArray<const int *> &unknowns,
+                     const Evaluation             &evaluation,
+                     const TangentFactors         &factors)
       {
         TangentMotion result;
         result.motion = motion(numbering, unknowns, evaluation.to);
@@ -183,11 +184,11 @@ namespace auxfem
       /** Elements at the start of a step. */
       struct StepStart : public Beam3D::StepStart<order, Lanes>
       {
-        StepStart(const BeamShape<order>      &shape,
-                  const AtRestOf<Lanes>       &at_rest,
-                  const DofNumbering          &numbering,
-                  const EachLane<const int *> &unknowns,
-                  const State                 &state)
+        StepStart(const BeamShape<order>       &shape,
+                  const AtRestOf<Lanes>        &at_rest,
+                  const DofNumbering           &numbering,
+                  const LaneArray<const int *> &unknowns,
+                  const State                  &state)
           : Beam3D::StepStart<order, Lanes>(
               shape,
               at_rest.frames,
@@ -196,8 +197,8 @@ namespace auxfem
         {}
       };
 
-      static StepEnd end_of_step(const DofNumbering          &numbering,
-                                 const EachLane<const int *> &unknowns,
+      static StepEnd end_of_step(const DofNumbering           &numbering,
+                                 const LaneArray<const int *> &unknowns,
                                  const StepStart & /*start*/,
                                  const State &state)
       {

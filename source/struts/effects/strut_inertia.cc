@@ -184,7 +184,7 @@ namespace auxfem
                                   const EffectCache * /*results*/,
                                   EnergyAccount &account) const
   {
-    if (!is_damped || !account.takes_time())
+    if (!is_damped || !account.has_duration())
       return;
     // The mean damping force acts with the mean velocity.
     const StepMotion &motion = account.motion();

@@ -47,7 +47,7 @@ namespace auxfem
       const unsigned int order = numbering.elements()[first_element].order;
       for (unsigned int i = 0; i < n_elements; ++i)
         for (unsigned int a = 0; a <= order; ++a)
-          act(i * order + place_along(a, order),
+          act(i * order + position_along(a, order),
               numbering.element_unknowns(first_element + i) +
                 a * numbering.n_components());
     }

@@ -51,7 +51,7 @@ namespace auxfem
                    double        dt,
                    State        &trial) const override;
 
-      bool balances_means() const override
+      bool uses_discrete_gradient() const override
       {
         return true;
       }
@@ -105,7 +105,8 @@ namespace auxfem
                        half   = du[i] / 2;
           const double more   = du[i] *
             (sinc(half) /
-               (cosine_of_small(before + half) * cosine_of_small(before)) -
+               (small_angle_cosine(before + half) *
+                small_angle_cosine(before)) -
              1);
           v[i] += 2 * f.damping * more;
           a[i] += f.mass * more;

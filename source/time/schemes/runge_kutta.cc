@@ -102,7 +102,7 @@ namespace auxfem
     return error_of(stages, angle) / std::abs(angle * difference);
   }
 
-  double RungeKutta::missed_way(const double by_trapezoidal_rule) const
+  double RungeKutta::missed_phase(const double by_trapezoidal_rule) const
   {
     const double angle =
       2 * std::asin(std::min(1., std::sqrt(12 * by_trapezoidal_rule) / 2));

@@ -215,7 +215,8 @@ namespace auxfem
       {
         mean += newest_weight * (relative_error - mean);
         const double factor =
-          std::pow(std::max(mean, least_error) / safety_of_steps, -1. / order);
+          std::pow(std::max(mean, least_error) / step_safety_factor,
+                   -1. / order);
         const bool keeps_length =
           factor > 1 / least_change && factor < least_change;
         desired_length = piece() * (keeps_length ? 1 : factor);
@@ -272,7 +273,7 @@ namespace auxfem
       unsigned int pieces_of(const double length) const
       {
         unsigned int pieces = 1;
-        while (length / pieces > (1 + given_digits) * desired_length)
+        while (length / pieces > (1 + input_precision) * desired_length)
           pieces = more_pieces(pieces);
         while (pieces > 1 && length / pieces < smallest)
           pieces = fewer_pieces(pieces);

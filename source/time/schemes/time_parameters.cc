@@ -178,7 +178,7 @@ namespace auxfem
             "kept",
             {"kept", "every iteration"},
             "Jacobian reuse (kept), or full Newton (every iteration)."};
-    const Quantity kept_reduction = {
+    const Quantity jacobian_reuse_threshold = {
       "Jacobian reuse threshold",
       "5",
       "1",
@@ -228,14 +228,16 @@ namespace auxfem
 
   SubsectionSchema newton_schema()
   {
-    return {
-      "Newton",
-      SubsectionSchema::Form::fixed,
-      "Convergence of Newton's method in a step.",
-      {newton_tolerance, maximum_iterations, factorization, kept_reduction},
-      "",
-      {},
-      {Model::lattice, Model::reduced_cell}};
+    return {"Newton",
+            SubsectionSchema::Form::fixed,
+            "Convergence of Newton's method in a step.",
+            {newton_tolerance,
+             maximum_iterations,
+             factorization,
+             jacobian_reuse_threshold},
+            "",
+            {},
+            {Model::lattice, Model::reduced_cell}};
   }
 
 
@@ -246,9 +248,9 @@ namespace auxfem
     newton.tolerance_is_given = !values.is_word(newton_tolerance);
     if (newton.tolerance_is_given)
       newton.tolerance = values[newton_tolerance];
-    newton.maximum_iterations = values[maximum_iterations];
-    newton.keep_factorization = values[factorization] == "kept";
-    newton.kept_reduction     = values[kept_reduction];
+    newton.maximum_iterations       = values[maximum_iterations];
+    newton.keep_factorization       = values[factorization] == "kept";
+    newton.jacobian_reuse_threshold = values[jacobian_reuse_threshold];
     return newton;
   }
 

@@ -2,7 +2,7 @@
 #include <auxfem/equations/node_rotations.h>
 #include <auxfem/struts/effects/struts.h>
 
-#include <analysis/checks/findings_of.h>
+#include <analysis/verdict/findings_of.h>
 #include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
 #include <support/scene_text.h>

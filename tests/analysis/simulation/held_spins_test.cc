@@ -1,9 +1,10 @@
 #include <auxfem/analysis/simulation/lattice_run.h>
 #include <auxfem/analysis/small_motions/buckling_modes.h>
 #include <auxfem/analysis/small_motions/natural_modes.h>
+#include <auxfem/output/notes.h>
 #include <auxfem/output/verdict.h>
 
-#include <analysis/checks/findings_of.h>
+#include <analysis/verdict/findings_of.h>
 #include <gtest/gtest.h>
 #include <support/scene_run.h>
 #include <support/scene_text.h>

@@ -41,18 +41,18 @@ namespace
                             const std::string &position,
                             const bool         large_rotation = true,
                             const bool         is_dynamic     = true)
-      : of_scene(with_connector(law, position), {}, MPI_COMM_SELF)
-      , forces(make_connector_forces(
-          of_scene.scene.connectors[0],
-          select_pairs(of_scene.lattice,
-                       of_scene.scene.connectors[0].between,
-                       of_scene.scene.context,
-                       "Connectors/one/Between"),
-          of_scene.lattice,
-          of_scene.dofs(),
-          large_rotation))
+      : setup(with_connector(law, position), {}, MPI_COMM_SELF)
+      , forces(
+          make_connector_forces(setup.scene.connectors[0],
+                                select_pairs(setup.lattice,
+                                             setup.scene.connectors[0].between,
+                                             setup.scene.context,
+                                             "Connectors/one/Between"),
+                                setup.lattice,
+                                setup.dofs(),
+                                large_rotation))
       , layout(layout_of(*forces, is_dynamic))
-      , from(of_scene.dofs().layout().n_local(), layout)
+      , from(setup.dofs().layout().n_local(), layout)
       , to(from)
     {}
 
@@ -67,14 +67,14 @@ namespace
 
     void move(const unsigned int joint, const double x, const double y)
     {
-      to.displacement[of_scene.dofs().joint_unknown(joint, 0)] = x;
-      to.displacement[of_scene.dofs().joint_unknown(joint, 1)] = y;
+      to.displacement[setup.dofs().joint_unknown(joint, 0)] = x;
+      to.displacement[setup.dofs().joint_unknown(joint, 1)] = y;
     }
 
     void push(const unsigned int joint, const double x, const double y)
     {
-      (*to.velocity)[of_scene.dofs().joint_unknown(joint, 0)] = x;
-      (*to.velocity)[of_scene.dofs().joint_unknown(joint, 1)] = y;
+      (*to.velocity)[setup.dofs().joint_unknown(joint, 0)] = x;
+      (*to.velocity)[setup.dofs().joint_unknown(joint, 1)] = y;
     }
 
     /** Sets the displacement and velocity of joints 0 and 1 as a rigid body
@@ -83,8 +83,8 @@ namespace
     {
       for (const unsigned int joint : {0, 1})
         {
-          const double x        = of_scene.lattice.joints[joint][0] - 2,
-                       y        = of_scene.lattice.joints[joint][1] + 1;
+          const double x        = setup.lattice.joints[joint][0] - 2,
+                       y        = setup.lattice.joints[joint][1] + 1;
           const double turned_x = std::cos(angle) * x - std::sin(angle) * y,
                        turned_y = std::sin(angle) * x + std::cos(angle) * y;
           move(joint, turned_x - x, turned_y - y);
@@ -103,8 +103,7 @@ namespace
 
     double force_on(const unsigned int joint, const unsigned int component)
     {
-      return evaluated()
-        .residual[of_scene.dofs().joint_unknown(joint, component)];
+      return evaluated().residual[setup.dofs().joint_unknown(joint, component)];
     }
 
     ConnectorReport report()
@@ -113,7 +112,7 @@ namespace
     }
 
     double                                 dt = 0.5;
-    EquationsOnRanks                       of_scene;
+    EquationsOnRanks                       setup;
     const std::unique_ptr<ConnectorForces> forces;
     StateLayout                            layout;
     State                                  from, to;
@@ -256,10 +255,10 @@ namespace
     connector.push(0, 3, -2);
     connector.push(1, -4, 5);
 
-    TangentAlone tangent(*connector.forces, connector.of_scene.dofs());
+    TangentAlone tangent(*connector.forces, connector.setup.dofs());
     tangent.fill(connector.evaluated(), factors);
 
-    const unsigned int n     = connector.of_scene.dofs().layout().n_global();
+    const unsigned int n     = connector.setup.dofs().layout().n_global();
     const double       h     = 1e-5;
     double             worst = 0, scale = 0;
     for (unsigned int j = 0; j < n; ++j)
@@ -315,8 +314,8 @@ TEST(ConnectorForces, RotationOfTheLineIsNoRateInStatics)
   // Velocities from differences over the rotation would stretch the line.
   connector.turn(2.5, 0.);
   for (const int i : {0, 1})
-    (*connector.to.velocity)[connector.of_scene.dofs().joint_unknown(1, i)] =
-      connector.to.displacement[connector.of_scene.dofs().joint_unknown(1, i)] /
+    (*connector.to.velocity)[connector.setup.dofs().joint_unknown(1, i)] =
+      connector.to.displacement[connector.setup.dofs().joint_unknown(1, i)] /
       connector.dt;
   EXPECT_NEAR(connector.report().force, 0., 20 * connector_round_off);
 

@@ -32,18 +32,18 @@ namespace
                              const std::string &scheme       = "newmark",
                              const MPI_Comm     communicator = MPI_COMM_SELF)
   {
-    EquationsOnRanks         of_scene(rods(scheme), {}, communicator);
-    std::vector<ContactAxis> axes = make_contact_axes(of_scene.model, 1);
-    const StrutCurves        curves(of_scene.model, axes);
-    FirstContactDetector     detector(of_scene.model,
+    EquationsOnRanks         setup(rods(scheme), {}, communicator);
+    std::vector<ContactAxis> axes = make_contact_axes(setup.model, 1);
+    const StrutCurves        curves(setup.model, axes);
+    FirstContactDetector     detector(setup.model,
                                   curves,
-                                  StrutProximity(of_scene.model, curves));
-    State from = of_scene.equations.initial_state(), to = from;
+                                  StrutProximity(setup.model, curves));
+    State                    from = setup.equations.initial_state(), to = from;
     for (unsigned int step = 1; step <= n_steps; ++step)
       {
         const std::vector<int> &moved = axes.back().unknowns;
         for (std::size_t i = 1; i < moved.size(); i += 2)
-          if (const int local = of_scene.dofs().layout().local(moved[i]);
+          if (const int local = setup.dofs().layout().local(moved[i]);
               local >= 0)
             to.displacement[local] = -way(step);
         if (detector.find(from, to))

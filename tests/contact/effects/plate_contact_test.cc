@@ -65,7 +65,7 @@ TEST(PlateContact, ForcesOnStrutsAndPlateAreOpposite)
         const auto  forces =
           EvaluatedAlone(step.contact, step.evaluation(kind)).residual;
         std::array<double, 3> sums  = {{0, 0, 0}};
-        const auto            names = name_unknowns(step.of_scene.model);
+        const auto            names = name_unknowns(step.setup.model);
         for (unsigned int i = 0; i < names.size(); ++i)
           if (const unsigned int c = std::get<3>(names[i].name); c < 3)
             sums[c] += forces[i];
@@ -144,7 +144,7 @@ TEST(PlateContact, FrictionIsThatOfCoulombWhereItSlips)
          "Friction coefficient = 0.3 | Slip velocity = " +
            testing_support::text(v0));
   PressedStep         step(text, false);
-  const DofNumbering &dofs = step.of_scene.dofs();
+  const DofNumbering &dofs = step.setup.dofs();
   for (Vector *values : {&step.to.displacement, &*step.to.velocity})
     std::fill(values->begin(), values->end(), 0.);
   step.to.displacement[dofs.joint_unknown(0, 1)] = -0.01;
@@ -183,13 +183,13 @@ namespace
     ContactCase far = contact_cases[0];
     far.plate       = "Shape = plane | Normal = 0 1 | Position = 0 " +
       testing_support::text(-0.1 - gap);
-    EquationsOnRanks of_scene(above_plate(far, 0), {}, MPI_COMM_SELF);
-    State            state    = of_scene.equations.initial_state();
-    const auto       n_before = of_scene.equations.pattern().n_blocks();
+    EquationsOnRanks setup(above_plate(far, 0), {}, MPI_COMM_SELF);
+    State            state    = setup.equations.initial_state();
+    const auto       n_before = setup.equations.pattern().n_blocks();
     for (const int joint : {0, 1, 2})
-      (*state.velocity)[of_scene.dofs().joint_unknown(joint, 1)] = -speed;
-    of_scene.equations.update_couplings(state);
-    return of_scene.equations.pattern().n_blocks() - n_before;
+      (*state.velocity)[setup.dofs().joint_unknown(joint, 1)] = -speed;
+    setup.equations.update_couplings(state);
+    return setup.equations.pattern().n_blocks() - n_before;
   }
 } // namespace
 
@@ -218,18 +218,18 @@ namespace
   {
     ContactCase contact_case = contact_cases[0];
     contact_case.plate       = plate;
-    EquationsOnRanks of_scene(above_plate(contact_case, 0), {}, MPI_COMM_SELF);
-    State            from = of_scene.equations.initial_state();
+    EquationsOnRanks setup(above_plate(contact_case, 0), {}, MPI_COMM_SELF);
+    State            from = setup.equations.initial_state();
     if (is_near)
-      of_scene.equations.update_couplings(from);
+      setup.equations.update_couplings(from);
     State      to    = from;
-    const auto names = name_unknowns(of_scene.model);
+    const auto names = name_unknowns(setup.model);
     for (unsigned int i = 0; i < names.size(); ++i)
       if (std::get<3>(names[i].name) < 2 &&
           !(std::get<0>(names[i].name) &&
-            std::get<1>(names[i].name) == of_scene.lattice.joint_of_plate(0)))
+            std::get<1>(names[i].name) == setup.lattice.joint_of_plate(0)))
         to.displacement[i] = std::get<3>(names[i].name) == 0 ? x : y;
-    return of_scene.equations.reporting().plates->rejection_reason(
+    return setup.equations.reporting().plates->rejection_reason(
       Evaluation::step(from, to, dt));
   }
 } // namespace
@@ -271,7 +271,7 @@ namespace
              communicator)
     {
       const Evaluation  evaluation = step.evaluation(kind);
-      EquationsOnRanks &on_ranks   = step.of_scene;
+      EquationsOnRanks &on_ranks   = step.setup;
       on_ranks.residual(evaluation);
       forces      = by_name(on_ranks.model, step.to.residual);
       auto matrix = on_ranks.make_tangent();

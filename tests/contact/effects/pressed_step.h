@@ -50,18 +50,18 @@ namespace auxfem
       PressedStep(const std::string &text,
                   const bool         is_between,
                   const MPI_Comm     communicator = MPI_COMM_SELF)
-        : of_scene(text,
-                   {is_between ? "Time/Scheme=energy-momentum"
-                               : "Time/Scheme=newmark"},
-                   communicator)
-        , contact(*of_scene.equations.reporting().plates)
-        , before(of_scene.equations.initial_state())
+        : setup(text,
+                {is_between ? "Time/Scheme=energy-momentum"
+                            : "Time/Scheme=newmark"},
+                communicator)
+        , contact(*setup.equations.reporting().plates)
+        , before(setup.equations.initial_state())
         , from(before)
         , to(before)
       {
-        of_scene.equations.update_couplings(before);
+        setup.equations.update_couplings(before);
         for (State *state : {&before, &from, &to})
-          state->take_ghosts(layout());
+          state->extend_ghosts(layout());
         n = to.displacement.size();
         fill(0.01, before.displacement);
         fill(0.02, from.displacement);
@@ -83,12 +83,12 @@ namespace auxfem
 
       const UnknownLayout &layout() const
       {
-        return of_scene.equations.unknowns().layout;
+        return setup.equations.unknowns().layout;
       }
 
       void fill(const double size, Vector &values) const
       {
-        fill_by_position(of_scene.model, size, values);
+        fill_by_position(setup.model, size, values);
         layout().update_ghosts(values.data());
       }
 
@@ -97,9 +97,9 @@ namespace auxfem
                      const double       value,
                      Vector            &values) const
       {
-        const unsigned int plate = of_scene.lattice.joint_of_plate(0);
+        const unsigned int plate = setup.lattice.joint_of_plate(0);
         if (const int unknown =
-              layout().local(of_scene.dofs().global().joints[plate][component]);
+              layout().local(setup.dofs().global().joints[plate][component]);
             unknown >= 0)
           values[unknown] = value;
       }
@@ -119,7 +119,7 @@ namespace auxfem
           }
       }
 
-      EquationsOnRanks    of_scene;
+      EquationsOnRanks    setup;
       const PlateContact &contact;
       State               before, from, to;
       unsigned int        n = 0;
@@ -142,7 +142,7 @@ namespace auxfem
       const double         velocity_weight = velocity_factor(step, kind);
       const Evaluation     evaluation      = step.evaluation(kind);
       const EvaluatedAlone evaluated(step.contact, evaluation);
-      TangentMatrix        matrix(step.of_scene.equations.pattern());
+      TangentMatrix        matrix(step.setup.equations.pattern());
       step.contact.add_tangent(evaluation,
                                evaluated.results.get(),
                                {1., velocity_weight, 0.},

@@ -33,10 +33,10 @@ namespace
   struct Pressed
   {
     Pressed(const SceneText &text, const unsigned int seed)
-      : of_scene(text.str(), {}, MPI_COMM_SELF)
-      , kept(make_strut_contact(of_scene.model))
+      : setup(text.str(), {}, MPI_COMM_SELF)
+      , kept(make_strut_contact(setup.model))
       , effect(*kept)
-      , from(of_scene.equations.initial_state())
+      , from(setup.equations.initial_state())
       , to(from)
       , generator(seed)
     {
@@ -54,19 +54,19 @@ namespace
       to.time = dt;
       std::vector<int> required_unknowns;
       effect.update_couplings(to, required_unknowns);
-      tangent = std::make_unique<TangentAlone>(effect, of_scene.dofs());
+      tangent = std::make_unique<TangentAlone>(effect, setup.dofs());
     }
 
     /** Moves all its nodes along the last axis. */
     void lower_second_strut(const double way, State &state) const
     {
-      const DofNumbering &dofs = of_scene.dofs();
+      const DofNumbering &dofs = setup.dofs();
       std::set<int>       heights;
       for (unsigned int e = 0; e < dofs.elements().size(); ++e)
         if (dofs.elements()[e].interval.strut == 1)
           for (unsigned int node = 0; node <= dofs.elements()[e].order; ++node)
             heights.insert(dofs.element_unknowns(
-              e)[node * dofs.n_components() + of_scene.lattice.dimension - 1]);
+              e)[node * dofs.n_components() + setup.lattice.dimension - 1]);
       for (const int height : heights)
         state.displacement[height] -= way;
     }
@@ -83,7 +83,7 @@ namespace
     }
 
     const double                        dt = 0.1;
-    EquationsOnRanks                    of_scene;
+    EquationsOnRanks                    setup;
     const std::unique_ptr<StrutContact> kept;
     StrutContact                       &effect;
     State                               from, to;
@@ -192,7 +192,7 @@ TEST(StrutContact, MeanForcesConserveMomentumAndReportTheirEnergyDefect)
         EXPECT_LT(std::abs(missed), 0.05 * (stored - stored_before));
 
         const std::vector<NamedUnknown> names =
-          name_unknowns(pressed.of_scene.model);
+          name_unknowns(pressed.setup.model);
         dealii::Tensor<1, 3>                force, moment;
         double                              size = 0;
         std::map<UnknownName, unsigned int> unknowns;

@@ -21,22 +21,22 @@ namespace
          const std::string &joints,
          const std::string &struts,
          const unsigned int refinements = 0)
-      : of_scene(SceneText()
-                   .dimension(dimension)
-                   .frame(joints, struts)
-                   .rectangle("bar", thickness, thickness, {1, 1, 0})
-                   .mesh(3, refinements)
-                   .str(),
-                 {},
-                 MPI_COMM_SELF)
-      , list(make_contact_axes(of_scene.model, 1))
-      , curves(of_scene.model, list)
+      : setup(SceneText()
+                .dimension(dimension)
+                .frame(joints, struts)
+                .rectangle("bar", thickness, thickness, {1, 1, 0})
+                .mesh(3, refinements)
+                .str(),
+              {},
+              MPI_COMM_SELF)
+      , list(make_contact_axes(setup.model, 1))
+      , curves(setup.model, list)
       , gap(curves)
     {}
 
     std::vector<double> rest() const
     {
-      return std::vector<double>(of_scene.dofs().layout().n_global(), 0.);
+      return std::vector<double>(setup.dofs().layout().n_global(), 0.);
     }
 
     std::array<AxisCurve, 2> at(const std::vector<double> &u) const
@@ -65,7 +65,7 @@ namespace
               const SpaceVector   &way,
               std::vector<double> &u) const
     {
-      const unsigned int dimension = of_scene.lattice.dimension;
+      const unsigned int dimension = setup.lattice.dimension;
       for (std::size_t i = 0; i < list[axis].unknowns.size(); ++i)
         u[list[axis].unknowns[i]] += way[i % dimension];
     }
@@ -82,7 +82,7 @@ namespace
 
     static constexpr double   thickness = 0.1;
     static constexpr AxisPair pair      = {{0, 1}};
-    EquationsOnRanks          of_scene;
+    EquationsOnRanks          setup;
     std::vector<ContactAxis>  list;
     StrutCurves               curves;
     StrutGap                  gap;

@@ -19,20 +19,20 @@ namespace
                    const unsigned int n_cells      = 3,
                    const std::string &angle        = "60 deg",
                    const std::string &thickness    = "0.05")
-      : of_scene(SceneText()
-                   .add("Lattice", "Cell = star | Strut length = 1")
-                   .set("Lattice/Opening angle", angle)
-                   .set("Lattice/Cells x", n_cells)
-                   .set("Lattice/Cells y", n_cells)
-                   .rectangle("strip", "1", thickness, {"1", 1, 0})
-                   .set("Lattice/Struts may cross", "true")
-                   .mesh(2)
-                   .str(),
-                 {},
-                 communicator)
-      , axes(make_contact_axes(of_scene.model, 1))
-      , curves(of_scene.model, axes)
-      , proximity(of_scene.model, curves)
+      : setup(SceneText()
+                .add("Lattice", "Cell = star | Strut length = 1")
+                .set("Lattice/Opening angle", angle)
+                .set("Lattice/Cells x", n_cells)
+                .set("Lattice/Cells y", n_cells)
+                .rectangle("strip", "1", thickness, {"1", 1, 0})
+                .set("Lattice/Struts may cross", "true")
+                .mesh(2)
+                .str(),
+              {},
+              communicator)
+      , axes(make_contact_axes(setup.model, 1))
+      , curves(setup.model, axes)
+      , proximity(setup.model, curves)
     {}
 
     AxisCurve curve(const unsigned int axis, const std::vector<double> &u) const
@@ -51,7 +51,7 @@ namespace
                               thickness) < thickness;
     }
 
-    EquationsOnRanks         of_scene;
+    EquationsOnRanks         setup;
     std::vector<ContactAxis> axes;
     StrutCurves              curves;
     StrutProximity           proximity;
@@ -62,7 +62,7 @@ TEST(StrutProximity, TouchingPairsAreNearForAnyMotion)
 {
   Stars               stars;
   std::mt19937        generator(3);
-  std::vector<double> u(stars.of_scene.dofs().layout().n_global(), 0.),
+  std::vector<double> u(stars.setup.dofs().layout().n_global(), 0.),
     velocity(u.size());
   for (double &value : velocity)
     value = std::uniform_real_distribution<double>(-0.03, 0.03)(generator);
@@ -91,23 +91,22 @@ TEST(StrutProximity, StrutsThatPassEachOtherAtRestAreNeverNear)
 {
   for (const bool pass : {true, false})
     {
-      const EquationsOnRanks of_scene(
-        SceneText()
-          .frame(std::string("0 0; 1 0; 0.5 0.5; 0.5 ") +
-                   (pass ? "-0.5" : "0.018"),
-                 "0 1; 2 3")
-          .set("Lattice/Struts may cross", "true")
-          .rectangle("strip", 0.02, 0.02, {1, 1, 0})
-          .mesh(2),
-        {},
-        MPI_COMM_SELF);
-      const std::vector<ContactAxis> axes =
-        make_contact_axes(of_scene.model, 1);
-      const StrutCurves curves(of_scene.model, axes);
-      StrutProximity    proximity(of_scene.model, curves);
+      const EquationsOnRanks         setup(SceneText()
+                                     .frame(std::string(
+                                              "0 0; 1 0; 0.5 0.5; 0.5 ") +
+                                              (pass ? "-0.5" : "0.018"),
+                                            "0 1; 2 3")
+                                     .set("Lattice/Struts may cross", "true")
+                                     .rectangle("strip", 0.02, 0.02, {1, 1, 0})
+                                     .mesh(2),
+                                   {},
+                                   MPI_COMM_SELF);
+      const std::vector<ContactAxis> axes = make_contact_axes(setup.model, 1);
+      const StrutCurves              curves(setup.model, axes);
+      StrutProximity                 proximity(setup.model, curves);
       ASSERT_EQ(proximity.overlaps().size(), 1u);
       EXPECT_EQ(proximity.overlaps()[0].is_passing, pass);
-      std::vector<double> u(of_scene.dofs().layout().n_global(), 0.);
+      std::vector<double> u(setup.dofs().layout().n_global(), 0.);
       // Among the first candidates, and after a rebuild of the list.
       for (const double moved : {0., 0.01, 1.})
         {
@@ -123,7 +122,7 @@ TEST(StrutProximity, StrutsThatPassEachOtherAtRestAreNeverNear)
 TEST(StrutProximity, AStrutThatPassesThroughInOneStepIsDetected)
 {
   Stars                     stars;
-  const std::vector<double> rest(stars.of_scene.dofs().layout().n_global(), 0.);
+  const std::vector<double> rest(stars.setup.dofs().layout().n_global(), 0.);
   stars.proximity.follow(rest);
   EXPECT_TRUE(stars.proximity.near().empty());
   EXPECT_FALSE(stars.proximity.first_excessive_approach(rest, rest, 0.5));
@@ -164,7 +163,7 @@ TEST(StrutProximityOnRanks, SharedChecksMatchOneRank)
         {
           // Motion of each axis, equal on any number of ranks.
           std::mt19937        generator(5);
-          std::vector<double> u(stars->of_scene.dofs().layout().n_global(), 0.);
+          std::vector<double> u(stars->setup.dofs().layout().n_global(), 0.);
           for (const ContactAxis &axis : stars->axes)
             for (const int number : axis.unknowns)
               u[number] =

@@ -26,14 +26,14 @@ namespace
   struct PlateConstraints
   {
     explicit PlateConstraints(const bool large_rotation)
-      : of_scene(plate, {}, MPI_COMM_SELF)
+      : setup(plate, {}, MPI_COMM_SELF)
       , constraints(make_rigid_part_constraints(
-          rigid_bodies(of_scene.lattice, of_scene.dofs()),
-          {of_scene.lattice, of_scene.dofs(), large_rotation, {}}))
-      , tangent(*constraints, of_scene.dofs())
-      , from(of_scene.equations.initial_state())
+          rigid_bodies(setup.lattice, setup.dofs()),
+          {setup.lattice, setup.dofs(), large_rotation, {}}))
+      , tangent(*constraints, setup.dofs())
+      , from(setup.equations.initial_state())
       , to(from)
-      , n(of_scene.dofs().layout().n_global())
+      , n(setup.dofs().layout().n_global())
     {
       for (unsigned int i = 0; i < n; ++i)
         {
@@ -45,7 +45,7 @@ namespace
 
     bool is_multiplier(const unsigned int i) const
     {
-      return of_scene.dofs().unknowns().kinds[i] == UnknownKind::multiplier;
+      return setup.dofs().unknowns().kinds[i] == UnknownKind::multiplier;
     }
 
     EvaluatedAlone evaluated()
@@ -101,7 +101,7 @@ namespace
         to.displacement[i] += size * direction[i];
     }
 
-    EquationsOnRanks                of_scene;
+    EquationsOnRanks                setup;
     std::unique_ptr<RigidPartGroup> constraints;
     TangentAlone                    tangent;
     State                           from, to;
@@ -151,7 +151,7 @@ TEST(RigidPartConstraints, ForcesAreDerivativesOfTheConstraints)
                        plate.virtual_work(i, here - h)) /
                         (2 * h),
                       2e-9)
-            << describe(plate.of_scene.dofs(), i);
+            << describe(plate.setup.dofs(), i);
         }
     }
 }
@@ -175,7 +175,7 @@ TEST(RigidPartConstraints, TangentIsThatOfDifferencesAtALargeRotation)
         EXPECT_NEAR(product[i],
                     (forward[i] - backward[i]) / (2 * h),
                     1e-8 * size)
-          << describe(plate.of_scene.dofs(), i);
+          << describe(plate.setup.dofs(), i);
     }
 }
 
@@ -201,7 +201,7 @@ TEST(RigidPartConstraints, AtAnInstantTheRowsAreSecondDerivatives)
             EXPECT_NEAR(rows[i],
                         (forward[i] - 2 * here[i] + backward[i]) / (h * h),
                         1e-5)
-              << describe(plate.of_scene.dofs(), i);
+              << describe(plate.setup.dofs(), i);
           }
     }
 }
@@ -227,14 +227,14 @@ TEST(RigidPartConstraints, AFiniteRigidMotionSatisfiesThem)
   const double angle = 2.2;
   for (unsigned int joint = 0; joint < 4; ++joint)
     {
-      const dealii::Point<3> x = plate.of_scene.lattice.joints[joint];
+      const dealii::Point<3> x = plate.setup.lattice.joints[joint];
       const auto set           = [&](const unsigned int c, const double value) {
-        plate.to.displacement[plate.of_scene.dofs().joint_unknown(joint, c)] =
+        plate.to.displacement[plate.setup.dofs().joint_unknown(joint, c)] =
           value;
       };
       set(0, std::cos(angle) * x[0] - std::sin(angle) * x[1] - x[0] + 5);
       set(1, std::sin(angle) * x[0] + std::cos(angle) * x[1] - x[1] - 4);
-      if (plate.of_scene.dofs().joint_has(joint, rotation_z))
+      if (plate.setup.dofs().joint_has(joint, rotation_z))
         set(rotation_z, angle);
     }
   for (const double row : plate.residual())
@@ -244,7 +244,7 @@ TEST(RigidPartConstraints, AFiniteRigidMotionSatisfiesThem)
   // Full turns of the sections are the same motion.
   for (const unsigned int joint : {2u, 3u})
     plate.to
-      .displacement[plate.of_scene.dofs().joint_unknown(joint, rotation_z)] +=
+      .displacement[plate.setup.dofs().joint_unknown(joint, rotation_z)] +=
       2 * std::acos(-1.);
   for (const double row : plate.residual())
     EXPECT_NEAR(row, 0, 1e-14);

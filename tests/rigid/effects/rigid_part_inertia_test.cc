@@ -15,17 +15,17 @@ namespace
   struct InertiaOfL
   {
     InertiaOfL()
-      : of_scene(
+      : setup(
           frame_scene("0 0; 3 0; 3 1", "0 1; 1 2").rigid_part("L", "all", 4),
           {},
           MPI_COMM_SELF)
-      , part(of_scene.lattice.rigid_parts.at(0))
-      , inertia(make_rigid_part_inertia(
-          rigid_bodies(of_scene.lattice, of_scene.dofs())))
-      , from(of_scene.equations.initial_state())
+      , part(setup.lattice.rigid_parts.at(0))
+      , inertia(
+          make_rigid_part_inertia(rigid_bodies(setup.lattice, setup.dofs())))
+      , from(setup.equations.initial_state())
       , to(from)
     {
-      StateLayout layout = of_scene.equations.layout();
+      StateLayout layout = setup.equations.layout();
       inertia->register_in(layout);
       make_room(layout, from);
       make_room(layout, to);
@@ -44,15 +44,15 @@ namespace
     {
       for (unsigned int joint = 0; joint < 3; ++joint)
         {
-          const auto &position = of_scene.lattice.joints[joint];
-          vector[of_scene.dofs().joint_unknown(joint, 0)] =
+          const auto &position = setup.lattice.joints[joint];
+          vector[setup.dofs().joint_unknown(joint, 0)] =
             -rate * (position[1] - y);
-          vector[of_scene.dofs().joint_unknown(joint, 1)] =
+          vector[setup.dofs().joint_unknown(joint, 1)] =
             rate * (position[0] - x);
         }
     }
 
-    EquationsOnRanks        of_scene;
+    EquationsOnRanks        setup;
     const RigidPart        &part;
     std::unique_ptr<Effect> inertia;
     State                   from, to;
@@ -65,7 +65,7 @@ TEST(RigidPartInertia,
   InertiaOfL L;
   // Angular acceleration 2 about (-1, 2).
   L.turn(2, -1, 2, *L.to.acceleration);
-  const auto               &dofs = L.of_scene.dofs();
+  const auto               &dofs = L.setup.dofs();
   const std::vector<double> residual =
     EvaluatedAlone(*L.inertia, L.step()).residual;
   double force[2] = {0, 0}, moment = 0;
@@ -76,8 +76,8 @@ TEST(RigidPartInertia,
       force[0] += x;
       force[1] += y;
       moment +=
-        (L.of_scene.lattice.joints[joint][0] - L.part.centre_of_mass[0]) * y -
-        (L.of_scene.lattice.joints[joint][1] - L.part.centre_of_mass[1]) * x;
+        (L.setup.lattice.joints[joint][0] - L.part.centre_of_mass[0]) * y -
+        (L.setup.lattice.joints[joint][1] - L.part.centre_of_mass[1]) * x;
     }
   const double rx = L.part.centre_of_mass[0] + 1,
                ry = L.part.centre_of_mass[1] - 2;
@@ -100,11 +100,11 @@ TEST(RigidPartInertia, KineticEnergyIsThatOfTheRigidBody)
 TEST(RigidPartInertia, TangentIsTheDerivativeByAccelerations)
 {
   InertiaOfL          L;
-  std::vector<double> a(L.of_scene.dofs().layout().n_global());
+  std::vector<double> a(L.setup.dofs().layout().n_global());
   for (unsigned int i = 0; i < a.size(); ++i)
     a[i] = (*L.to.acceleration)[i] = std::sin(1 + 1.7 * i);
   const EvaluatedAlone evaluated(*L.inertia, L.step());
-  TangentAlone         tangent(*L.inertia, L.of_scene.dofs());
+  TangentAlone         tangent(*L.inertia, L.setup.dofs());
   tangent.fill(evaluated, {7., 9., 0.5});
   EXPECT_TRUE(L.inertia->is_linear());
 

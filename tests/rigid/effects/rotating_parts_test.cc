@@ -37,8 +37,8 @@ namespace
     explicit BodyAndBar(const bool large_rotation)
       : SpaceEffect(body_and_bar, large_rotation)
       , constraints(make_rigid_part_constraints(
-          rigid_bodies(of_scene.lattice, of_scene.dofs()),
-          {of_scene.lattice, of_scene.dofs(), large_rotation, {}}))
+          rigid_bodies(setup.lattice, setup.dofs()),
+          {setup.lattice, setup.dofs(), large_rotation, {}}))
     {}
 
     std::unique_ptr<RigidPartGroup> constraints;
@@ -50,18 +50,18 @@ namespace
 
 TEST(RotatingParts, ConstraintsAreThreeAJointAndThoseOfABar)
 {
-  const EquationsOnRanks of_scene(body_and_bar, {}, MPI_COMM_SELF);
-  EXPECT_TRUE(of_scene.lattice.rigid_parts.at(0).has_rotation);
-  EXPECT_FALSE(of_scene.lattice.rigid_parts.at(1).has_rotation);
-  EXPECT_EQ(of_scene.dofs().constraints().n_multipliers(0), 12u);
+  const EquationsOnRanks setup(body_and_bar, {}, MPI_COMM_SELF);
+  EXPECT_TRUE(setup.lattice.rigid_parts.at(0).has_rotation);
+  EXPECT_FALSE(setup.lattice.rigid_parts.at(1).has_rotation);
+  EXPECT_EQ(setup.dofs().constraints().n_multipliers(0), 12u);
   // 3 joints have 5 of 9 degrees of freedom left.
-  EXPECT_EQ(of_scene.dofs().constraints().n_multipliers(1), 4u);
+  EXPECT_EQ(setup.dofs().constraints().n_multipliers(1), 4u);
 }
 
 TEST(RotatingParts, ClampedStrutsHaveTheRotationOfTheBody)
 {
-  const EquationsOnRanks of_scene(body_and_bar, {}, MPI_COMM_SELF);
-  const auto            &dofs = of_scene.dofs();
+  const EquationsOnRanks setup(body_and_bar, {}, MPI_COMM_SELF);
+  const auto            &dofs = setup.dofs();
   for (unsigned int c = 3; c < 6; ++c)
     {
       EXPECT_EQ(dofs.end_rotation(3, 0, c), dofs.constraints().motion(0, c));
@@ -105,16 +105,15 @@ TEST(RotatingParts, RatesAreThoseOfTheConstraints)
 TEST(RotatingParts, MotionOfItsJointsIsThatOfTheBody)
 {
   BodyAndBar  parts(true);
-  const auto &dofs = parts.of_scene.dofs();
+  const auto &dofs = parts.setup.dofs();
   // Joints at positions that satisfy the constraints.
   const auto rows = parts.residual(*parts.constraints, parts.to);
   for (unsigned int k = 0; k < 4; ++k)
     {
-      const unsigned int joint =
-        parts.of_scene.lattice.rigid_parts[0].joints[k];
-      const PointMotion motion =
+      const unsigned int joint = parts.setup.lattice.rigid_parts[0].joints[k];
+      const PointMotion  motion =
         parts.constraints->motion(0,
-                                  parts.of_scene.lattice.joints[joint],
+                                  parts.setup.lattice.joints[joint],
                                   parts.to);
       for (unsigned int c = 0; c < 3; ++c)
         EXPECT_NEAR(motion.displacement[c],
@@ -193,13 +192,13 @@ TEST(RotatingParts, LoadsOnRigidStrutsAndMomentsActAtTheirPlace)
 TEST(RotatingParts, TwoClampingBodiesAtAJointAreRefused)
 {
   const std::string message = input_error_of([] {
-    const EquationsOnRanks of_scene(
-      space_frame("0 0 0; 1 0 0; 2 0 1; 1 1 0",
-                  "0 1; 1 2; 1 3",
-                  rigid("0", 1, clamped)
-                    .add("Rigid parts/other", "Struts = 1 | " + clamped)),
-      {},
-      MPI_COMM_SELF);
+    const EquationsOnRanks setup(space_frame("0 0 0; 1 0 0; 2 0 1; 1 1 0",
+                                             "0 1; 1 2; 1 3",
+                                             rigid("0", 1, clamped)
+                                               .add("Rigid parts/other",
+                                                    "Struts = 1 | " + clamped)),
+                                 {},
+                                 MPI_COMM_SELF);
   });
   EXPECT_TRUE(contains(message, "Rigid parts/other/Elastic struts = clamped"))
     << message;

@@ -1,4 +1,4 @@
-#include <analysis/checks/findings_of.h>
+#include <analysis/verdict/findings_of.h>
 #include <gtest/gtest.h>
 #include <support/scene_run.h>
 #include <support/scene_text.h>

@@ -60,13 +60,13 @@ namespace
     return result;
   }
 
-  std::unique_ptr<ConnectorForces> forces_of(const EquationsOnRanks &of_scene,
+  std::unique_ptr<ConnectorForces> forces_of(const EquationsOnRanks &setup,
                                              const bool large_rotation)
   {
-    return make_connector_forces(of_scene.scene.connectors[0],
-                                 of_scene.model.connector_pairs[0],
-                                 of_scene.lattice,
-                                 of_scene.dofs(),
+    return make_connector_forces(setup.scene.connectors[0],
+                                 setup.model.connector_pairs[0],
+                                 setup.lattice,
+                                 setup.dofs(),
                                  large_rotation);
   }
 } // namespace
@@ -83,7 +83,7 @@ TEST(MeanForces, WorkOfConnectorsIsStoredOrLost)
                                connector.law + " | " + connector.position),
                         seed,
                         large_rotation);
-          const auto forces = forces_of(step.of_scene, large_rotation);
+          const auto forces = forces_of(step.setup, large_rotation);
           step.make_room_for(*forces);
           const Energies       before = step.at_start(*forces);
           const EvaluatedAlone evaluated(*forces, step.evaluation());
@@ -118,7 +118,7 @@ TEST(MeanForces, WorkOfRotationalSpringsIsStored)
     for (const bool to_the_ground : {true, false})
       {
         MeanStep                      step(triangle, 3, large_rotation);
-        const auto                   &dofs = step.of_scene.dofs();
+        const auto                   &dofs = step.setup.dofs();
         const std::unique_ptr<Effect> made = make_rotational_springs(
           dofs,
           {{{{to_the_ground ? -1 : dofs.joint_unknown(0, rotation_z),
@@ -145,7 +145,7 @@ TEST(MeanForces, LoadsDoTheWorkTheyRecord)
                            "Joints = 1, 2 | Direction = " + direction +
                              " | Force x = 3 * t | "
                              "Force y = 2 - t | Moment z = 1.5 + t"));
-      auto     loads = make_loads(step.of_scene.model);
+      auto     loads = make_loads(step.setup.model);
       ASSERT_EQ(loads.size(), 1u) << direction;
       step.make_room_for(*loads[0]);
       const EvaluatedAlone evaluated(*loads[0], step.evaluation());
@@ -161,8 +161,8 @@ TEST(MeanForces, MeanOfAConstantMomentWorksOnTheAngle)
 {
   MeanStep  step(frame_scene("0 0; 3 1; 1 2", "0 1; 1 2")
                   .add("Loads/push", "Joints = 1 | Moment z = 1.5"));
-  const int i     = step.of_scene.dofs().joint_unknown(1, rotation_z);
-  auto      loads = make_loads(step.of_scene.model);
+  const int i     = step.setup.dofs().joint_unknown(1, rotation_z);
+  auto      loads = make_loads(step.setup.model);
   step.make_room_for(*loads[0]);
   EXPECT_NEAR(EvaluatedAlone(*loads[0], step.evaluation()).accept().external(),
               1.5 * (step.to.displacement[i] - step.from.displacement[i]),
@@ -178,11 +178,11 @@ TEST(MeanForces, MultipliersWorkOnTheChangeOfTheirConstraints)
   for (const bool large_rotation : {true, false})
     {
       MeanStep                              step(plate, 2, large_rotation);
-      const auto                           &dofs = step.of_scene.dofs();
+      const auto                           &dofs = step.setup.dofs();
       const std::unique_ptr<RigidPartGroup> constraints =
         make_rigid_part_constraints(
-          step.of_scene.model.bodies,
-          {step.of_scene.lattice, dofs, large_rotation, {}});
+          step.setup.model.bodies,
+          {step.setup.lattice, dofs, large_rotation, {}});
       const EvaluatedAlone end(*constraints, step.evaluation());
       // Constraint values at the start.
       State                now = step.from;
@@ -223,13 +223,13 @@ TEST(MeanForces, EnergyBalancesWithAllEffects)
       {
         MeanStep    step(star_with_everything(1, 1), seed, large_rotation);
         const State before = step.from;
-        step.of_scene.residual(Evaluation::consistent_rates(before, step.from));
-        step.of_scene.accept(Evaluation::consistent_rates(before, step.from));
+        step.setup.residual(Evaluation::consistent_rates(before, step.from));
+        step.setup.accept(Evaluation::consistent_rates(before, step.from));
         step.find_rates();
         const Evaluation evaluation = step.evaluation();
-        step.of_scene.residual(evaluation);
+        step.setup.residual(evaluation);
         const double work = step.work(step.to.residual.data());
-        step.of_scene.accept(evaluation);
+        step.setup.accept(evaluation);
         const Energies &start = step.from.energies, &end = step.to.energies;
         EXPECT_GT(amount(end, "strut_damping_dissipated"), 0);
         EXPECT_GT(amount(end, "mass_damping_dissipated"), 0);

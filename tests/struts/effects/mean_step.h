@@ -20,13 +20,13 @@ namespace auxfem
       explicit MeanStep(const std::string &text,
                         const unsigned int seed           = 1,
                         const bool         large_rotation = true)
-        : of_scene(text,
-                   {"Time/Scheme=energy-momentum",
-                    std::string("Effects/Large rotation=") +
-                      (large_rotation ? "on" : "off")},
-                   MPI_COMM_SELF)
-        , n(of_scene.dofs().layout().n_local())
-        , from(of_scene.equations.initial_state())
+        : setup(text,
+                {"Time/Scheme=energy-momentum",
+                 std::string("Effects/Large rotation=") +
+                   (large_rotation ? "on" : "off")},
+                MPI_COMM_SELF)
+        , n(setup.dofs().layout().n_local())
+        , from(setup.equations.initial_state())
         , to(from)
       {
         std::mt19937 generator(seed);
@@ -61,7 +61,7 @@ namespace auxfem
       void find_rates()
       {
         const Evaluation step = evaluation();
-        const StepTravel travel(step, of_scene.dofs());
+        const StepTravel travel(step, setup.dofs());
         for (unsigned int i = 0; i < n; ++i)
           {
             (*to.velocity)[i] = 2 * travel.of(i) / dt - (*from.velocity)[i];
@@ -88,10 +88,10 @@ namespace auxfem
       double work(const double *forces)
       {
         const Evaluation step = evaluation();
-        const StepTravel travel(step, of_scene.dofs());
+        const StepTravel travel(step, setup.dofs());
         double           sum = 0;
         for (unsigned int i = 0; i < n; ++i)
-          if (of_scene.dofs().unknowns().kinds[i] != UnknownKind::multiplier)
+          if (setup.dofs().unknowns().kinds[i] != UnknownKind::multiplier)
             sum += forces[i] * travel.of(i);
         return sum;
       }
@@ -99,14 +99,14 @@ namespace auxfem
       /** Resultant force, and moment about the mean positions of the step. */
       std::array<double, 3> resultants(const double *forces) const
       {
-        const std::vector<NamedUnknown> names = name_unknowns(of_scene.model);
+        const std::vector<NamedUnknown>     names = name_unknowns(setup.model);
         std::map<UnknownName, unsigned int> unknowns;
         for (unsigned int i = 0; i < n; ++i)
           unknowns[names[i].name] = i;
         std::array<double, 3> sums = {{0, 0, 0}};
         for (const auto &[name, i] : unknowns)
           {
-            if (of_scene.dofs().unknowns().kinds[i] == UnknownKind::multiplier)
+            if (setup.dofs().unknowns().kinds[i] == UnknownKind::multiplier)
               continue;
             auto               partner   = name;
             const unsigned int component = std::get<3>(name);
@@ -135,7 +135,7 @@ namespace auxfem
        * differences. */
       double error_of_tangent(Effect &effect)
       {
-        TangentAlone tangent(effect, of_scene.dofs());
+        TangentAlone tangent(effect, setup.dofs());
         tangent.fill(EvaluatedAlone(effect, evaluation()),
                      {0.5, 1 / dt, 2 / (dt * dt)});
         double error = 0;
@@ -162,7 +162,7 @@ namespace auxfem
       }
 
       static constexpr double dt = 0.7;
-      EquationsOnRanks        of_scene;
+      EquationsOnRanks        setup;
       const unsigned int      n;
       State                   from, to;
     };

@@ -30,7 +30,7 @@ namespace
       : SpaceEffect(SceneText(two_struts).mesh(order), large_rotation)
     {
       // Nodes of a strut must stay within half a turn of their neighbours.
-      State near      = of_scene.equations.initial_state();
+      State near      = setup.equations.initial_state();
       to.displacement = near.displacement;
       to.rotations    = near.rotations;
       to              = moved(irregular(0.4), 0.4);
@@ -39,20 +39,20 @@ namespace
     std::unique_ptr<StrutForces> forces(const bool large_rotation,
                                         const bool damping) const
     {
-      return StrutForces::make(of_scene.lattice,
-                               of_scene.dofs(),
-                               of_scene.dofs().groups().front(),
-                               of_scene.model.sections,
+      return StrutForces::make(setup.lattice,
+                               setup.dofs(),
+                               setup.dofs().groups().front(),
+                               setup.model.sections,
                                {large_rotation, true, damping});
     }
 
     std::unique_ptr<Effect> inertia(const bool large_rotation,
                                     const bool damping) const
     {
-      return make_strut_inertia(of_scene.lattice,
-                                of_scene.dofs(),
-                                of_scene.dofs().groups().front(),
-                                of_scene.model.sections,
+      return make_strut_inertia(setup.lattice,
+                                setup.dofs(),
+                                setup.dofs().groups().front(),
+                                setup.model.sections,
                                 {large_rotation, true, damping});
     }
   };
@@ -130,6 +130,6 @@ TEST(RotaryMasses, TangentIsThatOfDifferences)
   inertia[2][2] = 1.7;
   inertia[0][1] = inertia[1][0] = 0.3;
   const std::unique_ptr<Effect> masses =
-    make_rotary_masses(mass.of_scene.dofs(), true, {{1, inertia}});
+    make_rotary_masses(mass.setup.dofs(), true, {{1, inertia}});
   mass.expect_tangent(*masses, {1., 0.7, 1.9});
 }

@@ -13,7 +13,7 @@ TEST(StepStarts, AreRecomputedIfTheStartDiffersInItsLastBit)
   StepStarts<Lanes> starts;
   unsigned int      n_made = 0;
   const auto        value  = [&](const unsigned int e) {
-    return number_in(starts[e / n_lanes], e % n_lanes);
+    return lane_value(starts[e / n_lanes], e % n_lanes);
   };
   const auto update = [&] {
     starts.update(state, /*n_elements=*/2, [&](const ElementBatch &batch) {

@@ -24,14 +24,14 @@ namespace
                  const std::vector<std::string> &overrides,
                  const bool                      rotary  = true,
                  const bool                      damping = false)
-      : of_scene(text, overrides, MPI_COMM_SELF)
-      , inertia(make_strut_inertia(of_scene.lattice,
-                                   of_scene.dofs(),
-                                   of_scene.dofs().groups().front(),
-                                   of_scene.model.sections,
+      : setup(text, overrides, MPI_COMM_SELF)
+      , inertia(make_strut_inertia(setup.lattice,
+                                   setup.dofs(),
+                                   setup.dofs().groups().front(),
+                                   setup.model.sections,
                                    {/*large_rotation=*/true, rotary, damping}))
-      , layout(of_scene.equations.layout())
-      , from(of_scene.equations.initial_state())
+      , layout(setup.equations.layout())
+      , from(setup.equations.initial_state())
       , to(from)
     {
       inertia->register_in(layout);
@@ -48,7 +48,7 @@ namespace
     /** Moves all points as a rigid body that turns about (0, 0). */
     void turn(const double angular, Vector &motion) const
     {
-      const auto names = name_unknowns(of_scene.model);
+      const auto names = name_unknowns(setup.model);
       for (unsigned int i = 0; i < names.size(); ++i)
         {
           const std::map<unsigned int, double> values = {
@@ -59,7 +59,7 @@ namespace
         }
     }
 
-    EquationsOnRanks        of_scene;
+    EquationsOnRanks        setup;
     std::unique_ptr<Effect> inertia;
     StateLayout             layout;
     State                   from, to;
@@ -89,7 +89,7 @@ TEST(StrutInertia, ForcesOfAnAcceleratedStrutSumToItsMass)
       InertiaAlone one(oblique_strut,
                        {"Discretization/Order=" + order,
                         "Discretization/Global refinements=2"});
-      const auto   names = name_unknowns(one.of_scene.model);
+      const auto   names = name_unknowns(one.setup.model);
       for (unsigned int i = 0; i < names.size(); ++i)
         (*one.to.acceleration)[i] = std::get<3>(names[i].name) == 1 ? 2. : 0.;
       const std::vector<double> residual = one.evaluated().residual;
@@ -116,8 +116,8 @@ TEST(StrutInertia, MassProportionalDampingIsAForceOnTheVelocity)
     "Sections/band/Mass-proportional damping=0.7"};
   InertiaAlone by_velocity(oblique_strut, damped, true, true),
     by_acceleration(oblique_strut, damped, true, true);
-  fill_by_position(by_velocity.of_scene.model, 1., *by_velocity.to.velocity);
-  fill_by_position(by_acceleration.of_scene.model,
+  fill_by_position(by_velocity.setup.model, 1., *by_velocity.to.velocity);
+  fill_by_position(by_acceleration.setup.model,
                    0.7,
                    *by_acceleration.to.acceleration);
   const EvaluatedAlone moving      = by_velocity.evaluated();
@@ -133,7 +133,7 @@ TEST(StrutInertia, MassProportionalDampingDissipatesThePowerOfTheMeanVelocity)
                    true,
                    true);
   Vector      &v = *one.from.velocity;
-  fill_by_position(one.of_scene.model, 1., v);
+  fill_by_position(one.setup.model, 1., v);
   // In one second at this velocity, damping dissipates a v.M v, twice a times
   // the kinetic energy; the numerical work is zero.
   *one.to.velocity    = v;

@@ -94,7 +94,7 @@ TEST(EnergyMomentum, SmallRotationsAreNotLargeOnes)
 TEST(EnergyMomentum, BalancesMeansWithoutRestoredRates)
 {
   const TwoStates states;
-  EXPECT_TRUE(states.scheme.balances_means());
+  EXPECT_TRUE(states.scheme.uses_discrete_gradient());
   EXPECT_TRUE(states.scheme.is_dynamic());
   EXPECT_FALSE(states.scheme.propagates_alternating_errors());
 }

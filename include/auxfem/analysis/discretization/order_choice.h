@@ -83,7 +83,7 @@ namespace auxfem
    * estimated from another motion than that of the run.
    * @tuned judgement: estimates are good to a factor of two
    */
-  inline constexpr double part_of_tolerance_for_elements = 0.5;
+  inline constexpr double element_tolerance_fraction = 0.5;
 
   /** Number of instants of a run at which the element error is estimated. */
   inline constexpr unsigned int n_mesh_error_samples = 64;
@@ -97,8 +97,8 @@ namespace auxfem
    * Angular frequencies (rad/s) of the first bending modes, between clamped
    * ends, of all elastic struts with mass.
    */
-  std::vector<double> own_frequencies(const Lattice              &lattice,
-                                      const std::vector<Section> &sections);
+  std::vector<double> clamped_frequencies(const Lattice              &lattice,
+                                          const std::vector<Section> &sections);
 
   /** Estimates the element error of a run at equidistant instants. */
   class MeshErrorObserver

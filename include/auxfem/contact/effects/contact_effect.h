@@ -175,7 +175,7 @@ namespace auxfem
                       const EffectCache *results,
                       EnergyAccount     &account) const override
     {
-      if (friction.coefficient == 0 || !account.takes_time())
+      if (friction.coefficient == 0 || !account.has_duration())
         return;
       std::vector<Point> at_start;
       if (step.kind == Evaluation::Kind::step)

@@ -18,7 +18,9 @@ namespace auxfem
 
   /** Copies velocities of unmoved prescribed unknowns from @p after to
    * @p before, states at the same time, so that no impulse acts on them. */
-  void hold_still(const LatticeModel &model, const State &after, State &before);
+  void copy_fixed_support_velocities(const LatticeModel &model,
+                                     const State        &after,
+                                     State              &before);
 
   /**
    * Writes the velocity jumps of prescribed unknowns from @p before to

@@ -55,7 +55,7 @@ namespace auxfem
                             numbering.elements()[group.begin + e].is_owned});
       batches_at_rest.reserve((n_elements + n_lanes - 1) / n_lanes);
       for_each_batch([&](const ElementBatch &batch) {
-        batches_at_rest.push_back(in_lanes<AtRestInLanes>(
+        batches_at_rest.push_back(pack_lanes<AtRestInLanes>(
           batch.each([&](const unsigned int e) { return make_at_rest(e); })));
       });
     }
@@ -106,7 +106,7 @@ namespace auxfem
 
     AtRest at_rest(const unsigned int e) const
     {
-      return in_lane<AtRest>(batches_at_rest[e / n_lanes], e % n_lanes);
+      return unpack_lane<AtRest>(batches_at_rest[e / n_lanes], e % n_lanes);
     }
 
     const AtRestInLanes &at_rest(const ElementBatch &batch) const
@@ -114,7 +114,7 @@ namespace auxfem
       return batches_at_rest[batch.number()];
     }
 
-    EachLane<const int *> unknowns(const ElementBatch &batch) const
+    LaneArray<const int *> unknowns(const ElementBatch &batch) const
     {
       return batch.each([&](const unsigned int e) { return unknowns(e); });
     }
@@ -127,7 +127,7 @@ namespace auxfem
       for (unsigned int lane = 0; lane < batch.size; ++lane)
         {
           double block[n * n];
-          take_lane(blocks, lane, block);
+          copy_lane(blocks, lane, block);
           matrix.add(group.begin + batch.elements[lane], block);
         }
     }
@@ -280,10 +280,10 @@ namespace auxfem
             (product(at_start, along_start) + product(at_end, along_end));
         }
       for (unsigned int lane = 0; lane < batch.size; ++lane)
-        if (beams[batch.elements[lane]].owned && number_in(beta, lane) != 0)
+        if (beams[batch.elements[lane]].owned && lane_value(beta, lane) != 0)
           {
-            work.dissipated += number_in(dissipated, lane);
-            work.force_work += number_in(force_work, lane);
+            work.dissipated += lane_value(dissipated, lane);
+            work.force_work += lane_value(force_work, lane);
           }
     });
     return work;

@@ -169,7 +169,7 @@ namespace auxfem
                             energy_of(results).numerical_dissipation);
       if constexpr (Beam::is_damped)
         {
-          if (!account.takes_time())
+          if (!account.has_duration())
             return;
           if (step.kind == Evaluation::Kind::discrete_gradient)
             {
@@ -296,13 +296,14 @@ namespace auxfem
           add_lane(force, lane, beams.unknowns(e), residual);
           if (beams[e].owned)
             {
-              results.energy.strain += number_in(energy.strain, lane);
-              results.energy.dissipation += number_in(energy.dissipation, lane);
+              results.energy.strain += lane_value(energy.strain, lane);
+              results.energy.dissipation +=
+                lane_value(energy.dissipation, lane);
               results.energy.numerical_dissipation +=
-                number_in(energy.numerical_dissipation, lane);
+                lane_value(energy.numerical_dissipation, lane);
             }
-          results.forces[e]          = number_in(largest, lane);
-          results.strain_energies[e] = number_in(energy.strain, lane);
+          results.forces[e]          = lane_value(largest, lane);
+          results.strain_energies[e] = lane_value(energy.strain, lane);
         }
     }
 

@@ -226,10 +226,10 @@ namespace auxfem
         });
         for (int i = 0; i < n_increments; ++i)
           last[i] =
-            each_lane([&](const auto lane) { return previous[lane][i]; });
+            make_lanes([&](const auto lane) { return previous[lane][i]; });
         act(batch, damping);
         for (unsigned int lane = 0; lane < batch.size; ++lane)
-          take_lane(now,
+          copy_lane(now,
                     lane,
                     increments(step.to.history, batch.elements[lane]));
       });

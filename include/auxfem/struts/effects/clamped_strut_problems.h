@@ -44,11 +44,11 @@ namespace auxfem
 
     /** Solves for the equilibrium of all interiors. Returns false if a strut
      * tangent is singular or a force is not finite. */
-    bool settle();
+    bool solve_equilibrium();
 
     /** Work of the last Newton correction of a strut (J), 0 if negligible: its
      * remaining distance from equilibrium. */
-    double out_of_balance(unsigned int strut) const;
+    double last_correction_work(unsigned int strut) const;
 
     /**
      * Squared norm of the difference of the end forces of a strut from those of

@@ -42,15 +42,15 @@ namespace auxfem
     return state.rotations[rotation_index(numbering, unknowns, a)];
   }
 
-  inline QuaternionOf<Lanes> rotation_at(const DofNumbering          &numbering,
-                                         const EachLane<const int *> &unknowns,
-                                         const State                 &state,
-                                         const int                    a)
+  inline QuaternionOf<Lanes> rotation_at(const DofNumbering &numbering,
+                                         const LaneArray<const int *> &unknowns,
+                                         const State                  &state,
+                                         const int                     a)
   {
-    EachLane<const Quaternion *> rotations;
+    LaneArray<const Quaternion *> rotations;
     for (std::size_t lane = 0; lane < n_lanes; ++lane)
       rotations[lane] = &rotation_at(numbering, unknowns[lane], state, a);
-    return in_lanes<QuaternionOf<Lanes>>(rotations);
+    return pack_lanes<QuaternionOf<Lanes>>(rotations);
   }
   ///@}
 
@@ -59,9 +59,9 @@ namespace auxfem
    */
   template <int order>
   std::array<Beam3D::NodeOf<Lanes>, order + 1>
-  nodes_in_step(const DofNumbering          &numbering,
-                const EachLane<const int *> &unknowns,
-                const State                 &state)
+  nodes_in_step(const DofNumbering           &numbering,
+                const LaneArray<const int *> &unknowns,
+                const State                  &state)
   {
     std::array<Beam3D::NodeOf<Lanes>, order + 1> nodes;
     for (int a = 0; a <= order; ++a)
@@ -134,14 +134,14 @@ namespace auxfem
   template <int order>
   TensorOf<Lanes>
   angular_velocity_by_spin(const DofNumbering                       &numbering,
-                           const EachLane<const int *>              &unknowns,
+                           const LaneArray<const int *>             &unknowns,
                            const Evaluation                         &evaluation,
                            const int                                 a,
                            const RotatingMotion<order, true, Lanes> &motion,
                            const TangentFactors                     &factors)
   {
-    const NodeRotations   rotations(numbering);
-    EachLane<SpaceTensor> increments;
+    const NodeRotations    rotations(numbering);
+    LaneArray<SpaceTensor> increments;
     for (std::size_t lane = 0; lane < n_lanes; ++lane)
       increments[lane] = rotations.increment_by_spin(
         evaluation,
@@ -149,7 +149,8 @@ namespace auxfem
     return -factors.stiffness *
       cross_product_tensor(motion.velocities[a].angular) +
       factors.damping *
-      rotated(motion.nodes[a].rotation, in_lanes<TensorOf<Lanes>>(increments));
+      rotated(motion.nodes[a].rotation,
+              pack_lanes<TensorOf<Lanes>>(increments));
   }
 } // namespace auxfem
 

@@ -109,7 +109,7 @@ namespace auxfem
      * For an oscillation of phase z in a step the differences yield 4
      * sin^2(z/2) / 12 of z; the scheme misses |R(iz) - exp(iz)| / z.
      */
-    double missed_way(double by_trapezoidal_rule) const override;
+    double missed_phase(double by_trapezoidal_rule) const override;
 
     double error_by_difference(double angle) const override;
 

@@ -26,7 +26,7 @@ namespace auxfem
    * @tuned usual in controllers (Hairer, Norsett, Wanner, Solving Ordinary
    *   Differential Equations I, II.4)
    */
-  inline constexpr double safety_of_steps = 0.8;
+  inline constexpr double step_safety_factor = 0.8;
 
   /** A planned step. */
   struct PlannedStep

@@ -83,7 +83,7 @@ namespace auxfem
     /**
      * Smallest residual reduction by an iteration with a reused factorization.
      */
-    double kept_reduction = 5;
+    double jacobian_reuse_threshold = 5;
     /** Whether residuals of stages may be predicted instead of computed. */
     bool estimates_stages = false;
 

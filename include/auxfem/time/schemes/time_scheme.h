@@ -97,7 +97,7 @@ namespace auxfem
      * and not those at its end. The acceleration is then the mean one and does
      * not enter the next step.
      */
-    virtual bool balances_means() const
+    virtual bool uses_discrete_gradient() const
     {
       return false;
     }
@@ -169,7 +169,7 @@ namespace auxfem
      * trapezoidal rule, whose error follows from third differences of
      * displacements.
      */
-    virtual double missed_way(const double by_trapezoidal_rule) const
+    virtual double missed_phase(const double by_trapezoidal_rule) const
     {
       return by_trapezoidal_rule;
     }
