@@ -44,7 +44,7 @@ namespace auxfem
     if (begin == std::string::npos)
       return false;
     line +=
-      std::count(content.begin() + position, content.begin() + found, '\n');
+      std::count(content.begin() + position, content.begin() + begin, '\n');
     position = begin + text.size();
     return true;
   }
