@@ -234,7 +234,8 @@ TEST(StrutGap, RotationsWithinTheMarginCauseNoContact)
             std::vector<double> motion;
             for (const int unknown : unknowns)
               motion.push_back(bent[unknown]);
-            const double turned = axes.curves.turning(axis, motion.data());
+            const double turned =
+              axes.curves.axis_rotation(axis, motion.data());
             for (const int unknown : unknowns)
               if (bent[unknown] != 0)
                 bent[unknown] *= left / turned;
