@@ -397,7 +397,6 @@ namespace auxfem
         });
       }
 
-
       const std::string folder;
       /** Time spent on output, and on checkpoints (s). */
       double seconds = 0, checkpoint_seconds = 0;

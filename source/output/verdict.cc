@@ -79,7 +79,6 @@ namespace auxfem
     return text;
   }
 
-
   EnergyJudgement::EnergyJudgement(const Kind kind) : kind(kind)
   {}
 

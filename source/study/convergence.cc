@@ -447,8 +447,6 @@ namespace auxfem
     }
   } // namespace
 
-
-
   StudyKind convergence_study()
   {
     std::vector<std::string> pictures;

@@ -320,8 +320,6 @@ namespace auxfem
     }
   } // namespace
 
-
-
   StudyKind effects_study()
   {
     return {"effects", {}, plan_effects, report_effects};

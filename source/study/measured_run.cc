@@ -170,8 +170,6 @@ namespace auxfem
     }
   } // namespace
 
-
-
   void MeasuredRun::add_repetition(const MeasuredRun &repetition)
   {
     cpu_seconds     = std::min(cpu_seconds, repetition.cpu_seconds);
@@ -180,16 +178,12 @@ namespace auxfem
     ++repetitions;
   }
 
-
-
   std::optional<double> MeasuredRun::spread() const
   {
     if (repetitions == 1 || cpu_seconds <= 0)
       return {};
     return max_cpu_seconds / cpu_seconds - 1;
   }
-
-
 
   bool MeasuredRun::has(const Selection &selection) const
   {
@@ -204,14 +198,10 @@ namespace auxfem
                   is_in(fields));
   }
 
-
-
   RecordedHistory MeasuredRun::history(const std::string &column) const
   {
     return {columns.at(time_column), columns.at(column)};
   }
-
-
 
   Json json_of(const MeasuredRun &run)
   {
@@ -232,8 +222,6 @@ namespace auxfem
       json["fields"].push_back({{"time_s", time}, {"values", json_of(field)}});
     return json;
   }
-
-
 
   MeasuredRun measured_run_of(const Json &json)
   {
@@ -257,8 +245,6 @@ namespace auxfem
         run.fields[field.at("time_s")] = recorded_field_of(field.at("values"));
     return run;
   }
-
-
 
   namespace
   {
@@ -314,8 +300,6 @@ namespace auxfem
     run.memory          = mpi::sum(peak_memory(), communicator);
     return run;
   }
-
-
 
   std::vector<std::string> history_columns(const Scene   &scene,
                                            const MPI_Comm communicator)
@@ -373,8 +357,6 @@ namespace auxfem
     }
   } // namespace
 
-
-
   std::string key_of(const Scene &scene, const unsigned int n_ranks)
   {
     std::string text = "auxfem " + version_text() + " on " +
@@ -386,8 +368,6 @@ namespace auxfem
         text += file + " " + hash_of(contents(file)) + '\n';
     return text;
   }
-
-
 
   std::optional<MeasuredRun> load_run(const std::string &folder,
                                       const std::string &key)
@@ -406,8 +386,6 @@ namespace auxfem
       }
     return {};
   }
-
-
 
   void store_run(const std::string &folder,
                  const std::string &key,

@@ -117,8 +117,6 @@ namespace auxfem
     }
   } // namespace
 
-
-
   std::vector<QuantityDefinition>
   compared_quantities(const Scene                    &scene,
                       const std::vector<std::string> &columns)
@@ -135,8 +133,6 @@ namespace auxfem
     return quantities;
   }
 
-
-
   Selection selection_for(const std::vector<QuantityDefinition> &quantities,
                           const double                           end_time)
   {
@@ -150,8 +146,6 @@ namespace auxfem
       }
     return selection;
   }
-
-
 
   Comparison comparison_of(const std::vector<MeasuredRun> &runs)
   {
@@ -168,8 +162,6 @@ namespace auxfem
           }
     return comparison;
   }
-
-
 
   QuantityValues value_of(const QuantityDefinition &quantity,
                           const MeasuredRun        &run,
@@ -214,8 +206,6 @@ namespace auxfem
     return values;
   }
 
-
-
   std::optional<QuantityValues>
   exact_value_of(const QuantityDefinition &quantity,
                  const double              end_time,
@@ -233,8 +223,6 @@ namespace auxfem
     return values;
   }
 
-
-
   double norm_of_change(const QuantityValues &values,
                         const QuantityValues &others)
   {
@@ -243,8 +231,6 @@ namespace auxfem
       change.numbers[i] -= others.numbers[i];
     return norm_of(change);
   }
-
-
 
   double relative_difference(const QuantityValues &values,
                              const QuantityValues &reference)

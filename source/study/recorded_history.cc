@@ -52,8 +52,6 @@ namespace auxfem
     };
   } // namespace
 
-
-
   double value_at(const RecordedHistory &history, const double time)
   {
     const std::vector<double> &times = history.times;
@@ -67,8 +65,6 @@ namespace auxfem
       return history.values[nearest];
     return Polynomial(history, nearest, 5)(time);
   }
-
-
 
   Maximum maximum_of(const RecordedHistory &history)
   {
@@ -87,8 +83,6 @@ namespace auxfem
     return -depth > recorded.value ? Maximum{time, -depth} : recorded;
   }
 
-
-
   double integral_of(const RecordedHistory &history)
   {
     // Two Gauss points are exact for cubic polynomials.
@@ -105,8 +99,6 @@ namespace auxfem
       }
     return sum;
   }
-
-
 
   RecordedHistory negative(RecordedHistory history)
   {

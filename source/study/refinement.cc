@@ -253,8 +253,6 @@ namespace auxfem
     }
   } // namespace
 
-
-
   const std::string &name_of(const RefinedParameter refined)
   {
     static const std::array<std::string, 5> names = {{"mesh",
@@ -264,8 +262,6 @@ namespace auxfem
                                                       "mesh and time step"}};
     return names[static_cast<std::size_t>(refined)];
   }
-
-
 
   std::vector<Refinement> refinements_of(const Scene &scene)
   {
@@ -296,8 +292,6 @@ namespace auxfem
     return refinements;
   }
 
-
-
   double coarseness(const RefinedParameter refined, const Settings &settings)
   {
     return refined == RefinedParameter::mesh        ? 1. / settings.elements()
@@ -306,8 +300,6 @@ namespace auxfem
       ? settings.newton_tolerance
       : settings.time_step;
   }
-
-
 
   RefinementErrors errors_of(const Refinement               &refinement,
                              const QuantityDefinition       &quantity,

@@ -14,8 +14,6 @@ namespace auxfem
     return overrides(one, other).empty();
   }
 
-
-
   Settings settings_of(const Scene &scene)
   {
     return {scene.discretization.order,
@@ -25,8 +23,6 @@ namespace auxfem
             scene.time.scheme->name(),
             scene.time.relative_tolerance};
   }
-
-
 
   std::vector<std::string> overrides(const Settings &from, const Settings &to)
   {
@@ -62,8 +58,6 @@ namespace auxfem
     return assignments;
   }
 
-
-
   std::string command_line_text(const std::vector<std::string> &overrides)
   {
     std::string text;
@@ -71,8 +65,6 @@ namespace auxfem
       text += " --set \"" + assignment + "\"";
     return text;
   }
-
-
 
   Scene scene_with(const Scene                    &scene,
                    const std::vector<std::string> &overrides)
@@ -89,8 +81,6 @@ namespace auxfem
                          command_line_text(overrides) + ":\n" + error.what());
       }
   }
-
-
 
   std::string short_number(const double value)
   {
@@ -117,8 +107,6 @@ namespace auxfem
         }
   }
 
-
-
   std::vector<PlannedRun> SettingsList::planned_runs(const Scene &scene) const
   {
     const Settings          scene_settings = settings_of(scene);
@@ -139,8 +127,6 @@ namespace auxfem
     return planned;
   }
 
-
-
   std::vector<MeasuredRun>
   SettingsList::results_for(const std::vector<Settings>    &settings,
                             const std::vector<MeasuredRun> &runs) const
@@ -152,14 +138,10 @@ namespace auxfem
     return result;
   }
 
-
-
   std::size_t SettingsList::index(const Settings &settings) const
   {
     return std::find(list.begin(), list.end(), settings) - list.begin();
   }
-
-
 
   std::string name_of_run(const Scene &scene, const Settings &settings)
   {
@@ -187,8 +169,6 @@ namespace auxfem
     return sorted_values(scene.study.orders.value_or(automatic), std::less<>());
   }
 
-
-
   std::vector<unsigned int> tried_refinements(const Scene       &scene,
                                               const unsigned int further)
   {
@@ -201,8 +181,6 @@ namespace auxfem
                          std::less<>());
   }
 
-
-
   std::vector<double> tried_time_steps(const Scene               &scene,
                                        const std::vector<double> &factors)
   {
@@ -214,28 +192,20 @@ namespace auxfem
                          std::greater<>());
   }
 
-
-
   std::vector<std::string> tried_schemes(const Scene &scene)
   {
     return values_or(scene.study.schemes, scene.time.scheme->name());
   }
-
-
 
   unsigned int highest_order(const Scene &scene)
   {
     return highest_strut_order(scene.context.dimension);
   }
 
-
-
   bool has_mesh(const Scene &scene)
   {
     return scene.context.model == Model::lattice;
   }
-
-
 
   std::vector<Settings> finer_meshes(const Scene    &scene,
                                      const Settings &settings,
@@ -252,8 +222,6 @@ namespace auxfem
       }
     return finer;
   }
-
-
 
   void halve_time_steps(std::vector<Settings> &settings)
   {

@@ -163,8 +163,6 @@ namespace auxfem
     const std::string runs_folder = "/runs";
   } // namespace
 
-
-
   std::vector<std::string> study_files()
   {
     std::vector<std::string> files = {"study.md",
@@ -176,8 +174,6 @@ namespace auxfem
           files.push_back(file);
     return files;
   }
-
-
 
   StudyReport compute_study(const Scene               &scene,
                             const MPI_Comm             communicator,
@@ -191,8 +187,6 @@ namespace auxfem
                      folder,
                      listener);
   }
-
-
 
   RunResult run_study(const Scene         &scene,
                       const MPI_Comm       communicator,
@@ -238,8 +232,6 @@ namespace auxfem
     result.findings   = report.findings;
     return result;
   }
-
-
 
   void check_study(const Scene &scene, const MPI_Comm communicator)
   {

@@ -29,8 +29,6 @@ namespace auxfem
     }
   } // namespace
 
-
-
   std::string TextTable::markdown() const
   {
     std::vector<std::size_t> widths(header.size(), 3);
@@ -59,14 +57,10 @@ namespace auxfem
     return text;
   }
 
-
-
   std::string error_text(const std::optional<double> &error)
   {
     return error ? formatted("%.*e", *error, 2) : "-";
   }
-
-
 
   std::string decimal_text(const std::optional<double> &number,
                            const unsigned int           digits)
@@ -74,21 +68,15 @@ namespace auxfem
     return number ? formatted("%.*f", *number, digits) : "-";
   }
 
-
-
   std::string seconds_text(const double seconds)
   {
     return formatted("%.*g", seconds, 3);
   }
 
-
-
   std::string first_line(const std::string &text)
   {
     return text.substr(0, text.find('\n'));
   }
-
-
 
   std::string percent_text(const std::optional<double> &part)
   {
@@ -97,14 +85,10 @@ namespace auxfem
     return part ? decimal_text(whole == 0 ? 0 : whole, 0) + " %" : "-";
   }
 
-
-
   std::string number_text(const std::optional<double> &number)
   {
     return number ? short_number(*number) : "";
   }
-
-
 
   std::vector<Column> columns_of_settings(const Scene &scene)
   {
@@ -119,8 +103,6 @@ namespace auxfem
                     {"scheme", "", "Time/Scheme"}});
     return columns;
   }
-
-
 
   std::vector<std::string> cells_of(const Settings &settings,
                                     const Scene    &scene)
@@ -137,8 +119,6 @@ namespace auxfem
     return cells;
   }
 
-
-
   std::vector<Column> columns_of_run()
   {
     return {{"unknowns", "", "free unknowns"},
@@ -151,8 +131,6 @@ namespace auxfem
             {"verdict", "", "how far the run can be relied on"},
             {"exit", "", "completed, or why it ended early"}};
   }
-
-
 
   std::vector<std::string> cells_of(const MeasuredRun &run)
   {
@@ -167,14 +145,10 @@ namespace auxfem
             run.exit_state};
   }
 
-
-
   unsigned int colour_of_order(const unsigned int order)
   {
     return order - 1;
   }
-
-
 
   unsigned int colour_of_scheme(const std::string &scheme)
   {
@@ -186,8 +160,6 @@ namespace auxfem
                         }) -
       registry.begin();
   }
-
-
 
   Finding unresolved_finding(const QuantityDefinition &quantity)
   {
@@ -201,8 +173,6 @@ namespace auxfem
       ""};
   }
 
-
-
   void add_finding(const Finding &finding, std::vector<Finding> &findings)
   {
     const bool is_there =
@@ -212,8 +182,6 @@ namespace auxfem
     if (!is_there)
       findings.push_back(finding);
   }
-
-
 
   void add_finding_on_reference(const MeasuredRun    &reference,
                                 const std::string    &what,
@@ -375,8 +343,6 @@ namespace auxfem
     }
   } // namespace
 
-
-
   std::string gnuplot_script(const LogPicture &picture)
   {
     std::string text = "# gnuplot " + picture.name + ".gnuplot\n" +
@@ -406,14 +372,10 @@ namespace auxfem
     return text;
   }
 
-
-
   std::vector<std::string> picture_files(const std::string &name)
   {
     return {name + ".gnuplot", name + ".svg", name + ".png"};
   }
-
-
 
   bool draw_picture(const LogPicture &picture, const std::string &folder)
   {

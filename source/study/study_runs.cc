@@ -42,8 +42,6 @@ namespace auxfem
     }
   } // namespace
 
-
-
   double PlannedRun::price() const
   {
     // Each step has a fixed cost and a cost per node.
@@ -51,8 +49,6 @@ namespace auxfem
       std::ldexp(scene.discretization.order, scene.discretization.refinements);
     return repetitions * scene.time.n_steps() * (0.3 + nodes);
   }
-
-
 
   struct StudyRuns::Task
   {
@@ -78,8 +74,6 @@ namespace auxfem
     }
   };
 
-
-
   StudyRuns::StudyRuns(const MPI_Comm     communicator,
                        const std::string &folder,
                        Selection          selection,
@@ -89,8 +83,6 @@ namespace auxfem
     , selection(std::move(selection))
     , listener(std::move(listener))
   {}
-
-
 
   std::vector<MeasuredRun>
   StudyRuns::compute(const std::vector<PlannedRun> &plan)
@@ -125,8 +117,6 @@ namespace auxfem
     return results;
   }
 
-
-
   void StudyRuns::load_stored_runs(std::vector<Task> &tasks) const
   {
     if (folder.empty())
@@ -144,8 +134,6 @@ namespace auxfem
       if (!stored[i].is_null())
         tasks[i].result = measured_run_of(stored[i]);
   }
-
-
 
   void StudyRuns::compute_in_turn(std::vector<Task> &tasks)
   {
@@ -166,8 +154,6 @@ namespace auxfem
               report(task, /*is_reused=*/false);
           }
   }
-
-
 
   void StudyRuns::compute_side_by_side(std::vector<Task> &tasks)
   {
@@ -230,8 +216,6 @@ namespace auxfem
         report(tasks[i], /*is_reused=*/false);
   }
 
-
-
   void StudyRuns::measure(Task &task, const MPI_Comm on_ranks)
   {
     const bool is_first_rank = mpi::this_mpi_process(communicator) == 0;
@@ -257,8 +241,6 @@ namespace auxfem
     if (!folder.empty() && mpi::this_mpi_process(on_ranks) == 0)
       store_run(folder, task.key, *task.result);
   }
-
-
 
   void StudyRuns::report(const Task &task, const bool is_reused)
   {

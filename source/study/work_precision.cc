@@ -452,8 +452,6 @@ namespace auxfem
     }
   } // namespace
 
-
-
   StudyKind work_precision_study()
   {
     return {"work-precision",

@@ -37,8 +37,6 @@ namespace auxfem
     return columns;
   }
 
-
-
   std::vector<double> cell_values(const CellSample   &sample,
                                   const EnergyRecord &energies)
   {
@@ -183,7 +181,6 @@ namespace auxfem
          "that set the angle at rest\n";
     return text.str();
   }
-
 
   RunResult run_reduced_cell(const Scene &scene, const FolderOptions &options)
   {

@@ -162,7 +162,6 @@ namespace auxfem
       return next_length;
     }
 
-
     /** Limits the next step to @p most (m). */
     void limit(const double most)
     {

@@ -51,10 +51,9 @@ namespace auxfem
     /** Selects the roots that nearest() returns. */
     struct RootSelection
     {
-      std::function<bool(Complex)> accepts; ///< of these alone
-      unsigned int
-        n; ///< so many are enough, or are expected with a max_magnitude
-      /** In place of n all with |s| up to this (1/s). */
+      std::function<bool(Complex)> accepts; ///< filter for roots
+      unsigned int n; ///< number of roots, an estimate with max_magnitude
+      /** If set, selects all roots with |s| up to this (1/s) instead of n. */
       std::optional<double> max_magnitude = {};
     };
 
