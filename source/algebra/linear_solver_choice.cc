@@ -51,7 +51,7 @@ namespace auxfem
     /**
      * Unknowns, those inside struts included, up to which the symmetric part of
      * an unsymmetric matrix does not speed up Newton's method.
-     * @tuned [unknowns] measured (doc/theory.md)
+     * @tuned [unknowns] measured (doc/theory/newton.md)
      */
     constexpr unsigned long exact_limit = 50000;
 

@@ -19,7 +19,7 @@ namespace auxfem
     /**
      * Curvatures at the Gauss points by the derivatives of rotations there. In
      * orthonormal polynomials this is L^-1 with L L^T = I - X. X is the shear
-     * compliance of @p shear over the bending compliance (doc/theory.md,
+     * compliance of @p shear over the bending compliance (doc/theory/struts.md,
      * Sections).
      */
     template <int order>

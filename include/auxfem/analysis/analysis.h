@@ -44,13 +44,13 @@ namespace auxfem
     std::vector<std::string> files;
   };
 
-  /** All analyses of the program (analysis/register.cc). */
+  /** All analyses of the program (analysis/analysis.cc). */
   const std::vector<AnalysisEntry> &analysis_registry();
 
   /** The analysis that @p scene requests. */
   const AnalysisEntry &analysis_of(const Scene &scene);
 
-  /** @name Entries of the table; only register.cc needs them. */
+  /** @name Entries of the table; only analysis.cc needs them. */
   ///@{
   AnalysisEntry simulation_entry();
   AnalysisEntry static_path_entry();

@@ -75,7 +75,7 @@ namespace auxfem
    *
    *     -mu f v_t / sqrt(v_t^2 + v0^2).
    *
-   * Theory: doc/theory.md, Contact, Friction.
+   * Theory: doc/theory/contact.md, Friction.
    */
   struct CoulombFriction
   {

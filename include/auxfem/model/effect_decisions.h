@@ -31,7 +31,8 @@ namespace auxfem
   inline const std::string struts_hardly_move =
     "struts hardly move by small displacements";
 
-  /** Retention reason of effects that cost no run time (doc/effects.md). */
+  /** Retention reason of effects that cost no run time
+   * (doc/measurements/effects.md). */
   std::string no_saving_reason(const SimulatedEffects &before);
 
   /**
@@ -47,9 +48,9 @@ namespace auxfem
 
     EffectCause (*cause)(const RunPlan &plan);
 
-    /** Estimated contribution of the effect (formulas: doc/theory.md, Effects);
-     * empty if unknown. Without this function the effect is enabled whenever it
-     * has a cause. */
+    /** Estimated contribution of the effect (formulas: doc/theory/effects.md,
+     * Measures); empty if unknown. Without this function the effect is enabled
+     * whenever it has a cause. */
     std::optional<EffectMeasure> (*measure)(const RunPlan &plan,
                                             const Lattice &lattice) = nullptr;
 

@@ -13,7 +13,7 @@ namespace auxfem
    *
    * Without shear flexibility, curvatures exceed the derivatives of rotations.
    * This increases the bending stiffness by the residual shear flexibility of
-   * the element (doc/theory.md, Sections).
+   * the element (doc/theory/struts.md, Sections).
    */
   template <int order>
   struct BeamShape
@@ -24,7 +24,7 @@ namespace auxfem
     /**
      * Largest 12 EI / (kGA L^2) at which an element of length L bends as if it
      * did not shear; linear elements are too stiff by this fraction.
-     * @tuned judgement (doc/theory.md, Sections)
+     * @tuned judgement (doc/theory/struts.md, Sections)
      */
     static constexpr double max_compensated_shear = order == 1 ? 1. : 5e-3;
 

@@ -19,7 +19,7 @@ namespace auxfem
 
   /**
    * Largest effects that small displacements neglect, relative to the
-   * response, to first order (doc/theory.md).
+   * response, to first order (doc/theory/effects.md, Small displacements).
    */
   struct SmallDisplacementError
   {

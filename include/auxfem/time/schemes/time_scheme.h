@@ -104,7 +104,7 @@ namespace auxfem
 
     /**
      * Damping factor chi of a discrete-gradient scheme for the highest
-     * frequencies of struts (elements/increment_damping.h); 0: no damping.
+     * frequencies of struts (struts/beam_dispatch.h); 0: no damping.
      */
     virtual double high_frequency_damping() const
     {
@@ -211,7 +211,7 @@ namespace auxfem
     bool serves(Model model) const;
   };
 
-  /** All time schemes, the default first (time/register.cc). */
+  /** All time schemes, the default first (time/schemes/time_scheme.cc). */
   const std::vector<TimeSchemeEntry> &time_scheme_registry();
 
   /** The line of the scheme @p name, which must be in the table. */
