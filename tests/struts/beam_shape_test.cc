@@ -141,7 +141,7 @@ TEST(BeamShape, IsTheSameForCurvaturesWithShear)
 TEST(BeamShape, IsStifferInBendingByTheResidualShearFlexibility)
 {
   // With any moment M, its derivative as shear force and EI = 1: larger
-  // curvatures reduce the integral of M^2 (doc/theory.md, Sections).
+  // curvatures reduce the integral of M^2 (doc/theory/struts.md, Sections).
   for_each_order([](const auto &with_shear) {
     using Shape = std::decay_t<decltype(with_shear)>;
     if (Shape::n_gauss_points == 1)

@@ -166,7 +166,7 @@ namespace auxfem
   std::unique_ptr<ConnectorLaw> make_spring_law(double stiffness);
 
   /**
-   * @name Registry entries of the laws, one per file source/connectors/NAME.cc.
+   * @name Registry entries of the laws, one per file in source/connectors/.
    */
   ///@{
   RegistryEntry<ConnectorLaw> spring_entry();

@@ -72,7 +72,7 @@ namespace auxfem
   /**
    * Contact of struts with rigid plates. ContactLaw and CoulombFriction are
    * integrated over the part of an axis closer to the surface than half the
-   * thickness; forces act on the axis. Theory: doc/theory.md, Contact.
+   * thickness; forces act on the axis. Theory: doc/theory/contact.md.
    *
    * Only struts near a plate are coupled with it; accepted states determine
    * them.
@@ -100,7 +100,7 @@ namespace auxfem
    * Contact between struts. Points along each axis press on the nearest point
    * of the other axis by ContactLaw; each strut contributes half of the force.
    * The tangent is the exact Hessian of the potential. Friction as in
-   * PlateContact. Theory: doc/theory.md, Contact.
+   * PlateContact. Theory: doc/theory/contact.md.
    *
    * After C. Meier, A. Popp, W. A. Wall, Comput. Methods Appl. Mech. Eng. 308,
    * 2016, 377-413 (Gauss points against the nearest point of the other axis).

@@ -33,7 +33,7 @@ namespace auxfem
    * Quadrature of the contact force per length: Gauss points on the intervals
    * of an axis that penetrate the surface, split where the contact law changes,
    * and one point per end cap. The intervals follow the motion, so accuracy is
-   * independent of the element length. Theory: doc/theory.md, Contact.
+   * independent of the element length. Theory: doc/theory/contact.md.
    */
   class PlateContactPoints
   {
@@ -79,7 +79,8 @@ namespace auxfem
 
   /**
    * Detects contact between axes and plates and measures penetrations. Each
-   * rank checks the axes it owns. Theory: doc/theory.md, Contact, What is near.
+   * rank checks the axes it owns. Theory: doc/theory/contact.md, Detection at
+   * plates.
    */
   class PlateProximity
   {

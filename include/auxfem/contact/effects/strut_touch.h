@@ -38,8 +38,8 @@ namespace auxfem
 
   /**
    * Contact points along the axes of struts, spaced by half a thickness in the
-   * plane and a quarter of it in space. Pure geometry. Theory: doc/theory.md,
-   * Contact, Struts against struts.
+   * plane and a quarter of it in space. Pure geometry. Theory:
+   * doc/theory/contact.md, Struts against struts.
    */
   class StrutContactPoints
   {
@@ -117,7 +117,7 @@ namespace auxfem
 
   /**
    * Relative motion at a contact point of two struts and its derivatives with
-   * respect to the unknowns of the pair. Theory: doc/theory.md, Contact, Struts
+   * respect to the unknowns of the pair. Theory: doc/theory/contact.md, Struts
    * against struts.
    */
   class StrutTouchMotion

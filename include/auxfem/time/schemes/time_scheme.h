@@ -222,7 +222,7 @@ namespace auxfem
 
   /**
    * @name Table entries of the schemes, one per file
-   * source/time/<name>.cc.
+   * source/time/schemes/<name>.cc.
    */
   ///@{
   TimeSchemeEntry newmark_entry();
