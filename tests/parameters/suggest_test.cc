@@ -36,6 +36,14 @@ TEST(Suggest, TheNearestThreeInOrder)
             (Names{"stub1", "stubs", "stub12"}));
 }
 
+TEST(Suggest, PresentNameOfARenamedParameter)
+{
+  const Names newton = {"Tolerance", "Jacobian reuse threshold"};
+  EXPECT_EQ(nearest_names("Kept reduction", newton),
+            Names{"Jacobian reuse threshold"});
+  EXPECT_EQ(nearest_names("Kept reduction", {"Cell", "Columns"}), Names{});
+}
+
 TEST(Suggest, EndOfASentence)
 {
   EXPECT_EQ(did_you_mean("botom", sets), "; did you mean \"bottom\"?");
