@@ -227,7 +227,7 @@ TEST(ConnectorWatch, ReportsConnectorsWithoutLength)
   const auto jumped =
     findings_of(shortened_spring("-0.9 * min(1, t / 0.9) - 2 * max(0, t - 0.9)")
                   .set("Time/Time step", 0.1));
-  EXPECT_NE(with_words(jumped, "pushed through itself"), nullptr)
+  EXPECT_NE(with_words(jumped, "one connector inverts"), nullptr)
     << verdict_text(jumped);
 }
 
