@@ -28,14 +28,14 @@ namespace
     AppliedForces(const std::string              &text,
                   const double                    t,
                   const std::vector<std::string> &overrides = {})
-      : setup(text, complete(overrides), MPI_COMM_SELF)
-      , forces(setup.dofs().layout().n_local())
+      : of_scene(text, complete(overrides), MPI_COMM_SELF)
+      , forces(of_scene.dofs().layout().n_local())
     {
-      State from = setup.equations.initial_state(), to = from;
+      State from = of_scene.equations.initial_state(), to = from;
       to.time               = t;
-      const Evaluation step = setup.step(from, to, t);
-      setup.residual(step);
-      const auto names = name_unknowns(setup.model);
+      const Evaluation step = of_scene.step(from, to, t);
+      of_scene.residual(step);
+      const auto names = name_unknowns(of_scene.model);
       for (unsigned int i = 0; i < names.size(); ++i)
         {
           const unsigned int c = std::get<3>(names[i].name);
@@ -53,14 +53,14 @@ namespace
       return overrides;
     }
 
-    EquationsOnRanks setup;
+    EquationsOnRanks of_scene;
     Vector           forces;
     double           sum[n_motion_components] = {};
     double           moment = 0; ///< of the forces about (0, 0)
   };
 
   // Sums of some 50 numbers of about 10, of expressions in t as well.
-  constexpr double round_off = 1e-13;
+  constexpr double force_round_off = 1e-13;
 } // namespace
 
 TEST(MakeLoads, AJointLoadActsOnItsJointOnlyAndFollowsTime)
@@ -70,7 +70,7 @@ TEST(MakeLoads, AJointLoadActsOnItsJointOnlyAndFollowsTime)
       "Loads/push",
       "Joints = 2 | Force x = 3 * t | Force y = -2 | Moment z = t^2"),
     0.5);
-  const auto  &dofs        = applied.setup.dofs();
+  const auto  &dofs        = applied.of_scene.dofs();
   const double expected[3] = {1.5, -2., 0.25};
   for (unsigned int c = 0; c < 3; ++c)
     {
@@ -88,7 +88,7 @@ TEST(MakeLoads, LoadsOfOneJointAddUp)
                                 .add("Loads/pull",
                                      "Joints = 1, 2 | Force x = 0.5"),
                               1.);
-  const auto         &dofs = applied.setup.dofs();
+  const auto         &dofs = applied.of_scene.dofs();
   EXPECT_DOUBLE_EQ(applied.forces[dofs.joint_unknown(2, 0)], 3.5);
   EXPECT_DOUBLE_EQ(applied.forces[dofs.joint_unknown(1, 0)], 0.5);
 }
@@ -107,9 +107,9 @@ TEST(MakeLoads, ALineLoadSumsToForcePerLengthTimesLength)
           0.5,
           {std::string("Discretization/Order=") + order,
            std::string("Discretization/Global refinements=") + refinements});
-        EXPECT_NEAR(applied.sum[0], 2 * total_length, round_off);
-        EXPECT_NEAR(applied.sum[1], -total_length, round_off);
-        EXPECT_NEAR(applied.sum[2], 0., round_off);
+        EXPECT_NEAR(applied.sum[0], 2 * total_length, force_round_off);
+        EXPECT_NEAR(applied.sum[1], -total_length, force_round_off);
+        EXPECT_NEAR(applied.sum[2], 0., force_round_off);
       }
 }
 
@@ -119,9 +119,9 @@ TEST(MakeLoads, ALineLoadActsInTheMiddleOfItsStrut)
     three_struts().add("Loads/wind",
                        "Type = line | Struts = 1 | Force per length x = 4"),
     1.);
-  EXPECT_NEAR(applied.sum[0], 4 * 1.5, round_off);
-  EXPECT_NEAR(applied.moment, -4 * 1.5 * 0.75, round_off);
-  EXPECT_EQ(applied.forces[applied.setup.dofs().joint_unknown(0, 0)], 0.);
+  EXPECT_NEAR(applied.sum[0], 4 * 1.5, force_round_off);
+  EXPECT_NEAR(applied.moment, -4 * 1.5 * 0.75, force_round_off);
+  EXPECT_EQ(applied.forces[applied.of_scene.dofs().joint_unknown(0, 0)], 0.);
 }
 
 TEST(MakeLoads, GravityPullsStrutsAndPointMasses)
@@ -132,9 +132,9 @@ TEST(MakeLoads, GravityPullsStrutsAndPointMasses)
       .mass("weights", "1, 3", 0.4, 5);
   const double        mass = 0.5 * 3 * total_length + 2 * 0.4;
   const AppliedForces applied(text, 1.);
-  EXPECT_NEAR(applied.sum[0], 2 * mass, 10 * round_off);
-  EXPECT_NEAR(applied.sum[1], -10 * mass, 10 * round_off);
-  EXPECT_NEAR(applied.sum[2], 0., round_off);
+  EXPECT_NEAR(applied.sum[0], 2 * mass, 10 * force_round_off);
+  EXPECT_NEAR(applied.sum[1], -10 * mass, 10 * force_round_off);
+  EXPECT_NEAR(applied.sum[2], 0., force_round_off);
 
   const AppliedForces off(text, 1., {"Effects/Gravity=off"});
   EXPECT_EQ(off.sum[1], 0.);
@@ -142,21 +142,21 @@ TEST(MakeLoads, GravityPullsStrutsAndPointMasses)
 
 TEST(MakeLoads, ASceneWithoutLoadsHasNone)
 {
-  const EquationsOnRanks setup(three_struts(), {}, MPI_COMM_SELF);
-  EXPECT_TRUE(make_loads(setup.model).empty());
+  const EquationsOnRanks of_scene(three_struts(), {}, MPI_COMM_SELF);
+  EXPECT_TRUE(make_loads(of_scene.model).empty());
 }
 
 TEST(MakeLoads, InitialVelocitiesAreThoseOfARigidBody)
 {
-  const EquationsOnRanks setup(
+  const EquationsOnRanks of_scene(
     three_struts().add("Initial velocities/spin",
                        "Joints = all | Velocity x = 3 | Velocity y = -1 | "
                        "Angular velocity z = 2"),
     {"Discretization/Order=4", "Discretization/Global refinements=1"},
     MPI_COMM_SELF);
-  const State  state     = setup.equations.initial_state();
+  const State  state     = of_scene.equations.initial_state();
   const double centre[2] = {(0. + 2 + 2 + 2) / 4, (0. + 0 + 1.5 + 3.5) / 4};
-  const auto   names     = name_unknowns(setup.model);
+  const auto   names     = name_unknowns(of_scene.model);
   for (unsigned int i = 0; i < names.size(); ++i)
     {
       const double x = names[i].position[0] - centre[0],
@@ -166,20 +166,20 @@ TEST(MakeLoads, InitialVelocitiesAreThoseOfARigidBody)
                                                        {rotation_z, 2.}};
       EXPECT_NEAR((*state.velocity)[i],
                   expected.at(std::get<3>(names[i].name)),
-                  round_off);
+                  force_round_off);
     }
   EXPECT_EQ(state.displacement[5], 0.);
 }
 
 TEST(MakeLoads, StrutsMoveAlongOnlyIfBothEndsDo)
 {
-  const EquationsOnRanks setup(
+  const EquationsOnRanks of_scene(
     three_struts().add("Initial velocities/impact",
                        "Joints = 0, 1 | Velocity y = -1"),
     {},
     MPI_COMM_SELF);
-  const State state = setup.equations.initial_state();
-  const auto  names = name_unknowns(setup.model);
+  const State state = of_scene.equations.initial_state();
+  const auto  names = name_unknowns(of_scene.model);
   for (unsigned int i = 0; i < names.size(); ++i)
     {
       const auto &[at_joint, index, fraction, component] = names[i].name;
