@@ -152,7 +152,7 @@ namespace
         }
       catch (const CrashedProcess &crash)
         {
-          outcome = "crash: " + crash.how;
+          outcome = "crash: " + crash.reason;
         }
       const double took =
         std::chrono::duration<double>(Clock::now() - begin).count();
