@@ -40,7 +40,7 @@ namespace
       const auto spins = [&](const unsigned int strut, const unsigned int end) {
         std::array<int, 3> unknowns;
         for (unsigned int c = 0; c < 3; ++c)
-          unknowns[c] = of_scene.dofs().end_rotation(strut, end, 3 + c);
+          unknowns[c] = setup.dofs().end_rotation(strut, end, 3 + c);
         return unknowns;
       };
       std::vector<RevoluteHinge> definitions;
@@ -48,11 +48,11 @@ namespace
         definitions.push_back(
           {spins(0, 1),
            spins(1 + h, 0),
-           {{of_scene.dofs().constraints().hinge_multiplier(h, 0),
-             of_scene.dofs().constraints().hinge_multiplier(h, 1)}},
-           of_scene.scene.joints[0].axis});
+           {{setup.dofs().constraints().hinge_multiplier(h, 0),
+             setup.dofs().constraints().hinge_multiplier(h, 1)}},
+           setup.scene.joints[0].axis});
       hinges =
-        make_revolute_hinges(of_scene.dofs(), large_rotation, 0.7, definitions);
+        make_revolute_hinges(setup.dofs(), large_rotation, 0.7, definitions);
     }
 
     std::unique_ptr<Constraints> hinges;
@@ -61,10 +61,10 @@ namespace
 
 TEST(RevoluteHinges, EveryReleasedStrutHasTwoConstraints)
 {
-  const EquationsOnRanks of_scene(forked, {}, MPI_COMM_SELF);
-  const auto            &dofs = of_scene.dofs();
+  const EquationsOnRanks setup(forked, {}, MPI_COMM_SELF);
+  const auto            &dofs = setup.dofs();
   EXPECT_EQ(dofs.constraints().n_multipliers(), 4u);
-  EXPECT_EQ(of_scene.equations.reporting().constraints.size(), 1u);
+  EXPECT_EQ(setup.equations.reporting().constraints.size(), 1u);
   EXPECT_EQ(describe(dofs, dofs.constraints().hinge_multiplier(1, 0)),
             "constraint of the revolute hinge at joint 1");
 }
@@ -129,12 +129,11 @@ TEST(RevoluteHinges, AStrutTurnsAboutTheAxisAlone)
 TEST(RevoluteHinges, ABarHasNoRotationToBeHinged)
 {
   const std::string message = input_error_of([] {
-    const EquationsOnRanks of_scene(space_frame("0 0 0; 1 0 0; 2 0 0",
-                                                "0 1; 1 2")
-                                      .rigid_part("bar", "1", 1)
-                                      .add(revolute("1", "all", "0 0 1")),
-                                    {},
-                                    MPI_COMM_SELF);
+    const EquationsOnRanks setup(space_frame("0 0 0; 1 0 0; 2 0 0", "0 1; 1 2")
+                                   .rigid_part("bar", "1", 1)
+                                   .add(revolute("1", "all", "0 0 1")),
+                                 {},
+                                 MPI_COMM_SELF);
   });
   EXPECT_TRUE(contains(message, "Joints/hinge/Joints")) << message;
   EXPECT_TRUE(contains(message, "lies on one line")) << message;

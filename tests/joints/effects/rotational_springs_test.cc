@@ -13,15 +13,15 @@ namespace
   struct SpringAlone
   {
     SpringAlone()
-      : of_scene(frame_scene("0 0; 1 0", "0 1"), {}, MPI_COMM_SELF)
-      , first(of_scene.dofs().joint_unknown(0, rotation_z))
-      , second(of_scene.dofs().joint_unknown(1, rotation_z))
+      : setup(frame_scene("0 0; 1 0", "0 1"), {}, MPI_COMM_SELF)
+      , first(setup.dofs().joint_unknown(0, rotation_z))
+      , second(setup.dofs().joint_unknown(1, rotation_z))
       , springs(
-          make_rotational_springs(of_scene.dofs(), {{{{first, second}}, 3.}}))
-      , from(of_scene.equations.initial_state())
+          make_rotational_springs(setup.dofs(), {{{{first, second}}, 3.}}))
+      , from(setup.equations.initial_state())
       , to(from)
     {
-      StateLayout layout = of_scene.equations.layout();
+      StateLayout layout = setup.equations.layout();
       springs->register_in(layout);
       make_room(layout, from);
       make_room(layout, to);
@@ -34,7 +34,7 @@ namespace
       return Evaluation::step(from, to, 1.);
     }
 
-    EquationsOnRanks        of_scene;
+    EquationsOnRanks        setup;
     int                     first, second;
     std::unique_ptr<Effect> springs;
     State                   from, to;
@@ -74,11 +74,11 @@ TEST(RotationalSprings, EnergyIsHalfOfMomentTimesRotation)
 TEST(RotationalSprings, TangentIsTheStiffnessTimesItsFactor)
 {
   SpringAlone  one;
-  TangentAlone tangent(*one.springs, one.of_scene.dofs());
+  TangentAlone tangent(*one.springs, one.setup.dofs());
   tangent.fill(EvaluatedAlone(*one.springs, one.step()), {0.5, 7., 9.});
 
   EXPECT_TRUE(one.springs->is_linear());
-  Vector unit(one.of_scene.dofs().layout().n_local()), column(unit);
+  Vector unit(one.setup.dofs().layout().n_local()), column(unit);
   unit[one.second] = 1;
   tangent.matrix.multiply(unit.data(), column.data());
   EXPECT_EQ(column[one.second], 1.5);

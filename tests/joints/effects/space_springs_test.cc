@@ -19,12 +19,12 @@ namespace
   {
     explicit KneeSpring(const bool to_ground) : SpaceEffect(knee, true)
     {
-      const auto &dofs = of_scene.dofs();
+      const auto &dofs = setup.dofs();
       first =
         to_ground ? -1 : dofs.rotations().with(dofs.end_rotation(0, 1, 3));
       second = dofs.rotations().with(dofs.end_rotation(1, 0, 3));
-      spring = make_space_springs(of_scene.dofs(),
-                                  {{first, second, 1.7, /*number=*/0}});
+      spring =
+        make_space_springs(setup.dofs(), {{first, second, 1.7, /*number=*/0}});
       make_room_for(*spring);
     }
 

@@ -18,18 +18,18 @@ namespace
   struct LoadsAlone
   {
     explicit LoadsAlone(const bool raised_from_zero = false)
-      : of_scene(frame_scene("0 0; 1 0", "0 1"), {}, MPI_COMM_SELF)
-      , from(of_scene.equations.initial_state())
+      : setup(frame_scene("0 0; 1 0", "0 1"), {}, MPI_COMM_SELF)
+      , from(setup.equations.initial_state())
       , to(from)
     {
       const EnergyEntry work{EnergyKind::work, "load_work", "work of loads"};
-      loads              = make_applied_loads(of_scene.dofs(),
+      loads              = make_applied_loads(setup.dofs(),
                                  raised_from_zero,
                                  {{course("3 * t"), work, {{1, 1.}, {2, -2.}}},
                                                {course("5"), work, {{2, 1.}}}});
       from.time          = 0.5;
       to.time            = 1.5;
-      StateLayout layout = of_scene.equations.layout();
+      StateLayout layout = setup.equations.layout();
       loads->register_in(layout);
       work_entry = layout.energies.enter(work);
       make_room(layout, from);
@@ -41,7 +41,7 @@ namespace
       return {*loads, Evaluation::step(from, to, 1.)};
     }
 
-    EquationsOnRanks        of_scene;
+    EquationsOnRanks        setup;
     std::unique_ptr<Effect> loads;
     State                   from, to;
     unsigned int            work_entry;

@@ -25,11 +25,11 @@ namespace
     LoadInSpace()
       : SpaceEffect(space_frame("0 0 0; 1 0 0.3; 1.5 0.9 0.2", "0 1; 1 2"),
                     true)
-      , loads(make_follower_loads(
-          of_scene.lattice,
-          of_scene.dofs(),
-          false,
-          {{components(of_scene.scene.context), work, {1}}}))
+      , loads(
+          make_follower_loads(setup.lattice,
+                              setup.dofs(),
+                              false,
+                              {{components(setup.scene.context), work, {1}}}))
     {
       make_room_for(*loads);
     }
@@ -41,7 +41,7 @@ namespace
 TEST(FollowerLoads, TurnWithTheJointInSpace)
 {
   LoadInSpace               one;
-  const auto               &dofs = one.of_scene.dofs();
+  const auto               &dofs = one.setup.dofs();
   const std::vector<double> rows = one.residual(*one.loads, one.to);
   const Quaternion         &P =
     one.to.rotations[dofs.rotations().with(dofs.joint_unknown(1, rotation_z))];
@@ -60,16 +60,16 @@ TEST(FollowerLoads, TurnWithTheJointInSpace)
 
 TEST(FollowerLoads, TurnWithTheJointInThePlane)
 {
-  const EquationsOnRanks        of_scene(frame_scene("0 0; 1 0", "0 1"),
-                                  {},
-                                  MPI_COMM_SELF);
-  const auto                   &dofs = of_scene.dofs();
+  const EquationsOnRanks        setup(frame_scene("0 0; 1 0", "0 1"),
+                               {},
+                               MPI_COMM_SELF);
+  const auto                   &dofs = setup.dofs();
   const std::unique_ptr<Effect> loads =
-    make_follower_loads(of_scene.lattice,
+    make_follower_loads(setup.lattice,
                         dofs,
                         false,
-                        {{components(of_scene.scene.context), work, {1}}});
-  State        from = of_scene.equations.initial_state(), to = from;
+                        {{components(setup.scene.context), work, {1}}});
+  State        from = setup.equations.initial_state(), to = from;
   const double angle                                 = 0.7;
   to.displacement[dofs.joint_unknown(1, rotation_z)] = angle;
   const std::vector<double> rows =
@@ -96,8 +96,8 @@ TEST(FollowerLoads, FollowTheLoadFactorOnAPath)
   for (unsigned int c = 0; c < n_motion_components; ++c)
     lines[c] = TimeFunction::line(0.5, 2. - c, "load");
   const std::unique_ptr<Effect> loads =
-    make_follower_loads(one.of_scene.lattice,
-                        one.of_scene.dofs(),
+    make_follower_loads(one.setup.lattice,
+                        one.setup.dofs(),
                         false,
                         {{lines, work, {1}}});
   one.to.path.emplace();
@@ -122,7 +122,7 @@ TEST(FollowerLoads, FollowTheLoadFactorOnAPath)
 TEST(FollowerLoads, WorkOfASmallStepIsThatOfTheLoadAlongIt)
 {
   LoadInSpace one;
-  const auto &dofs = one.of_scene.dofs();
+  const auto &dofs = one.setup.dofs();
   one.from         = one.to;
   one.to           = one.moved(one.irregular(2.2), 1e-4);
   // `moved` counts turns from the state before.

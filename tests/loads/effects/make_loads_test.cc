@@ -28,14 +28,14 @@ namespace
     AppliedForces(const std::string              &text,
                   const double                    t,
                   const std::vector<std::string> &overrides = {})
-      : of_scene(text, complete(overrides), MPI_COMM_SELF)
-      , forces(of_scene.dofs().layout().n_local())
+      : setup(text, complete(overrides), MPI_COMM_SELF)
+      , forces(setup.dofs().layout().n_local())
     {
-      State from = of_scene.equations.initial_state(), to = from;
+      State from = setup.equations.initial_state(), to = from;
       to.time               = t;
-      const Evaluation step = of_scene.step(from, to, t);
-      of_scene.residual(step);
-      const auto names = name_unknowns(of_scene.model);
+      const Evaluation step = setup.step(from, to, t);
+      setup.residual(step);
+      const auto names = name_unknowns(setup.model);
       for (unsigned int i = 0; i < names.size(); ++i)
         {
           const unsigned int c = std::get<3>(names[i].name);
@@ -53,7 +53,7 @@ namespace
       return overrides;
     }
 
-    EquationsOnRanks of_scene;
+    EquationsOnRanks setup;
     Vector           forces;
     double           sum[n_motion_components] = {};
     double           moment = 0; ///< of the forces about (0, 0)
@@ -70,7 +70,7 @@ TEST(MakeLoads, AJointLoadActsOnItsJointOnlyAndFollowsTime)
       "Loads/push",
       "Joints = 2 | Force x = 3 * t | Force y = -2 | Moment z = t^2"),
     0.5);
-  const auto  &dofs        = applied.of_scene.dofs();
+  const auto  &dofs        = applied.setup.dofs();
   const double expected[3] = {1.5, -2., 0.25};
   for (unsigned int c = 0; c < 3; ++c)
     {
@@ -88,7 +88,7 @@ TEST(MakeLoads, LoadsOfOneJointAddUp)
                                 .add("Loads/pull",
                                      "Joints = 1, 2 | Force x = 0.5"),
                               1.);
-  const auto         &dofs = applied.of_scene.dofs();
+  const auto         &dofs = applied.setup.dofs();
   EXPECT_DOUBLE_EQ(applied.forces[dofs.joint_unknown(2, 0)], 3.5);
   EXPECT_DOUBLE_EQ(applied.forces[dofs.joint_unknown(1, 0)], 0.5);
 }
@@ -121,7 +121,7 @@ TEST(MakeLoads, ALineLoadActsInTheMiddleOfItsStrut)
     1.);
   EXPECT_NEAR(applied.sum[0], 4 * 1.5, force_round_off);
   EXPECT_NEAR(applied.moment, -4 * 1.5 * 0.75, force_round_off);
-  EXPECT_EQ(applied.forces[applied.of_scene.dofs().joint_unknown(0, 0)], 0.);
+  EXPECT_EQ(applied.forces[applied.setup.dofs().joint_unknown(0, 0)], 0.);
 }
 
 TEST(MakeLoads, GravityPullsStrutsAndPointMasses)
@@ -142,21 +142,21 @@ TEST(MakeLoads, GravityPullsStrutsAndPointMasses)
 
 TEST(MakeLoads, ASceneWithoutLoadsHasNone)
 {
-  const EquationsOnRanks of_scene(three_struts(), {}, MPI_COMM_SELF);
-  EXPECT_TRUE(make_loads(of_scene.model).empty());
+  const EquationsOnRanks setup(three_struts(), {}, MPI_COMM_SELF);
+  EXPECT_TRUE(make_loads(setup.model).empty());
 }
 
 TEST(MakeLoads, InitialVelocitiesAreThoseOfARigidBody)
 {
-  const EquationsOnRanks of_scene(
+  const EquationsOnRanks setup(
     three_struts().add("Initial velocities/spin",
                        "Joints = all | Velocity x = 3 | Velocity y = -1 | "
                        "Angular velocity z = 2"),
     {"Discretization/Order=4", "Discretization/Global refinements=1"},
     MPI_COMM_SELF);
-  const State  state     = of_scene.equations.initial_state();
+  const State  state     = setup.equations.initial_state();
   const double centre[2] = {(0. + 2 + 2 + 2) / 4, (0. + 0 + 1.5 + 3.5) / 4};
-  const auto   names     = name_unknowns(of_scene.model);
+  const auto   names     = name_unknowns(setup.model);
   for (unsigned int i = 0; i < names.size(); ++i)
     {
       const double x = names[i].position[0] - centre[0],
@@ -173,13 +173,13 @@ TEST(MakeLoads, InitialVelocitiesAreThoseOfARigidBody)
 
 TEST(MakeLoads, StrutsMoveAlongOnlyIfBothEndsDo)
 {
-  const EquationsOnRanks of_scene(
+  const EquationsOnRanks setup(
     three_struts().add("Initial velocities/impact",
                        "Joints = 0, 1 | Velocity y = -1"),
     {},
     MPI_COMM_SELF);
-  const State state = of_scene.equations.initial_state();
-  const auto  names = name_unknowns(of_scene.model);
+  const State state = setup.equations.initial_state();
+  const auto  names = name_unknowns(setup.model);
   for (unsigned int i = 0; i < names.size(); ++i)
     {
       const auto &[at_joint, index, fraction, component] = names[i].name;

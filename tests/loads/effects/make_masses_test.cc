@@ -16,13 +16,13 @@ namespace
     SceneText().mass("first", "1", 0.4).mass("second", "1, 2", 0.5, 0.1);
 
   /** Inertia forces of the masses alone under acceleration 1 everywhere. */
-  std::vector<double> under_unit_acceleration(const EquationsOnRanks &of_scene)
+  std::vector<double> under_unit_acceleration(const EquationsOnRanks &setup)
   {
-    State from = of_scene.equations.initial_state(), to = from;
+    State from = setup.equations.initial_state(), to = from;
     to.acceleration->assign(to.acceleration->size(), 1.);
     const Evaluation    step = Evaluation::step(from, to, 1.);
-    std::vector<double> residual(of_scene.dofs().layout().n_local(), 0.);
-    for (const auto &effect : make_masses(of_scene.model))
+    std::vector<double> residual(setup.dofs().layout().n_local(), 0.);
+    for (const auto &effect : make_masses(setup.model))
       effect->add_residual(step, residual.data(), effect->make_results().get());
     return residual;
   }
@@ -30,13 +30,13 @@ namespace
 
 TEST(MakeMasses, MassesOfOneJointAddUpInThePlane)
 {
-  const EquationsOnRanks    of_scene(frame_scene("0 0; 2 0; 2 1.5",
-                                              "0 1; 1 2",
-                                              masses),
-                                  {},
-                                  MPI_COMM_SELF);
-  const auto               &dofs = of_scene.dofs();
-  const std::vector<double> sums = under_unit_acceleration(of_scene);
+  const EquationsOnRanks    setup(frame_scene("0 0; 2 0; 2 1.5",
+                                           "0 1; 1 2",
+                                           masses),
+                               {},
+                               MPI_COMM_SELF);
+  const auto               &dofs = setup.dofs();
+  const std::vector<double> sums = under_unit_acceleration(setup);
   EXPECT_DOUBLE_EQ(sums[dofs.joint_unknown(1, 0)], 0.9);
   EXPECT_DOUBLE_EQ(sums[dofs.joint_unknown(1, 1)], 0.9);
   EXPECT_DOUBLE_EQ(sums[dofs.joint_unknown(1, rotation_z)], 0.1);
@@ -46,13 +46,13 @@ TEST(MakeMasses, MassesOfOneJointAddUpInThePlane)
 
 TEST(MakeMasses, MassesOfOneJointAddUpInSpace)
 {
-  const EquationsOnRanks    of_scene(space_frame("0 0 0; 2 0 1; 2 1.5 0",
-                                              "0 1; 1 2",
-                                              masses),
-                                  {},
-                                  MPI_COMM_SELF);
-  const auto               &dofs = of_scene.dofs();
-  const std::vector<double> sums = under_unit_acceleration(of_scene);
+  const EquationsOnRanks    setup(space_frame("0 0 0; 2 0 1; 2 1.5 0",
+                                           "0 1; 1 2",
+                                           masses),
+                               {},
+                               MPI_COMM_SELF);
+  const auto               &dofs = setup.dofs();
+  const std::vector<double> sums = under_unit_acceleration(setup);
   for (unsigned int c = 0; c < 3; ++c)
     {
       EXPECT_DOUBLE_EQ(sums[dofs.joint_unknown(1, c)], 0.9);

@@ -14,19 +14,19 @@ namespace
   struct MassAlone
   {
     MassAlone()
-      : of_scene(frame_scene("0 0; 1 0", "0 1"), {}, MPI_COMM_SELF)
-      , y(of_scene.dofs().joint_unknown(1, 1))
-      , turn(of_scene.dofs().joint_unknown(1, rotation_z))
-      , masses(make_point_masses(of_scene.dofs(), {{y, 2.}, {turn, 5.}}))
-      , from(of_scene.equations.initial_state())
+      : setup(frame_scene("0 0; 1 0", "0 1"), {}, MPI_COMM_SELF)
+      , y(setup.dofs().joint_unknown(1, 1))
+      , turn(setup.dofs().joint_unknown(1, rotation_z))
+      , masses(make_point_masses(setup.dofs(), {{y, 2.}, {turn, 5.}}))
+      , from(setup.equations.initial_state())
       , to(from)
     {
-      StateLayout layout = of_scene.equations.layout();
+      StateLayout layout = setup.equations.layout();
       masses->register_in(layout);
       make_room(layout, from);
       make_room(layout, to);
-      fill_by_position(of_scene.model, 3., *to.velocity);
-      fill_by_position(of_scene.model, 4., *to.acceleration);
+      fill_by_position(setup.model, 3., *to.velocity);
+      fill_by_position(setup.model, 4., *to.acceleration);
     }
 
     Evaluation step()
@@ -34,7 +34,7 @@ namespace
       return Evaluation::step(from, to, 1.);
     }
 
-    EquationsOnRanks        of_scene;
+    EquationsOnRanks        setup;
     int                     y, turn;
     std::unique_ptr<Effect> masses;
     State                   from, to;
@@ -65,7 +65,7 @@ TEST(PointMasses, KineticEnergyIsThatOfTheMass)
 TEST(PointMasses, TangentHasTheMassOnItsDiagonal)
 {
   MassAlone    one;
-  TangentAlone tangent(*one.masses, one.of_scene.dofs());
+  TangentAlone tangent(*one.masses, one.setup.dofs());
   tangent.fill(EvaluatedAlone(*one.masses, one.step()), {7., 9., 0.5});
   const std::vector<double> diagonal = tangent.matrix.row_sizes();
   for (int i = 0; i < int(diagonal.size()); ++i)
@@ -77,7 +77,7 @@ TEST(PointMasses, SeveralMassesOnOneUnknownAddUp)
 {
   MassAlone                     one;
   const std::unique_ptr<Effect> masses =
-    make_point_masses(one.of_scene.dofs(), {{one.y, 2.}, {one.y, 1.}});
+    make_point_masses(one.setup.dofs(), {{one.y, 2.}, {one.y, 1.}});
   const std::vector<double> residual =
     EvaluatedAlone(*masses, one.step()).residual;
   // 2 a + 1 a against 3 a: one rounding apart.
