@@ -1,25 +1,14 @@
 #include <auxfem/connectors/effects/connector_forces.h>
 #include <auxfem/connectors/effects/connector_lines.h>
 
-#include <deal.II/base/symmetric_tensor.h>
-
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace auxfem
 {
   namespace
   {
     using Tensor = dealii::Tensor<2, 3>;
-
-    /** Derivative of a unit vector along n by its vector, times the length (I -
-     * e n). */
-    Tensor across(const dealii::Tensor<1, 3> &e, const dealii::Tensor<1, 3> &n)
-    {
-      return Tensor(dealii::unit_symmetric_tensor<3>()) -
-        dealii::outer_product(e, n);
-    }
 
     /** Connector forces by the law of the group along its ConnectorLines. */
     class ConnectorGroupForces : public ConnectorForces
@@ -126,7 +115,8 @@ namespace auxfem
                 // The force and the rate change direction as the line rotates.
                 const double rotating =
                   factors.stiffness / cache.current_length[i];
-                by_motion += rotating * cache.response[i].force * across(n, n);
+                by_motion +=
+                  rotating * cache.response[i].force * normal_projector(n, n);
                 if (evaluation.kind != Evaluation::Kind::static_step)
                   by_motion += dealii::outer_product(
                     rotating * cache.response[i].damping * n,
@@ -153,7 +143,9 @@ namespace auxfem
             const auto  &n     = now.direction[i];
             const double force = change.factor *
               (after.response[i].force - before.response[i].force);
-            add_block(i, force / now.current_length[i] * across(n, n), matrix);
+            add_block(i,
+                      force / now.current_length[i] * normal_projector(n, n),
+                      matrix);
           }
       }
 
@@ -448,7 +440,7 @@ namespace auxfem
               }
             add_block(i,
                       dealii::outer_product(response.stiffness * e, now) +
-                        rotating * across(e, now),
+                        rotating * normal_projector(e, now),
                       matrix);
           }
       }
@@ -485,9 +477,7 @@ namespace auxfem
       const std::vector<ConnectorEnds> &connectors; ///< ends of the lines
       const Lattice                    &lattice;
       std::vector<unsigned int>         owned;
-      /**
-       * First internal variable and first dissipated energy in State::history.
-       */
+      /** Positions in State::history. */
       std::size_t  first_history = 0, first_dissipated = 0;
       unsigned int stored_entry = 0, dissipated_entry = 0, numerical_entry = 0;
       std::size_t  first_block = 0;

@@ -6,10 +6,21 @@
 #include <auxfem/model/numbering.h>
 #include <auxfem/scene/scene.h>
 
+#include <deal.II/base/symmetric_tensor.h>
+
 #include <string>
 
 namespace auxfem
 {
+  /** I - e n: derivative of a unit vector along @p n with respect to its vector,
+   * times the length. */
+  inline dealii::Tensor<2, 3> normal_projector(const dealii::Tensor<1, 3> &e,
+                                               const dealii::Tensor<1, 3> &n)
+  {
+    return dealii::Tensor<2, 3>(dealii::unit_symmetric_tensor<3>()) -
+      dealii::outer_product(e, n);
+  }
+
   /** Motion and forces of a group of connectors in one evaluation. */
   struct ConnectorResults : public EffectCache
   {
