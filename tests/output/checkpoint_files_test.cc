@@ -238,10 +238,9 @@ namespace
       }
   }
 
-  /** Last byte from @p pipe; 0 if none. */
-  unsigned char last_of(const int pipe)
+  /** Last byte from @p pipe after the byte @p last. */
+  unsigned char last_of(const int pipe, unsigned char last)
   {
-    unsigned char last = 0;
     while (read(pipe, &last, 1) == 1)
       ;
     return last;
@@ -251,8 +250,7 @@ namespace
 TEST(CheckpointFiles, KilledProcessKeepsWrittenCheckpoints)
 {
   std::mt19937                       generator(27);
-  std::uniform_int_distribution<int> microseconds(1000, 25000);
-  unsigned int                       n_with_checkpoints = 0;
+  std::uniform_int_distribution<int> microseconds(0, 25000);
   for (unsigned int i = 0; i < 20; ++i)
     {
       const std::string folder = checkpoint_folder("killed");
@@ -262,15 +260,15 @@ TEST(CheckpointFiles, KilledProcessKeepsWrittenCheckpoints)
       if (child == 0)
         write_for_ever(folder, ends[1]);
       close(ends[1]);
+      // A busy disk may need longer for the first checkpoint than the sleep.
+      unsigned char first_written = 0;
+      ASSERT_EQ(read(ends[0], &first_written, 1), 1);
       usleep(microseconds(generator));
       kill(child, SIGKILL);
       waitpid(child, nullptr, 0);
-      const unsigned char last = last_of(ends[0]);
+      const unsigned char last = last_of(ends[0], first_written);
       close(ends[0]);
-      if (last == 0)
-        continue;
 
-      ++n_with_checkpoints;
       const auto        found = CheckpointFiles(folder).newest();
       const std::string bytes = found.content.sections.at(0).bytes;
       EXPECT_EQ(found.warning, "");
@@ -280,5 +278,4 @@ TEST(CheckpointFiles, KilledProcessKeepsWrittenCheckpoints)
         << int(first) << " after " << int(last);
       EXPECT_EQ(bytes, std::string(200000, bytes.at(0)));
     }
-  EXPECT_GT(n_with_checkpoints, 5u);
 }
