@@ -363,7 +363,7 @@ namespace
     {"set Graphics interval = 0.2 ms",
      "set Time between rows = 0.2 ms\n  set History interval = 3",
      "Output/Time between rows = 0.0002 s and Output/History interval = 3 "
-     "steps both say when history.csv gets a row. Remove one"},
+     "steps both set the rows of history.csv. Remove one"},
     {"set Graphics interval = 0.2 ms\nend",
      "set Graphics interval = 0.2 ms\nend \\",
      "within a line continued by"},

@@ -264,7 +264,7 @@ TEST(BucklingModes, ScenesWithoutBucklingAreRejected)
                                .set("Time/Start from", "static equilibrium"),
                              1);
                }),
-               {"not stable", "negative mode"});
+               {"not stable", "negative eigenvalue"});
   // A strut beside a rigid one, which carries all of the load.
   expect_parts(input_error_of([&] {
                  buckling_of(
