@@ -39,7 +39,7 @@ namespace auxfem
      * suffices and MUMPS gains nothing on several ranks.
      * @tuned [unknowns] measured by scripts/measure-sizes
      */
-    constexpr unsigned long dissection_limit = 5000;
+    constexpr unsigned long small_factor_limit = 5000;
 
     /**
      * Asymmetry below which Newton's method uses the symmetric part.
@@ -128,7 +128,7 @@ namespace auxfem
 
   EliminationOrder choose_elimination_order(const EquationsAtJoints &equations)
   {
-    return is_in_space(equations) && equations.n_unknowns > dissection_limit
+    return is_in_space(equations) && equations.n_unknowns > small_factor_limit
       ? EliminationOrder::nested_dissection
       : EliminationOrder::minimum_degree;
   }
@@ -136,7 +136,7 @@ namespace auxfem
   MumpsRanks choose_mumps_ranks(const EquationsAtJoints &equations)
   {
     return equations.n_unknowns <=
-        (is_in_space(equations) ? dissection_limit : one_rank_limit_in_plane)
+        (is_in_space(equations) ? small_factor_limit : one_rank_limit_in_plane)
       ? MumpsRanks::first
       : MumpsRanks::all;
   }

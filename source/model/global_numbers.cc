@@ -178,18 +178,18 @@ namespace auxfem
       for (unsigned int c = first_rotation; c < n_motion_components; ++c)
         numbers[c] = from[c];
     };
-    switch (rotation_owner.what)
+    switch (rotation_owner.kind)
       {
-        case RotationOwner::What::ground:
+        case RotationOwner::Kind::ground:
           break;
-        case RotationOwner::What::joint:
+        case RotationOwner::Kind::joint:
           copy_rotation(joints[rotation_owner.index]);
           break;
-        case RotationOwner::What::strut_end:
+        case RotationOwner::Kind::strut_end:
           copy_rotation(
             released_ends.at({rotation_owner.index, rotation_owner.end}));
           break;
-        case RotationOwner::What::rigid_part:
+        case RotationOwner::Kind::rigid_part:
           copy_rotation(rigid_parts[rotation_owner.index].motion);
           break;
       }

@@ -10,8 +10,8 @@ namespace auxfem
 {
   namespace
   {
-    using Type = JointDefinition::Type;
-    using What = RotationOwner::What;
+    using Type      = JointDefinition::Type;
+    using OwnerKind = RotationOwner::Kind;
 
     /** Ends of elastic or of rigid struts, by joint. */
     std::vector<std::vector<StrutEnd>> ends_by_joint(const Lattice &lattice,
@@ -78,9 +78,9 @@ namespace auxfem
     {
       std::vector<RotationOwner> rotation_owner;
       for (const StrutEnd &end : at.ends)
-        rotation_owner.push_back({What::strut_end, end.strut, end.end});
+        rotation_owner.push_back({OwnerKind::strut_end, end.strut, end.end});
       for (const unsigned int part : at.rigid_parts)
-        rotation_owner.push_back({What::rigid_part, part, 0});
+        rotation_owner.push_back({OwnerKind::rigid_part, part, 0});
       return rotation_owner;
     }
 
@@ -91,14 +91,14 @@ namespace auxfem
                           const JointDefinition            &definition,
                           const bool                        at_bar)
     {
-      if (joint_owner.what != What::ground &&
+      if (joint_owner.kind != OwnerKind::ground &&
           std::count(ends.begin(), ends.end(), joint_owner) == 0)
         return joint_owner;
       if (ends.size() > 1)
         return ends.front();
       // A single part rotates relative to the ground; a strut at a bar has no
       // base.
-      if (at_bar && ends.front().what == What::strut_end)
+      if (at_bar && ends.front().kind == OwnerKind::strut_end)
         refuse_bar(definition, at.joint);
       return {};
     }
@@ -284,7 +284,7 @@ namespace auxfem
         for (const JointRelease &release : releases)
           for (const RotationPair &pair : release.pairs)
             for (const RotationOwner &owner : {pair.base, pair.end})
-              if (owner.what == RotationOwner::What::strut_end)
+              if (owner.kind == RotationOwner::Kind::strut_end)
                 is_coupled[owner.index][owner.end] = true;
         for (unsigned int s = 0; s < lattice.struts.size(); ++s)
           for (unsigned int end = 0; end < 2; ++end)

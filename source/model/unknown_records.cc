@@ -177,13 +177,13 @@ namespace auxfem
   joint_rotations(const Lattice                          &lattice,
                   const std::vector<std::array<bool, 2>> &released)
   {
-    using What = RotationOwner::What;
+    using OwnerKind = RotationOwner::Kind;
     std::vector<RotationOwner> rotation_owner(lattice.joints.size());
     for (unsigned int s = 0; s < lattice.struts.size(); ++s)
       for (unsigned int end = 0; end < 2; ++end)
         if (const unsigned int joint = lattice.struts[s].joints[end];
             !lattice.struts[s].is_rigid() && !released[s][end])
-          rotation_owner[joint] = {What::joint, joint, 0};
+          rotation_owner[joint] = {OwnerKind::joint, joint, 0};
 
     std::vector<unsigned int> n_parts(lattice.joints.size(), 0);
     for (const RigidPart &part : lattice.rigid_parts)
@@ -193,9 +193,10 @@ namespace auxfem
     for (unsigned int p = 0; p < lattice.rigid_parts.size(); ++p)
       if (const RigidPart &part = lattice.rigid_parts[p]; part.has_rotation)
         for (const unsigned int joint : part.joints)
-          if (rotation_owner[joint].what == What::joint ? part.clamps_struts
-                                                        : n_parts[joint] == 1)
-            rotation_owner[joint] = {What::rigid_part, p, 0};
+          if (rotation_owner[joint].kind == OwnerKind::joint
+                ? part.clamps_struts
+                : n_parts[joint] == 1)
+            rotation_owner[joint] = {OwnerKind::rigid_part, p, 0};
     return rotation_owner;
   }
 
@@ -232,12 +233,12 @@ namespace auxfem
   UnknownDistribution::Motion &
   UnknownDistribution::motion_of(const RotationOwner &rotation_owner)
   {
-    switch (rotation_owner.what)
+    switch (rotation_owner.kind)
       {
-        case RotationOwner::What::strut_end:
+        case RotationOwner::Kind::strut_end:
           return released_end_unknowns.at(
             {rotation_owner.index, rotation_owner.end});
-        case RotationOwner::What::rigid_part:
+        case RotationOwner::Kind::rigid_part:
           return part_unknowns[rotation_owner.index].motion;
         default:
           return joint_unknowns[rotation_owner.index];
@@ -316,7 +317,7 @@ namespace auxfem
   {
     Motion        motion   = joint_unknowns[joint];
     const Motion &rotation = motion_of(rotation_of_joint[joint]);
-    if (rotation_of_joint[joint].what != RotationOwner::What::ground)
+    if (rotation_of_joint[joint].kind != RotationOwner::Kind::ground)
       std::copy(rotation.begin() + first_rotation,
                 rotation.end(),
                 motion.begin() + first_rotation);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include <nlohmann/json.hpp>
+
 namespace auxfem
 {
   std::string order_search_text(const OrderReport &report)

@@ -9,7 +9,7 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  using What = RotationOwner::What;
+  using OwnerKind = RotationOwner::Kind;
 
   SceneText definition(const std::string &name,
                        const std::string &joint,
@@ -47,13 +47,13 @@ namespace
     const Lattice lattice = build_lattice(scene);
     const auto words = [](const RotationOwner &rotation_owner) -> std::string {
       const std::string number = std::to_string(rotation_owner.index);
-      switch (rotation_owner.what)
+      switch (rotation_owner.kind)
         {
-          case What::joint:
+          case OwnerKind::joint:
             return "joint " + number;
-          case What::strut_end:
+          case OwnerKind::strut_end:
             return "strut " + number;
-          case What::rigid_part:
+          case OwnerKind::rigid_part:
             return "part " + number;
           default:
             return "ground";

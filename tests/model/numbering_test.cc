@@ -399,7 +399,7 @@ TEST(DofNumbering, BothRotationsOfASpringAreKeptWhereOneIsOwned)
   for (unsigned int s = 0; s < lattice.struts.size(); ++s)
     for (unsigned int end = 0; end < 2; ++end)
       ends[lattice.struts[s].joints[end]].push_back(
-        {RotationOwner::What::strut_end, s, end});
+        {RotationOwner::Kind::strut_end, s, end});
   for (unsigned int joint = 0; joint < ends.size(); ++joint)
     for (const RotationOwner &end : ends[joint])
       if (!(end == ends[joint].front()))

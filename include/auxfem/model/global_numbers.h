@@ -14,21 +14,21 @@ namespace auxfem
   /** Owner of a rotation; the ground has none. */
   struct RotationOwner
   {
-    enum class What
+    enum class Kind
     {
       ground,
       joint,     ///< with the struts that are rigidly connected there
       strut_end, ///< released from its joint
       rigid_part ///< in space, RigidPart::has_rotation
     };
-    What what = What::ground;
+    Kind kind = Kind::ground;
     /** Index of the joint, strut or rigid part. */
     unsigned int index = 0;
     unsigned int end   = 0; ///< end of the strut
 
     bool operator==(const RotationOwner &other) const
     {
-      return what == other.what && index == other.index && end == other.end;
+      return kind == other.kind && index == other.index && end == other.end;
     }
   };
 

@@ -1,7 +1,6 @@
 #ifndef auxfem_output_verdict_h
 #define auxfem_output_verdict_h
 
-#include <auxfem/equations/equations.h>
 #include <auxfem/parameters/text.h>
 #include <auxfem/state/checkpoint_archive.h>
 #include <auxfem/state/energies.h>

@@ -196,7 +196,7 @@ namespace auxfem
                                        end  = spins(numbering, pair.end);
               if (end[2] >= 0 &&
                   (base[2] >= 0 ||
-                   pair.base.what == RotationOwner::What::ground))
+                   pair.base.kind == RotationOwner::Kind::ground))
                 add(number, release.definition->stiffness, base, end);
               ++number;
             }
