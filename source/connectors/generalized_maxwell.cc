@@ -112,7 +112,11 @@ namespace auxfem
           {
             energy.stored += elements[i].stored_energy(trial[i]);
             energy.dissipated +=
-              elements[i].dissipated_energy(committed[i], motion);
+              elements[i].dissipated_energy(committed[i],
+                                            motion.extension -
+                                              motion.previous_extension,
+                                            motion.rate,
+                                            motion.dt);
           }
         return energy;
       }

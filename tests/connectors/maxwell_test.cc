@@ -32,10 +32,13 @@ namespace
     return steps;
   }
 
-  /** A step at a constant rate. */
-  ConnectorMotion ramp(const double increment, const double dt)
+  /** Energy lost in a step at a constant rate. */
+  double lost_in_ramp(const MaxwellElement &element,
+                      const double          force,
+                      const double          increment,
+                      const double          dt)
   {
-    return {increment, increment / dt, 0., dt};
+    return element.dissipated_energy(force, increment, increment / dt, dt);
   }
 
   /**
@@ -195,7 +198,7 @@ TEST(Maxwell, UpdateAndLossForAllStepLengths)
         for (const double force : {0., 4., -7.})
           {
             const double exact = loss(1000, force, 0.01, a);
-            EXPECT_NEAR(element.dissipated_energy(force, ramp(0.01, a * tau)),
+            EXPECT_NEAR(lost_in_ramp(element, force, 0.01, a * tau),
                         exact,
                         (1e-13 + 1e-18 / (a * a)) * exact)
               << a << ' ' << force;
@@ -209,7 +212,7 @@ TEST(Maxwell, LossOfShortStepsIsThatOfTheMeanSquareForce)
   // of relative size a, and the loss is (F0^2 + F0 F1 + F1^2) / 3 dt / c.
   const MaxwellElement element = {1000., tau};
   for (const double a : {1e-6, 1e-9, 1e-12})
-    EXPECT_NEAR(element.dissipated_energy(4., ramp(0.006, a * tau)) /
+    EXPECT_NEAR(lost_in_ramp(element, 4., 0.006, a * tau) /
                   ((16. + 40. + 100.) / 3. * a / 1000.),
                 1,
                 a + 1e-14);
@@ -225,7 +228,7 @@ TEST(Maxwell, StepsFromTinyToInfinite)
   EXPECT_EQ(element.step(infinity).stiffness, 0.);
   EXPECT_EQ(element.step(infinity).damping, 50.);
   EXPECT_EQ(element.step(infinity).decay, 0.);
-  EXPECT_EQ(element.dissipated_energy(4., {0.01, 0., 0., 0.}), 0.);
+  EXPECT_EQ(element.dissipated_energy(4., 0.01, 0., 0.), 0.);
 }
 
 TEST(Maxwell, InfiniteStepDissipatesAllStoredEnergy)
