@@ -200,13 +200,15 @@ namespace auxfem
     return {all.begin(), all.end()};
   }
 
-  void Equations::relaxing_stiffness(const EvaluationResults &results,
+  void Equations::relaxing_stiffness(const Evaluation        &evaluation,
+                                     const EvaluationResults &results,
                                      const double             time,
                                      TangentMatrix           &matrix) const
   {
     matrix.reset();
     for (const auto &[effect, terms] : small_motion_terms)
-      terms->add_relaxing_stiffness(results.effect_caches[effect].get(),
+      terms->add_relaxing_stiffness(evaluation,
+                                    results.effect_caches[effect].get(),
                                     time,
                                     matrix);
   }

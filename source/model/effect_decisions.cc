@@ -101,6 +101,7 @@ namespace auxfem
       rotary_inertia_effect(),
       connector_viscosity_effect(),
       strut_damping_effect(),
+      strut_relaxation_effect(),
       gravity_effect(),
       hinges_effect(),
       contact_effect()};

@@ -62,13 +62,38 @@ namespace auxfem
         }
     }
 
-    std::vector<Section> sections_of(const Scene &scene, const Lattice &lattice)
+    /** Sections as the run simulates them. */
+    std::vector<Section> sections_of(const RunPlan &plan)
     {
-      refuse_references_along_struts(scene, lattice);
       std::vector<Section> sections;
-      for (const SectionDefinition &definition : scene.sections)
-        sections.push_back(definition.section);
+      for (const SectionDefinition &definition : plan.scene.sections)
+        sections.push_back(plan.simulated.strut_relaxation
+                             ? definition.section
+                             : definition.section.relaxed());
       return sections;
+    }
+
+    /** The laws of @p sections, each once, the elastic one first. */
+    std::vector<std::shared_ptr<const SectionLaw>>
+    laws_of(const std::vector<Section> &sections)
+    {
+      std::vector<std::shared_ptr<const SectionLaw>> laws = {nullptr};
+      for (const Section &section : sections)
+        if (std::find(laws.begin(), laws.end(), section.law) == laws.end())
+          laws.push_back(section.law);
+      return laws;
+    }
+
+    /** Number in @p laws by section. */
+    std::vector<unsigned int>
+    law_numbers(const std::vector<Section>                           &sections,
+                const std::vector<std::shared_ptr<const SectionLaw>> &laws)
+    {
+      std::vector<unsigned int> numbers;
+      for (const Section &section : sections)
+        numbers.push_back(std::find(laws.begin(), laws.end(), section.law) -
+                          laws.begin());
+      return numbers;
     }
 
     std::vector<std::vector<JointPair>> pairs_of(const Scene   &scene,
@@ -115,7 +140,8 @@ namespace auxfem
                              const MPI_Comm communicator)
     : plan(with_effects(given, decide_effects(given, lattice)))
     , lattice(lattice)
-    , sections(sections_of(plan.scene, lattice))
+    , sections(sections_of(plan))
+    , laws(laws_of(sections))
     , mean_strut_length(mean_length(lattice))
     , releases(plan.simulated.hinges ? joint_releases(plan.scene, lattice)
                                      : std::vector<JointRelease>())
@@ -125,19 +151,23 @@ namespace auxfem
         lattice,
         StrutPartition(lattice, divisions_of(plan, lattice), communicator),
         all_ties(plan.scene, lattice, releases, connector_pairs),
-        communicator))
+        communicator,
+        law_numbers(sections, laws)))
     , numbering(*shared_numbering)
     , rows(numbering.unknowns().owned_rows())
     , supports(
         make_supports(plan, lattice, numbering, plan.simulated.large_rotation))
     , bodies(rigid_bodies(lattice, numbering))
-  {}
+  {
+    refuse_references_along_struts(plan.scene, lattice);
+  }
 
   LatticeModel::LatticeModel(const LatticeModel &other,
                              SimulatedEffects    simulated)
     : plan(with_effects(other.plan, std::move(simulated)))
     , lattice(other.lattice)
     , sections(other.sections)
+    , laws(other.laws)
     , mean_strut_length(other.mean_strut_length)
     , releases(other.releases)
     , free_spins(other.free_spins)

@@ -36,14 +36,29 @@ namespace auxfem
         return {0, 1, rotation_z};
       return {0, 1, 2, 3, 4, 5};
     }
+
+    std::vector<unsigned int>
+    first_elements(const std::vector<StrutDivision> &divisions)
+    {
+      std::vector<unsigned int> first;
+      unsigned int              n_elements = 0;
+      for (const StrutDivision &division : divisions)
+        {
+          first.push_back(n_elements);
+          n_elements += division.n_elements;
+        }
+      return first;
+    }
   } // namespace
 
-  DofNumbering::DofNumbering(const Lattice        &lattice,
-                             const StrutPartition &partition,
-                             const Ties           &ties,
-                             const MPI_Comm        communicator)
+  DofNumbering::DofNumbering(const Lattice                   &lattice,
+                             const StrutPartition            &partition,
+                             const Ties                      &ties,
+                             const MPI_Comm                   communicator,
+                             const std::vector<unsigned int> &laws)
     : base_lattice(lattice)
     , strut_divisions(partition.divisions)
+    , first_element_of_strut(first_elements(strut_divisions))
     , node_components(components_of_nodes(lattice.dimension))
     , numbers(lattice,
               partition,
@@ -53,7 +68,8 @@ namespace auxfem
     , local_subset(find_local_subset(partition,
                                      ties,
                                      dealii::Utilities::MPI::this_mpi_process(
-                                       communicator)))
+                                       communicator),
+                                     laws))
     , unknown_data(
         UnknownLayout(communicator, local_subset.n_owned, local_subset.ghosts))
     , constraint_unknowns(numbers, layout(), local_subset.rigid_parts)
@@ -89,9 +105,10 @@ namespace auxfem
   }
 
   DofNumbering::LocalSubset
-  DofNumbering::find_local_subset(const StrutPartition &partition,
-                                  const Ties           &ties,
-                                  const unsigned int    rank)
+  DofNumbering::find_local_subset(const StrutPartition            &partition,
+                                  const Ties                      &ties,
+                                  const unsigned int               rank,
+                                  const std::vector<unsigned int> &laws)
   {
     const auto  is_mine = [&](const int g) { return numbers.owns(rank, g); };
     LocalSubset result;
@@ -123,7 +140,7 @@ namespace auxfem
         // the strut may not.
         element_list.push_back({interval, order, is_mine(globals.back())});
       }
-    sort_elements(result);
+    sort_elements(result, laws);
     for (const JointPair &pair : ties.connected)
       for (const unsigned int mine : {pair.first, pair.second})
         if (mine != invalid_index && is_mine(numbers.joints[mine][0]))
@@ -150,25 +167,35 @@ namespace auxfem
     return result;
   }
 
-  void DofNumbering::sort_elements(LocalSubset &subset)
+  void DofNumbering::sort_elements(LocalSubset                     &subset,
+                                   const std::vector<unsigned int> &laws)
   {
-    std::set<unsigned int> used;
+    using OrderAndLaw = std::pair<unsigned int, unsigned int>;
+    const auto key_of = [&](const unsigned int strut) {
+      return OrderAndLaw(strut_divisions[strut].order,
+                         laws.empty()
+                           ? 0
+                           : laws[base_lattice.struts[strut].section]);
+    };
+    std::set<OrderAndLaw> used;
     for (unsigned int strut = 0; strut < strut_divisions.size(); ++strut)
       if (!base_lattice.struts[strut].is_rigid())
-        used.insert(strut_divisions[strut].order);
+        used.insert(key_of(strut));
     std::vector<Element>     sorted;
     std::vector<std::size_t> sorted_numbers;
-    for (const unsigned int order : used)
+    for (const OrderAndLaw &key : used)
       {
         const unsigned int begin = sorted.size();
         for (std::size_t e = 0; e < element_list.size(); ++e)
-          if (element_list[e].order == order)
+          if (key_of(element_list[e].interval.strut) == key)
             {
               sorted.push_back(element_list[e]);
               sorted_numbers.push_back(subset.elements[e]);
             }
-        element_groups.push_back(
-          {order, begin, static_cast<unsigned int>(sorted.size())});
+        element_groups.push_back({key.first,
+                                  begin,
+                                  static_cast<unsigned int>(sorted.size()),
+                                  key.second});
       }
     element_list.swap(sorted);
     subset.elements.swap(sorted_numbers);

@@ -190,7 +190,7 @@ namespace auxfem
       for (const SectionDefinition &section : scene.sections)
         if (!section.has_density)
           mistakes.add(message(scene,
-                               section.path,
+                               section.material_path,
                                "/Density must be given, because there is ",
                                statics ? "weight (Gravity)"
                                        : "inertia (Time/Scheme = " +
@@ -438,8 +438,35 @@ namespace auxfem
 
 
 
+  namespace
+  {
+    /** Refuses materials that flow under loads which last forever. */
+    void check_long_time_stiffness(const Scene &scene, Mistakes &mistakes)
+    {
+      const bool is_relaxed = is_static(scene) ||
+        is_linearized(scene.analysis) || scene.time.static_start ||
+        scene.effects.strut_relaxation == Switch::off;
+      if (!is_relaxed)
+        return;
+      for (const SectionDefinition &definition : scene.sections)
+        if (const auto &law = definition.section.law;
+            law && !(law->long_time_ratio(StrainType::shear) > 0))
+          mistakes.add(
+            message(scene,
+                    definition.material_path,
+                    "/Relaxing parts add up to 1: the material flows "
+                    "under loads that last, and here ",
+                    scene.effects.strut_relaxation == Switch::off
+                      ? "Effects/Strut relaxation is off"
+                      : "there are static states",
+                    ". Reduce the parts to less than 1 together, or "
+                    "simulate the motion from rest with inertia"));
+    }
+  } // namespace
+
   void check_consistency(const Scene &scene, Mistakes &mistakes)
   {
+    check_long_time_stiffness(scene, mistakes);
     check_steps(scene, mistakes);
     check_scheme(scene, mistakes);
     if (scene.context.model == Model::reduced_cell)

@@ -43,6 +43,11 @@ namespace auxfem
       effect("Strut damping",
              &EffectSwitches::strut_damping,
              "Stiffness- and mass-proportional damping of the struts."),
+      effect(
+        "Strut relaxation",
+        &EffectSwitches::strut_relaxation,
+        "Relaxation of viscoelastic struts; off: they are elastic with their "
+        "long-time moduli."),
       effect("Gravity", &EffectSwitches::gravity, "Weight."),
       effect("Hinges",
              &EffectSwitches::hinges,

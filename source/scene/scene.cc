@@ -143,6 +143,12 @@ namespace auxfem
         read_discretization(values, is_linearized(scene.analysis));
     }
 
+    /** Needs the materials. */
+    void add_section(ParameterValues &values, Scene &scene)
+    {
+      scene.sections.push_back(read_section(values, scene.materials));
+    }
+
     void add_load(ParameterValues &values, Scene &scene)
     {
       const auto load = read_load(values);
@@ -200,7 +206,8 @@ namespace auxfem
       {lattice_schema(), set<&Scene::lattice, read_lattice>},
       {sets_schema(), add<&Scene::sets, read_set>},
       {imperfections_schema(), add<&Scene::imperfections, read_imperfection>},
-      {sections_schema(), add<&Scene::sections, read_section>},
+      {materials_schema(), add<&Scene::materials, read_material>},
+      {sections_schema(), add_section},
       {rigid_parts_schema(), add<&Scene::rigid_parts, read_rigid_part>},
       {joints_schema(), add<&Scene::joints, read_joint>},
       {connectors_schema(), add<&Scene::connectors, read_connector>},

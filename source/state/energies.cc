@@ -64,6 +64,13 @@ namespace auxfem
             "physical losses; negative: added"};
   }
 
+  EnergyEntry relaxation_energy_entry()
+  {
+    return {EnergyKind::dissipated,
+            "strut_relaxation_dissipated",
+            "energy lost by relaxation of the struts since the start"};
+  }
+
   Energies::Energies() : entries(std::make_shared<const EnergyLedger>())
   {}
 

@@ -136,44 +136,11 @@ namespace auxfem
       "for a tube.",
       {"auto"}};
 
-    const Quantity youngs_modulus = {"Young's modulus",
-                                     "",
-                                     "Pa",
-                                     Range::positive(),
-                                     "Young's modulus."};
-    const Quantity poissons_ratio = {"Poisson's ratio",
-                                     "0.3",
-                                     "1",
-                                     {-1, 0.5, true, false},
-                                     "Poisson's ratio, for the shear modulus."};
-    const Quantity density        = {
-             "Density",
-             "none",
-             "kg/m3",
-             Range::non_negative(),
-             "Mass per volume; none: allowed only in statics without weight.",
-             {"none"}};
-    const Quantity yield_strain = {
-      "Yield strain",
+    const Text section_material = {
+      "Material",
       "none",
-      "1",
-      Range::positive(),
-      "Outer-fibre strain at which the material yields, in tension or "
-      "compression; beyond it the verdict is doubtful. With Shape = given see "
-      "Extreme fibre.",
-      {"none"}};
-    const Quantity stiffness_damping = {
-      "Stiffness-proportional damping",
-      "0 s",
-      "s",
-      Range::non_negative(),
-      "Time b of the damping stress = E b strain rate."};
-    const Quantity mass_damping = {
-      "Mass-proportional damping",
-      "0 1/s",
-      "1/s",
-      Range::non_negative(),
-      "Rate a of the damping force = a mass velocity."};
+      "Name in Materials; none: the section gives the constants of a linear "
+      "elastic material itself."};
 
     void set_shear_areas(const ParameterValues &values,
                          const double           automatic,
@@ -281,33 +248,63 @@ namespace auxfem
         }
     }
 
-    void read_material(const ParameterValues &values, Section &section)
+    MaterialDefinition
+    material_of(const ParameterValues                 &values,
+                const std::vector<MaterialDefinition> &materials)
     {
-      section.youngs_modulus = values[youngs_modulus];
-      section.shear_modulus =
-        section.youngs_modulus / (2 * (1 + values[poissons_ratio]));
-      section.stiffness_proportional_damping = values[stiffness_damping];
-      section.mass_proportional_damping      = values[mass_damping];
+      const std::string name = values[section_material];
+      if (name == "none")
+        return read_material_constants(
+          values,
+          "Set it, or name a material: Material = NAME");
+      const MaterialDefinition *material = find_by_name(materials, name);
+      if (material == nullptr)
+        {
+          std::string known;
+          for (const MaterialDefinition &other : materials)
+            known += (known.empty() ? "" : ", ") + other.name;
+          values.refuse(section_material,
+                        known.empty()
+                          ? "the file has no Materials. Add `subsection "
+                            "Materials` with `subsection " +
+                            name + "`"
+                          : "no such material. Known: " + known);
+        }
+      refuse_material_parameters(values, name);
+      return *material;
+    }
+
+    void set_material(const MaterialDefinition &material,
+                      SectionDefinition        &definition)
+    {
+      Section &section       = definition.section;
+      section.youngs_modulus = material.youngs_modulus;
+      section.shear_modulus  = material.shear_modulus;
+      section.yield_strain   = material.yield_strain;
+      section.stiffness_proportional_damping =
+        material.stiffness_proportional_damping;
+      section.mass_proportional_damping = material.mass_proportional_damping;
+      section.law                       = material.law;
+      definition.material_path =
+        material.name.empty() ? definition.path : "Materials/" + material.name;
+      definition.has_density = material.density.has_value();
+      section.density        = material.density.value_or(0);
     }
   } // namespace
 
   SubsectionSchema sections_schema()
   {
+    Parameters parameters = {section_struts, section_shape, section_material};
+    for (const Parameter &parameter : material_parameters())
+      parameters.push_back(parameter);
+    parameters.push_back(reference);
     return {
       "Sections",
       SubsectionSchema::Form::named_groups,
-      "Cross-sections and materials. If several apply to a strut, the last "
+      "Cross-sections with their materials. If several apply to a strut, the last "
       "one counts. Axis 1 is along the strut. In the plane, axis 2 lies "
       "in it and axis 3 is its normal; in space see Reference vector.",
-      {section_struts,
-       section_shape,
-       youngs_modulus,
-       poissons_ratio,
-       density,
-       yield_strain,
-       reference,
-       stiffness_damping,
-       mass_damping},
+      parameters,
       "Shape",
       {{"rectangle",
         "Solid rectangle.",
@@ -330,7 +327,9 @@ namespace auxfem
          drawing_radius}}}};
   }
 
-  SectionDefinition read_section(ParameterValues &values)
+  SectionDefinition
+  read_section(ParameterValues                       &values,
+               const std::vector<MaterialDefinition> &materials)
   {
     SectionDefinition definition;
     definition.name              = values.name();
@@ -345,14 +344,9 @@ namespace auxfem
       read_tube(values, definition.section);
     else
       read_given(values, definition.section);
-    read_material(values, definition.section);
-    if (!values.is_word(yield_strain))
-      definition.section.yield_strain = values[yield_strain];
+    set_material(material_of(values, materials), definition);
     if (!values.is_word(reference))
       definition.section.reference = unit_vector_of(values, reference);
-    definition.has_density = !values.is_word(density);
-    if (definition.has_density)
-      definition.section.density = values[density];
     return definition;
   }
 } // namespace auxfem

@@ -28,6 +28,9 @@ namespace auxfem
   void TimeStepper::adopt_rest_factorization(const State &rest)
   {
     State now = rest;
+    // Materials may start in another state than the relaxed one.
+    if (parameters.static_start && equations.model().laws.size() > 1)
+      return;
     if (parameters.static_start)
       solvers->newton.adopt_factorization(Evaluation::equilibrium(rest, now),
                                           Equilibrium().factors(rest, 0.));
@@ -40,9 +43,10 @@ namespace auxfem
   void TimeStepper::find_static_equilibrium(State &state)
   {
     const Equilibrium search;
-    trial.state                 = state;
-    const Evaluation evaluation = Evaluation::equilibrium(state, trial.state);
-    const auto       solve      = [&] {
+    trial.state           = state;
+    Evaluation evaluation = Evaluation::equilibrium(state, trial.state);
+    evaluation.starts_run = true;
+    const auto solve      = [&] {
       search.predict(state, /*dt=*/0., trial.state);
       rotations.follow(evaluation);
       return solvers->newton.solve(search, evaluation, trial.results);

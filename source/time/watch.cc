@@ -166,7 +166,8 @@ namespace auxfem
       reporting.strut_contact != nullptr;
     // In elastic statics time only orders the loads.
     const bool time_has_meaning = simulated.connector_viscosity ||
-      simulated.strut_damping || has_friction(plan);
+      simulated.strut_damping || simulated.strut_relaxation ||
+      has_friction(plan);
     const bool         is_limited = simulated.small_displacements_are_limited;
     const WatchContext run{plan, equations, statistics, work};
     const auto         add_if = [&](const bool is_needed, MakeWatch &make) {

@@ -235,6 +235,13 @@ namespace auxfem
         .add("Sections/band",
              "Stiffness-proportional damping = 0.3 | "
              "Mass-proportional damping = 0.4")
+        .add("Materials/rubber",
+             "Law = viscoelastic | Young's modulus = 1 | Density = 0.5 | "
+             "Relaxing parts = 0.5 | Relaxation times = 0.3 | "
+             "Volume change = elastic")
+        .add("Sections/rubber",
+             "Struts = 1, 2 | Material = rubber | Shape = given | Area = 3 | "
+             "Shear area = 5 | Second moment of area = 0.7")
         .add("Joints/springs",
              "Joints = tips | Type = rotational spring | Stiffness = 0.8")
         .add("Joints/hinges", "Joints = top | Type = hinge")

@@ -225,11 +225,13 @@ TEST(Equations, DisabledEffectsNeedNoState)
   EXPECT_TRUE(whole.velocity);
   EXPECT_TRUE(whole.acceleration);
   EXPECT_FALSE(whole.algorithmic_acceleration);
-  // Maxwell elements in 4 connectors across and 2 fixed ones; dashpots in
-  // these, the 4 in the cells, and 2 anchors.
-  EXPECT_EQ(n_kept(whole, ": internal variables"), 6u);
+  // Maxwell elements in 4 connectors across and 2 fixed ones, and at both
+  // points of 2 relaxing struts, for each of three strains; dashpots in these
+  // connectors, the 4 in the cells, and 2 anchors.
+  EXPECT_EQ(n_kept(whole, ": internal variables"), 6u + 2 * 2 * 3);
   EXPECT_EQ(n_kept(whole, ": dissipated energy"), 12u);
-  EXPECT_EQ(whole.history.n_values(), 18u);
+  // A viscous strain, a strain and its rate.
+  EXPECT_EQ(whole.history.n_values(), 18u + 2 * 2 * 3 * 3);
 
   const StateLayout in_statics = EquationsOnRanks(star_with_everything(2, 2),
                                                   {"Time/Scheme=static"},
@@ -241,7 +243,8 @@ TEST(Equations, DisabledEffectsNeedNoState)
   const EquationsOnRanks elastic(star_with_everything(2, 2),
                                  {"Time/Scheme=static",
                                   "Effects/Connector viscosity=off",
-                                  "Effects/Strut damping=off"},
+                                  "Effects/Strut damping=off",
+                                  "Effects/Strut relaxation=off"},
                                  MPI_COMM_SELF);
   EXPECT_FALSE(elastic.equations.layout().velocity);
   EXPECT_EQ(elastic.equations.layout().history.n_values(), 0u);

@@ -24,6 +24,14 @@ namespace
            "Torsion constant = 0.5 | "
            "Stiffness-proportional damping = 0.3 | "
            "Mass-proportional damping = 0.4")
+      .add("Materials/rubber",
+           "Law = viscoelastic | Young's modulus = 1 | Density = 1 | "
+           "Poisson's ratio = 0.3 | Relaxing parts = 0.5 | "
+           "Relaxation times = 0.3 | Volume change = elastic")
+      .add("Sections/rubber",
+           "Struts = 0, 2 | Material = rubber | Shape = given | Area = 3 | "
+           "Shear area = 5 | Second moment of area = 0.7 | Shear area 3 = 4 | "
+           "Second moment of area 2 = 0.4 | Torsion constant = 0.5")
       .add("Joints/spring",
            "Joints = 1 | Struts = 4 | Type = rotational spring | "
            "Stiffness = 0.8")
@@ -316,7 +324,9 @@ TEST(SpaceTangent, MeanForcesBetweenStatesBalanceTheLedger)
 // derivatives times section forces, which are small here.
 TEST(SpaceTangent, BetweenStatesIsTheDerivativeOfMeanForcesUpToTheTurn)
 {
-  const std::vector<std::string> soft = {"Sections/band/Young's modulus=1e-9"};
+  const std::vector<std::string> soft = {
+    "Sections/band/Young's modulus=1e-9",
+    "Materials/rubber/Young's modulus=1e-9"};
   const double coarse = SpaceMeanStep(soft, 1e-2).error_of_tangent(),
                fine   = SpaceMeanStep(soft, 1e-3).error_of_tangent();
   EXPECT_LT(coarse, 1e-3);

@@ -105,20 +105,22 @@ namespace
     const auto            frames = elements.frames();
     const auto            u      = pack_lanes<std::array<Lanes, n>>(elements.u),
                v                 = pack_lanes<std::array<Lanes, n>>(elements.v);
-    std::array<Lanes, n>     force;
-    std::array<Lanes, n * n> matrix;
+    std::array<Lanes, n>         force;
+    std::array<Lanes, n * n>     matrix;
+    const auto                   stiffness = elements.section();
+    const Beam2D::ElasticSection section{stiffness};
     const auto energy = Beam2D::internal_force<order, large_rotation, damped>(
       elements.beams[0].shape,
       frames.data(),
       elements.jacobian(),
-      elements.section(),
+      section,
       u.data(),
       v.data(),
       force.data());
     Beam2D::tangent<order, large_rotation, damped>(elements.beams[0].shape,
                                                    frames.data(),
                                                    elements.jacobian(),
-                                                   elements.section(),
+                                                   section,
                                                    u.data(),
                                                    v.data(),
                                                    0.9,
@@ -237,9 +239,12 @@ namespace
                                                              jacobian,
                                                              nodes);
       const Number                                   damping_time = 0.4;
-      energy =
-        Beam3D::internal_force(shape, element, jacobian, section, force.data());
-      power = Beam3D::add_damping_force(shape,
+      energy = Beam3D::internal_force(shape,
+                                      element,
+                                      jacobian,
+                                      Beam3D::ElasticSection{section},
+                                      force.data());
+      power  = Beam3D::add_damping_force(shape,
                                         element,
                                         jacobian,
                                         section,
@@ -249,7 +254,7 @@ namespace
       Beam3D::tangent(shape,
                       element,
                       jacobian,
-                      section,
+                      Beam3D::ElasticSection{section},
                       Number(stiffness_factor),
                       matrix.data());
       Beam3D::add_damping_tangent(shape,
@@ -283,13 +288,14 @@ namespace
       energy = Beam3D::small_displacement_force(shape,
                                                 frames,
                                                 jacobian,
-                                                section,
+                                                Beam3D::ElasticSection{section},
                                                 u,
                                                 force.data());
       Beam3D::small_displacement_tangent(shape,
                                          frames,
                                          jacobian,
-                                         section,
+                                         Beam3D::ElasticSection{section},
+                                         u,
                                          Number(0.9),
                                          matrix.data());
     }

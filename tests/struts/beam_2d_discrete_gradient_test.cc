@@ -28,7 +28,8 @@ namespace
   {
     return Beam2D::mean_force<Beam::order, true>(beam.shape,
                                                  beam.jacobian,
-                                                 beam.section,
+                                                 Beam2D::ElasticSection{
+                                                   beam.section},
                                                  start_of(beam, u0),
                                                  u1.data(),
                                                  dt,
@@ -189,7 +190,8 @@ TEST(Beam2DBetween, TangentMatchesDifferencesUpToTheRotationIncrement)
         Beam2D::mean_tangent<Beam::order, true>(beam.shape,
                                                 beam.gauss_frames(),
                                                 beam.jacobian,
-                                                beam.section,
+                                                Beam2D::ElasticSection{
+                                                  beam.section},
                                                 start_of(beam, u0),
                                                 u1.data(),
                                                 dt,

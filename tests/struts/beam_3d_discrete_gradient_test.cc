@@ -56,7 +56,7 @@ namespace
       return Beam3D::mean_force(beam.shape,
                                 beam.frames.data(),
                                 beam.jacobian,
-                                beam.section,
+                                Beam3D::ElasticSection{beam.section},
                                 at_start(),
                                 end.data(),
                                 rate_of_step,
@@ -117,12 +117,12 @@ namespace
       Beam3D::mean_tangent(beam.shape,
                            beam.frames.data(),
                            beam.jacobian,
-                           beam.section,
+                           Beam3D::ElasticSection{beam.section},
                            at_start(),
                            end.data(),
                            rate_of_step,
                            0.5,
-                           0.5 + rate_of_step,
+                           rate_of_step,
                            matrix.data());
       const double h     = 1e-5;
       double       error = 0;

@@ -86,7 +86,7 @@ namespace auxfem
         return Beam3D::internal_force(shape,
                                       kinematics(nodes),
                                       jacobian,
-                                      section,
+                                      Beam3D::ElasticSection{section},
                                       result.data());
       }
 
@@ -96,7 +96,7 @@ namespace auxfem
         Beam3D::tangent(shape,
                         kinematics(nodes),
                         jacobian,
-                        section,
+                        Beam3D::ElasticSection{section},
                         factor,
                         matrix.data());
         return matrix;

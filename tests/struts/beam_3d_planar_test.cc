@@ -55,16 +55,17 @@ namespace
                                          6,
                                          7,
                                          planar.section.bending};
-      const double            energy  = Beam3D::internal_force(space.shape,
-                                                   element,
-                                                   space.jacobian,
-                                                   section,
-                                                   force.data());
+      const double            energy =
+        Beam3D::internal_force(space.shape,
+                               element,
+                               space.jacobian,
+                               Beam3D::ElasticSection{section},
+                               force.data());
       typename Beam3DOnTrial<p>::Matrix matrix;
       Beam3D::tangent(space.shape,
                       element,
                       space.jacobian,
-                      section,
+                      Beam3D::ElasticSection{section},
                       1.,
                       matrix.data());
       const auto planar_energy =

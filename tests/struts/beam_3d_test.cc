@@ -229,19 +229,21 @@ TEST(Beam3D, SmallDisplacementFormIsTheDerivativeAtRest)
   for_each_beam_3d([](const auto &beam) {
     using Beam   = std::decay_t<decltype(beam)>;
     using Vector = typename Beam::Vector;
-    typename Beam::Matrix tangent;
+    typename Beam::Matrix        tangent;
+    const auto                   u = irregular<Vector>(1., 8);
+    const Beam3D::ElasticSection section{beam.section};
     Beam3D::small_displacement_tangent(beam.shape,
                                        beam.frames.data(),
                                        beam.jacobian,
-                                       beam.section,
+                                       section,
+                                       u.data(),
                                        1.,
                                        tangent.data());
-    const auto   u = irregular<Vector>(1., 8);
     Vector       force, tiny, exact;
     const double energy = Beam3D::small_displacement_force(beam.shape,
                                                            beam.frames.data(),
                                                            beam.jacobian,
-                                                           beam.section,
+                                                           section,
                                                            u.data(),
                                                            force.data());
     const double size   = 1e-8;

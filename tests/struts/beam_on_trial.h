@@ -67,13 +67,14 @@ namespace auxfem
       Beam2D::EnergyRate
       force(const Vector &u, const Vector &v, Vector &result) const
       {
-        return Beam2D::internal_force<p, large_rotation, damped>(shape,
-                                                                 frames.data(),
-                                                                 jacobian,
-                                                                 section,
-                                                                 u.data(),
-                                                                 v.data(),
-                                                                 result.data());
+        return Beam2D::internal_force<p, large_rotation, damped>(
+          shape,
+          frames.data(),
+          jacobian,
+          Beam2D::ElasticSection{section},
+          u.data(),
+          v.data(),
+          result.data());
       }
 
       template <bool large_rotation, bool damped>
@@ -86,7 +87,8 @@ namespace auxfem
         Beam2D::tangent<p, large_rotation, damped>(shape,
                                                    frames.data(),
                                                    jacobian,
-                                                   section,
+                                                   Beam2D::ElasticSection{
+                                                     section},
                                                    u.data(),
                                                    v.data(),
                                                    stiffness_factor,

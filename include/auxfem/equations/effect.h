@@ -260,7 +260,8 @@ namespace auxfem
 
     /** Adds the stiffness E of the Maxwell elements with the relaxation time
      * @p time (s); add_viscous_stiffness() adds E s time / (1 + s time). */
-    virtual void add_relaxing_stiffness(const EffectCache * /*results*/,
+    virtual void add_relaxing_stiffness(const Evaluation & /*evaluation*/,
+                                        const EffectCache * /*results*/,
                                         double /*time*/,
                                         TangentMatrix & /*matrix*/) const
     {}

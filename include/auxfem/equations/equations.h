@@ -190,7 +190,8 @@ namespace auxfem
     /** Fills @p matrix with the stiffness E of the Maxwell elements of
      * relaxation time @p time (s); dynamic_stiffness() contains E s time / (1 +
      * s time). */
-    void relaxing_stiffness(const EvaluationResults &results,
+    void relaxing_stiffness(const Evaluation        &evaluation,
+                            const EvaluationResults &results,
                             double                   time,
                             TangentMatrix           &matrix) const;
 

@@ -48,6 +48,9 @@ namespace auxfem
      * after an event. */
     std::optional<double>    event_at_from = {};
     std::optional<TimeLimit> event_at_to   = {};
+    /** Whether this is the equilibrium at the start of a run, in which a
+     * material may not have relaxed yet. */
+    bool starts_run = false;
     /** Impulses (N s, N m s) at an instant where a support velocity jumps; they
      * turn the velocities of `from` into those of `to`. */
     const Vector *impulses = nullptr;

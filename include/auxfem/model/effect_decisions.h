@@ -68,6 +68,7 @@ namespace auxfem
   EffectDefinition rotary_inertia_effect();
   EffectDefinition connector_viscosity_effect();
   EffectDefinition strut_damping_effect();
+  EffectDefinition strut_relaxation_effect();
   EffectDefinition gravity_effect();
   EffectDefinition hinges_effect();
   EffectDefinition contact_effect();

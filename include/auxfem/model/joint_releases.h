@@ -2,7 +2,7 @@
 #define auxfem_model_joint_releases_h
 
 #include <auxfem/model/numbering.h>
-#include <auxfem/scene/scene.h>
+#include <auxfem/scene/run_plan.h>
 
 namespace auxfem
 {

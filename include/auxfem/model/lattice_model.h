@@ -28,8 +28,8 @@ namespace auxfem
                  const Lattice &lattice,
                  MPI_Comm       communicator);
 
-    /** Copy of @p other with other effects, except hinges; shares the
-     * numbering. */
+    /** Copy of @p other with other effects, except hinges and relaxation;
+     * shares the numbering. */
     LatticeModel(const LatticeModel &other, SimulatedEffects simulated);
 
     LatticeModel(const LatticeModel &)            = delete;
@@ -38,6 +38,9 @@ namespace auxfem
     RunPlan                    plan; ///< with decided effects
     const Lattice             &lattice;
     const std::vector<Section> sections; ///< by Strut::section
+    /** Laws of the sections by DofNumbering::Group::law; the first is empty:
+     * the elastic law. */
+    const std::vector<std::shared_ptr<const SectionLaw>> laws;
     /** Reference length (m) that converts moments to forces. */
     const double mean_strut_length;
     /** Hinges and springs; empty if disabled. */

@@ -79,18 +79,25 @@ namespace auxfem
       bool is_owned;
     };
 
-    /** Consecutive elements [begin, end) of one order. */
+    /** Consecutive elements [begin, end) of one order and one section law. */
     struct Group
     {
       unsigned int order;
       unsigned int begin, end;
+      unsigned int law = 0; ///< LatticeModel::laws
     };
 
-    /** @param lattice must outlive the object. Collective. */
-    DofNumbering(const Lattice        &lattice,
-                 const StrutPartition &partition,
-                 const Ties           &ties,
-                 MPI_Comm              communicator);
+    /**
+     * @param lattice must outlive the object
+     * @param laws number of the law by section; without it all have the first
+     *
+     * Collective.
+     */
+    DofNumbering(const Lattice                   &lattice,
+                 const StrutPartition            &partition,
+                 const Ties                      &ties,
+                 MPI_Comm                         communicator,
+                 const std::vector<unsigned int> &laws = {});
 
     DofNumbering(const DofNumbering &)            = delete;
     DofNumbering &operator=(const DofNumbering &) = delete;
@@ -143,15 +150,15 @@ namespace auxfem
       return spatial_rotations;
     }
 
-    /** Elements on this rank by ascending order; those of a strut are
+    /** Elements on this rank by ascending order and law; those of a strut are
      * consecutive. */
     const std::vector<Element> &elements() const
     {
       return element_list;
     }
 
-    /** Element groups, one per order used in the lattice; empty groups have no
-     * elements on this rank. */
+    /** Element groups, one per order and law used in the lattice; empty groups
+     * have no elements on this rank. */
     const std::vector<Group> &groups() const
     {
       return element_groups;
@@ -165,6 +172,13 @@ namespace auxfem
     const int *element_unknowns(const unsigned int e) const
     {
       return element_numbers.data() + first_number[e];
+    }
+
+    /** Number of element @p e in the lattice, independent of the ranks. */
+    unsigned int number_in_lattice(const unsigned int e) const
+    {
+      const StrutInterval &interval = element_list[e].interval;
+      return first_element_of_strut[interval.strut] + interval.number();
     }
 
     /** Number of unknowns of element @p e. */
@@ -216,15 +230,17 @@ namespace auxfem
       std::vector<unsigned int> rigid_parts;
     };
 
-    LocalSubset find_local_subset(const StrutPartition &partition,
-                                  const Ties           &ties,
-                                  unsigned int          rank);
+    LocalSubset find_local_subset(const StrutPartition            &partition,
+                                  const Ties                      &ties,
+                                  unsigned int                     rank,
+                                  const std::vector<unsigned int> &laws);
 
     /** Elastic struts that may have an unknown owned by this rank. */
     std::vector<unsigned int> find_struts(const StrutPartition &partition,
                                           unsigned int          rank) const;
 
-    void sort_elements(LocalSubset &subset);
+    void sort_elements(LocalSubset                     &subset,
+                       const std::vector<unsigned int> &laws);
     void localize_elements();
     void mark_unknowns();
     void mark(int unknown, unsigned int node, unsigned int component);
@@ -234,12 +250,14 @@ namespace auxfem
 
     const Lattice                   &base_lattice;
     const std::vector<StrutDivision> strut_divisions;
-    const std::vector<unsigned int>  node_components;
-    GlobalNumbers                    numbers;
-    std::vector<Element>             element_list;
-    std::vector<Group>               element_groups;
-    LocalSubset                      local_subset; ///< emptied after set-up
-    std::vector<int>                 element_numbers;
+    /** Number in the lattice, by strut. */
+    const std::vector<unsigned int> first_element_of_strut;
+    const std::vector<unsigned int> node_components;
+    GlobalNumbers                   numbers;
+    std::vector<Element>            element_list;
+    std::vector<Group>              element_groups;
+    LocalSubset                     local_subset; ///< emptied after set-up
+    std::vector<int>                element_numbers;
     /** Offset of each element and the end of the list. */
     std::vector<std::size_t> first_number;
     Unknowns                 unknown_data;

@@ -27,6 +27,7 @@ namespace auxfem
     Switch rotary_inertia      = Switch::automatic;
     Switch connector_viscosity = Switch::automatic;
     Switch strut_damping       = Switch::automatic;
+    Switch strut_relaxation    = Switch::automatic;
     Switch gravity             = Switch::automatic;
     Switch hinges              = Switch::automatic;
     Switch contact             = Switch::automatic;

@@ -37,6 +37,7 @@ namespace auxfem
     LatticeDefinition                      lattice;
     std::vector<SetDefinition>             sets;
     std::vector<ImperfectionDefinition>    imperfections;
+    std::vector<MaterialDefinition>        materials;
     std::vector<SectionDefinition>         sections;
     std::vector<JointDefinition>           joints;
     std::vector<RigidPartDefinition>       rigid_parts;

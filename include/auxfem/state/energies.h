@@ -84,6 +84,7 @@ namespace auxfem
   EnergyEntry strain_energy_entry();
   EnergyEntry stored_energy_entry();
   EnergyEntry numerical_energy_entry();
+  EnergyEntry relaxation_energy_entry();
   EnergyEntry contact_energy_entry();
   EnergyEntry friction_energy_entry();
   ///@}

@@ -46,6 +46,102 @@ namespace auxfem
     };
     using Stiffness = StiffnessOf<double>;
 
+    /** Strains at a point, or increments of strains. */
+    template <class Number>
+    struct StrainsOf
+    {
+      Number epsilon, gamma, kappa;
+    };
+
+    /** Section forces N, Q (N), M (N m). */
+    template <class Number>
+    struct ForcesOf
+    {
+      Number axial, shear, bending;
+    };
+
+    /** Section forces and the energy stored per length (J/m). */
+    template <class Number>
+    struct ResponseOf
+    {
+      ForcesOf<Number> forces;
+      Number           stored;
+    };
+
+    /** Section forces and their derivatives by the conjugate strains. */
+    template <class Number>
+    struct LinearizedOf
+    {
+      ForcesOf<Number>    forces;
+      StiffnessOf<Number> stiffness;
+    };
+
+    /**
+     * Linear elastic section. The kernels take the response of a section from a
+     * class with these members; LawSection (struts/effects/law_section.h) is
+     * the other one.
+     */
+    template <class Number>
+    struct ElasticSection
+    {
+      const StiffnessOf<Number> &stiffness;
+
+      /** Response at Gauss point @p g. */
+      ResponseOf<Number> response(const int /*g*/,
+                                  const StrainsOf<Number> &e) const
+      {
+        const ForcesOf<Number> f = forces(e);
+        return {
+          f,
+          (f.axial * e.epsilon + f.shear * e.gamma + f.bending * e.kappa) / 2};
+      }
+
+      /** Linearized response at Gauss point @p g. */
+      LinearizedOf<Number> linearized(const int /*g*/,
+                                      const StrainsOf<Number> &e) const
+      {
+        return {forces(e), stiffness};
+      }
+
+      /** Mean forces over a step and the energy stored at its end. */
+      ResponseOf<Number> mean(const int /*g*/,
+                              const StrainsOf<Number> &start,
+                              const StrainsOf<Number> &increment) const
+      {
+        const StrainsOf<Number> end = {start.epsilon + increment.epsilon,
+                                       start.gamma + increment.gamma,
+                                       start.kappa + increment.kappa};
+        return {mean_linearized(0, start, increment).forces,
+                (stiffness.axial * end.epsilon * end.epsilon +
+                 stiffness.shear * end.gamma * end.gamma +
+                 stiffness.bending * end.kappa * end.kappa) /
+                  2};
+      }
+
+      /** Mean forces and twice their derivatives by the strains at the end. */
+      LinearizedOf<Number>
+      mean_linearized(const int /*g*/,
+                      const StrainsOf<Number> &start,
+                      const StrainsOf<Number> &increment) const
+      {
+        return {forces({start.epsilon + increment.epsilon / 2,
+                        start.gamma + increment.gamma / 2,
+                        start.kappa + increment.kappa / 2}),
+                stiffness};
+      }
+
+    private:
+      ForcesOf<Number> forces(const StrainsOf<Number> &e) const
+      {
+        return {stiffness.axial * e.epsilon,
+                stiffness.shear * e.gamma,
+                stiffness.bending * e.kappa};
+      }
+    };
+
+    template <class Number>
+    ElasticSection(const StiffnessOf<Number> &) -> ElasticSection<Number>;
+
     /** Strains at a point and the kinematics that forces and tangents need. */
     template <class Number>
     struct KinematicsOf
@@ -53,6 +149,11 @@ namespace auxfem
       Number epsilon, gamma, kappa;
       Number stretch, slip; ///< r'.t, r'.n
       Number cosine, sine;  ///< direction of t in the global frame
+
+      StrainsOf<Number> strains() const
+      {
+        return {epsilon, gamma, kappa};
+      }
     };
     using Kinematics = KinematicsOf<double>;
 
@@ -142,19 +243,23 @@ namespace auxfem
      * Internal force of an element.
      * @param frames order Gauss points
      * @param jacobian half the element's length (m)
+     * @param section response of the section, see ElasticSection
      * @param u displacements of the element, 3 (order + 1)
      * @param v velocities, used only if @p damped
      * @param force receives 3 (order + 1) nodal forces and moments
      */
-    template <int order, bool large_rotation, bool damped, class Number>
-    inline EnergyRateOf<Number>
-    internal_force(const BeamShape<order>    &shape,
-                   const FrameOf<Number>     *frames,
-                   const Number               jacobian,
-                   const StiffnessOf<Number> &stiffness,
-                   const Number              *u,
-                   const Number              *v,
-                   Number                    *force)
+    template <int  order,
+              bool large_rotation,
+              bool damped,
+              class Number,
+              class Section>
+    inline EnergyRateOf<Number> internal_force(const BeamShape<order> &shape,
+                                               const FrameOf<Number>  *frames,
+                                               const Number            jacobian,
+                                               const Section          &section,
+                                               const Number           *u,
+                                               const Number           *v,
+                                               Number                 *force)
     {
       EnergyRateOf<Number> energy;
       const Number         inverse_jacobian     = 1 / jacobian;
@@ -164,15 +269,14 @@ namespace auxfem
           const KinematicsOf<Number> k = kinematics<large_rotation>(
             frames[g],
             interpolate(shape, g, inverse_jacobian, u));
-          Number axial        = stiffness.axial * k.epsilon,
-                 shear        = stiffness.shear * k.gamma,
-                 bending      = stiffness.bending * k.kappa;
-          const Number weight = shape.weight[g] * jacobian;
-          energy.strain += weight / 2 *
-            (axial * k.epsilon + shear * k.gamma + bending * k.kappa);
-          if (damped)
+          auto [forces, stored]         = section.response(g, k.strains());
+          auto &[axial, shear, bending] = forces;
+          const Number weight           = shape.weight[g] * jacobian;
+          energy.strain += weight * stored;
+          if constexpr (damped)
             {
-              const GradientOf<Number> rate =
+              const StiffnessOf<Number> &stiffness = section.stiffness;
+              const GradientOf<Number>   rate =
                 interpolate(shape, g, inverse_jacobian, v);
               Number epsilon_rate, gamma_rate;
               strain_rates(k, rate, epsilon_rate, gamma_rate);
@@ -224,13 +328,14 @@ namespace auxfem
      * in the frame of the rotated section; rows and columns in this order. */
     template <bool large_rotation, bool damped, class Number>
     inline void section_tangent(const KinematicsOf<Number> &k,
-                                const StiffnessOf<Number>  &stiffness,
+                                const LinearizedOf<Number> &section,
                                 const GradientOf<Number>   &velocity,
                                 const double                stiffness_factor,
                                 const double                damping_factor,
                                 Number (&G)[3][3])
     {
-      const Number beta     = damped ? stiffness.damping_time : 0.;
+      const StiffnessOf<Number> &stiffness = section.stiffness;
+      const Number               beta = damped ? stiffness.damping_time : 0.;
       const Number material = stiffness_factor + beta * damping_factor;
       // Derivatives of N and Q by r'.t, r'.n, phi.
       Number dN[3] = {stiffness.axial * material,
@@ -239,7 +344,7 @@ namespace auxfem
       Number dQ[3] = {0,
                       stiffness.shear * material,
                       -stiffness.shear * material * k.stretch};
-      Number N = stiffness.axial * k.epsilon, Q = stiffness.shear * k.gamma;
+      Number N = section.forces.axial, Q = section.forces.shear;
       if (damped)
         {
           Number epsilon_rate, gamma_rate;
@@ -323,16 +428,20 @@ namespace auxfem
 
     /** Tangent stiffness_factor * dF/du + damping_factor * dF/dv of the
      * internal force, row by row into @p matrix (3 (order + 1) squared). */
-    template <int order, bool large_rotation, bool damped, class Number>
-    inline void tangent(const BeamShape<order>    &shape,
-                        const FrameOf<Number>     *frames,
-                        const Number               jacobian,
-                        const StiffnessOf<Number> &stiffness,
-                        const Number              *u,
-                        const Number              *v,
-                        const double               stiffness_factor,
-                        const double               damping_factor,
-                        Number                    *matrix)
+    template <int  order,
+              bool large_rotation,
+              bool damped,
+              class Number,
+              class Section>
+    inline void tangent(const BeamShape<order> &shape,
+                        const FrameOf<Number>  *frames,
+                        const Number            jacobian,
+                        const Section          &section,
+                        const Number           *u,
+                        const Number           *v,
+                        const double            stiffness_factor,
+                        const double            damping_factor,
+                        Number                 *matrix)
     {
       constexpr int n                = 3 * (order + 1);
       const Number  inverse_jacobian = 1 / jacobian;
@@ -343,17 +452,20 @@ namespace auxfem
           const KinematicsOf<Number> k = kinematics<large_rotation>(
             frames[g],
             interpolate(shape, g, inverse_jacobian, u));
-          const GradientOf<Number> rate = damped
-            ? interpolate(shape, g, inverse_jacobian, v)
-            : GradientOf<Number>{0, 0, 0, 0};
-          Number                   G[3][3];
+          const GradientOf<Number>   rate = damped
+              ? interpolate(shape, g, inverse_jacobian, v)
+              : GradientOf<Number>{0, 0, 0, 0};
+          const LinearizedOf<Number> linearized =
+            section.linearized(g, k.strains());
+          Number G[3][3];
           section_tangent<large_rotation, damped>(k,
-                                                  stiffness,
+                                                  linearized,
                                                   rate,
                                                   stiffness_factor,
                                                   damping_factor,
                                                   G);
-          const Number bending = stiffness.bending *
+          const StiffnessOf<Number> &stiffness = linearized.stiffness;
+          const Number               bending   = stiffness.bending *
             (stiffness_factor +
              (damped ? stiffness.damping_time * damping_factor : 0.));
 

@@ -32,13 +32,6 @@ namespace auxfem
 {
   namespace Beam2D
   {
-    /** Strains, or increments of strains. */
-    template <class Number>
-    struct StrainsOf
-    {
-      Number epsilon, gamma, kappa;
-    };
-
     /** A Gauss point at the start of a step. */
     template <class Number>
     struct PointAtStartOf
@@ -162,13 +155,6 @@ namespace auxfem
                 start.gamma + increment.gamma,
                 start.kappa + increment.kappa};
       }
-
-      StrainsOf<Number> mean() const
-      {
-        return {start.epsilon + increment.epsilon / 2,
-                start.gamma + increment.gamma / 2,
-                start.kappa + increment.kappa / 2};
-      }
     };
 
     template <class Number>
@@ -238,32 +224,13 @@ namespace auxfem
       Number derivative[order + 1]; ///< dkappa_g by dphi_a, times J
     };
 
-    /** Mean section forces over a step: N, Q (N), M (N m). */
-    template <class Number>
-    struct MeanForcesOf
-    {
-      Number axial, shear, bending;
-    };
-
-    /** Elastic forces of the mean strains. */
-    template <class Number>
-    inline MeanForcesOf<Number>
-    mean_forces(const StepKinematicsOf<Number> &k,
-                const StiffnessOf<Number>      &stiffness)
-    {
-      const StrainsOf<Number> mean = k.mean();
-      return {stiffness.axial * mean.epsilon,
-              stiffness.shear * mean.gamma,
-              stiffness.bending * mean.kappa};
-    }
-
     /** Adds damping forces from the strain increment over @p dt (s); returns
      * the energy dissipated in the step (J/m). */
     template <class Number>
     inline Number add_damping(const StepKinematicsOf<Number> &k,
                               const StiffnessOf<Number>      &stiffness,
                               const double                    dt,
-                              MeanForcesOf<Number>           &forces)
+                              ForcesOf<Number>               &forces)
     {
       const Number rate = stiffness.damping_time / dt;
       const Number N    = rate * stiffness.axial * k.increment.epsilon,
@@ -283,7 +250,7 @@ namespace auxfem
                               const StiffnessOf<Number>        &stiffness,
                               const IncrementDampingOf<Number> &damping,
                               const int                         g,
-                              MeanForcesOf<Number>             &forces)
+                              ForcesOf<Number>                 &forces)
     {
       const StrainsOf<Number> &d = k.increment;
       const Number             N = stiffness.axial * damping(3 * g, d.epsilon),
@@ -311,11 +278,12 @@ namespace auxfem
     template <int  order,
               bool damped,
               class Number,
+              class Section,
               class HighFrequencyDamping = NoIncrementDamping>
     inline StepEnergyOf<Number>
     mean_force(const BeamShape<order>                      &shape,
                const Number                                 jacobian,
-               const StiffnessOf<Number>                   &stiffness,
+               const Section                               &section,
                const StepStart<order, Number>              &start,
                const Number                                *u1,
                const double                                 dt,
@@ -338,19 +306,18 @@ namespace auxfem
                                                 increments);
           const StepKinematicsOf<Number>  k =
             step_kinematics(start.points[g], point);
-          const StrainsOf<Number> end    = k.end();
-          MeanForcesOf<Number>    mean   = mean_forces(k, stiffness);
-          const double            w      = shape.weight[g];
-          const Number            weight = w * jacobian;
-          energy.strain += weight / 2 *
-            (stiffness.axial * end.epsilon * end.epsilon +
-             stiffness.shear * end.gamma * end.gamma +
-             stiffness.bending * end.kappa * end.kappa);
+          const ResponseOf<Number> response =
+            section.mean(g, k.start, k.increment);
+          ForcesOf<Number> mean   = response.forces;
+          const double     w      = shape.weight[g];
+          const Number     weight = w * jacobian;
+          energy.strain += weight * response.stored;
           if (damped)
-            energy.dissipation += weight * add_damping(k, stiffness, dt, mean);
+            energy.dissipation +=
+              weight * add_damping(k, section.stiffness, dt, mean);
           if constexpr (HighFrequencyDamping::is_used)
             energy.numerical_dissipation +=
-              weight * add_damping(k, stiffness, damping, g, mean);
+              weight * add_damping(k, section.stiffness, damping, g, mean);
           const Number fx = w * (k.cosine * mean.axial - k.sine * mean.shear),
                        fy = w * (k.sine * mean.axial + k.cosine * mean.shear),
                        m  = weight *
@@ -386,12 +353,13 @@ namespace auxfem
     template <int  order,
               bool damped,
               class Number,
+              class Section,
               class HighFrequencyDamping = NoIncrementDamping>
     inline void
     mean_tangent(const BeamShape<order>                      &shape,
                  const FrameOf<Number>                       *frames,
                  const Number                                 jacobian,
-                 const StiffnessOf<Number>                   &stiffness,
+                 const Section                               &section,
                  const StepStart<order, Number>              &start,
                  const Number                                *u1,
                  const double                                 dt,
@@ -402,10 +370,11 @@ namespace auxfem
     {
       constexpr int n                = 3 * (order + 1);
       const Number  inverse_jacobian = 1 / jacobian;
-      Number        material         = stiffness_factor +
-        (damped ? stiffness.damping_time * damping_factor : 0.);
+      // Derivative of the added stress over the elastic stiffness.
+      [[maybe_unused]] Number added =
+        damped ? section.stiffness.damping_time * damping_factor : Number(0);
       if constexpr (HighFrequencyDamping::is_used)
-        material += damping.tangent_factor;
+        added += damping.tangent_factor;
       const NodeIncrements<order, Number> increments(start.displacements, u1);
       for (int i = 0; i < n * n; ++i)
         matrix[i] = 0;
@@ -417,15 +386,24 @@ namespace auxfem
                                                 increments);
           const StepKinematicsOf<Number>  k =
             step_kinematics(start.points[g], point);
-          MeanForcesOf<Number> mean = mean_forces(k, stiffness);
+          const LinearizedOf<Number> linearized =
+            section.mean_linearized(g, k.start, k.increment);
+          ForcesOf<Number> mean = linearized.forces;
           if (damped)
-            add_damping(k, stiffness, dt, mean);
+            add_damping(k, section.stiffness, dt, mean);
           if constexpr (HighFrequencyDamping::is_used)
-            add_damping(k, stiffness, damping, g, mean);
+            add_damping(k, section.stiffness, damping, g, mean);
+          // Derivatives of mean N, Q and M by the strains at the end.
+          const auto by_strain = [&](const Number &mean_stiffness,
+                                     const Number &elastic) {
+            return stiffness_factor * mean_stiffness + added * elastic;
+          };
+          const StiffnessOf<Number> &law = linearized.stiffness;
+          const Number EA = by_strain(law.axial, section.stiffness.axial),
+                       GA = by_strain(law.shear, section.stiffness.shear),
+                       EI = by_strain(law.bending, section.stiffness.bending);
           // Derivatives of mean N and Q by x', y' and phi at the end.
-          const Number EA               = material * stiffness.axial,
-                       GA               = material * stiffness.shear,
-                       c                = 2 * k.cosine - start.points[g].cosine,
+          const Number c                = 2 * k.cosine - start.points[g].cosine,
                        s                = 2 * k.sine - start.points[g].sine;
           const StrainsOf<Number> end   = k.end();
           const Number            dN[3] = {EA * c,
@@ -456,9 +434,8 @@ namespace auxfem
             g,
             increments,
             rotation_scale(increments, point, k));
-          const double w = shape.weight[g];
-          const Number bending =
-            w * inverse_jacobian * material * stiffness.bending;
+          const double w       = shape.weight[g];
+          const Number bending = w * inverse_jacobian * EI;
           for (int a = 0; a <= order; ++a)
             for (int b = 0; b <= order; ++b)
               {

@@ -42,16 +42,6 @@ namespace auxfem
       return d;
     }
 
-    template <class Number>
-    inline GradientOf<Number>
-    energy_gradient(const KinematicsOf<Number> &point,
-                    const StiffnessOf<Number>  &stiffness)
-    {
-      return energy_gradient(point,
-                             section_force(stiffness, point.strains.gamma),
-                             section_moment(stiffness, point.strains.kappa));
-    }
-
     /** tau and tau' of the middle rotation, as in Beam3D. */
     template <class Number>
     struct MiddleCoefficientsOf
@@ -166,15 +156,16 @@ namespace auxfem
     /**
      * Internal force of an element.
      * @param jacobian half the element's length (m)
+     * @param section response of the section, see ElasticSection
      * @param force receives 6 (order + 1) nodal forces and moments
      * @return strain energy (J)
      */
-    template <int order, class Number>
+    template <int order, class Number, class Section>
     inline Number
     internal_force(const BeamShape<order>                 &shape,
                    const ElementKinematics<order, Number> &element,
                    const Number                            jacobian,
-                   const StiffnessOf<Number>              &stiffness,
+                   const Section                          &section,
                    Number                                 *force)
     {
       ElementGradient<order, Number> sum;
@@ -182,9 +173,15 @@ namespace auxfem
       for (int g = 0; g < order; ++g)
         {
           const KinematicsOf<Number> &point = element.points[g];
-          energy += shape.weight[g] * jacobian *
-            energy_density(stiffness, point.strains);
-          sum.add(shape, g, jacobian, energy_gradient(point, stiffness));
+          const ResponseOf<Number>    response =
+            section.response(g, point.strains);
+          energy += shape.weight[g] * jacobian * response.stored;
+          sum.add(shape,
+                  g,
+                  jacobian,
+                  energy_gradient(point,
+                                  response.forces.force,
+                                  response.forces.moment));
         }
       VectorOf<Number> moments[order + 1], at_ends;
       sum.find_moments(NodeOperators<order, Number>(element.relative),
@@ -230,13 +227,13 @@ namespace auxfem
 
     /** Internal force of the small-displacement form; arguments as in
      * internal_force(). */
-    template <int order, class Number>
-    inline Number small_displacement_force(const BeamShape<order>    &shape,
-                                           const FrameOf<Number>     *frames,
-                                           const Number               jacobian,
-                                           const StiffnessOf<Number> &stiffness,
-                                           const Number              *u,
-                                           Number                    *force)
+    template <int order, class Number, class Section>
+    inline Number small_displacement_force(const BeamShape<order> &shape,
+                                           const FrameOf<Number>  *frames,
+                                           const Number            jacobian,
+                                           const Section          &section,
+                                           const Number           *u,
+                                           Number                 *force)
     {
       Number energy = 0;
       for (int i = 0; i < n_components * (order + 1); ++i)
@@ -245,20 +242,21 @@ namespace auxfem
         {
           const StrainsOf<Number> strain =
             small_displacement_strains(shape, g, frames, jacobian, u);
-          const VectorOf<Number> section =
-            frames[g].axes * section_force(stiffness, strain.gamma);
+          const ResponseOf<Number> response = section.response(g, strain);
+          const VectorOf<Number>   section_force =
+            frames[g].axes * response.forces.force;
           const VectorOf<Number> moment =
-            frames[g].axes * section_moment(stiffness, strain.kappa);
+            frames[g].axes * response.forces.moment;
           const VectorOf<Number> lever =
-            dealii::cross_product_3d(section, frames[g].slope);
+            dealii::cross_product_3d(section_force, frames[g].slope);
           const Number weight = shape.weight[g] * jacobian;
-          energy += weight * energy_density(stiffness, strain);
+          energy += weight * response.stored;
           for (int a = 0; a <= order; ++a)
             for (int i = 0; i < 3; ++i)
               {
                 const double w = shape.weight[g];
                 force[n_components * a + i] +=
-                  w * shape.derivative[g][a] * section[i];
+                  w * shape.derivative[g][a] * section_force[i];
                 force[n_components * a + 3 + i] +=
                   w * shape.rotation_derivative[g][a] * moment[i] +
                   weight * shape.value[g][a] * lever[i];

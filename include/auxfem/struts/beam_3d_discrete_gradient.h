@@ -33,51 +33,34 @@ namespace auxfem
 {
   namespace Beam3D
   {
-    /** Mean section force and moment over a step, in axes of the section. */
-    template <class Number>
-    struct MeanForcesOf
-    {
-      VectorOf<Number> force, moment;
-    };
-
-    /** Section forces of mean @p strains. */
-    template <class Number>
-    inline MeanForcesOf<Number>
-    mean_forces(const StrainsOf<Number>   &strains,
-                const StiffnessOf<Number> &stiffness)
-    {
-      return {section_force(stiffness, strains.gamma),
-              section_moment(stiffness, strains.kappa)};
-    }
-
-    /** Mean strains plus the damping term with @p damping_rate beta / dt. */
-    template <class Number>
-    inline StrainsOf<Number> mean_strains(const StepPointOf<Number> &point,
-                                          const Number damping_rate)
-    {
-      return {0.5 * (point.start.strains.gamma + point.end.strains.gamma) +
-                damping_rate * point.increment.gamma,
-              0.5 * (point.start.strains.kappa + point.end.strains.kappa) +
-                damping_rate * point.increment.kappa};
-    }
-
-    /** Adds the strains of @p damping at Gauss point @p g to mean @p strains
-     * and returns the addition. */
-    template <class Number>
+    /**
+     * Strains whose elastic forces damping adds to the mean forces at Gauss
+     * point
+     * @p g: those of the strain rate, with @p damping_rate beta / dt, and those
+     * of @p damping, added to @p by_damping too.
+     */
+    template <class Number, class HighFrequencyDamping>
     inline StrainsOf<Number>
-    add_damping(const IncrementDampingOf<Number> &damping,
-                const int                         g,
-                const StrainsOf<Number>          &increment,
-                StrainsOf<Number>                &strains)
+    added_strains(const StepPointOf<Number>                   &point,
+                  const Number                                 damping_rate,
+                  [[maybe_unused]] const HighFrequencyDamping &damping,
+                  [[maybe_unused]] const int                   g,
+                  [[maybe_unused]] StrainsOf<Number>          &by_damping)
     {
-      StrainsOf<Number> added;
-      for (int i = 0; i < 3; ++i)
+      StrainsOf<Number> added{damping_rate * point.increment.gamma,
+                              damping_rate * point.increment.kappa};
+      if constexpr (HighFrequencyDamping::is_used)
         {
-          added.gamma[i] = damping(6 * g + i, increment.gamma[i]);
-          added.kappa[i] = damping(6 * g + 3 + i, increment.kappa[i]);
+          for (int i = 0; i < 3; ++i)
+            {
+              by_damping.gamma[i] =
+                damping(6 * g + i, point.increment.gamma[i]);
+              by_damping.kappa[i] =
+                damping(6 * g + 3 + i, point.increment.kappa[i]);
+            }
+          added.gamma += by_damping.gamma;
+          added.kappa += by_damping.kappa;
         }
-      strains.gamma += added.gamma;
-      strains.kappa += added.kappa;
       return added;
     }
 
@@ -119,12 +102,13 @@ namespace auxfem
      */
     template <int order,
               class Number,
+              class Section,
               class HighFrequencyDamping = NoIncrementDamping>
     inline StepEnergyOf<Number>
     mean_force(const BeamShape<order>                      &shape,
                const FrameOf<Number>                       *frames,
                const Number                                 jacobian,
-               const StiffnessOf<Number>                   &stiffness,
+               const Section                               &section,
                const StepStart<order, Number>              &start,
                const NodeOf<Number>                        *nodes,
                const Number                                 damping_rate,
@@ -144,18 +128,21 @@ namespace auxfem
                                           start.sections[g],
                                           nodes,
                                           element);
-          const Number              weight  = shape.weight[g] * jacobian;
-          StrainsOf<Number>         strains = mean_strains(point, damping_rate);
+          const Number              weight = shape.weight[g] * jacobian;
+          StrainsOf<Number>         by_damping;
+          const StrainsOf<Number>   added =
+            added_strains(point, damping_rate, damping, g, by_damping);
           if constexpr (HighFrequencyDamping::is_used)
             {
-              const StrainsOf<Number> added =
-                add_damping(damping, g, point.increment, strains);
-              const MeanForcesOf<Number> forces = mean_forces(added, stiffness);
+              const ForcesOf<Number> forces =
+                section.elastic_forces(by_damping);
               energy.numerical_dissipation += weight *
                 (forces.force * point.increment.gamma +
                  forces.moment * point.increment.kappa);
             }
-          const MeanForcesOf<Number>  mean = mean_forces(strains, stiffness);
+          const ResponseOf<Number> response =
+            section.mean(g, point.start.strains, point.end.strains, added);
+          const ForcesOf<Number>     &mean = response.forces;
           const QuaternionOf<Number> &axes = point.start.rotation;
           const VectorOf<Number>      at_start =
                                    rotated(axes, frames[g].axes * mean.moment),
@@ -168,10 +155,9 @@ namespace auxfem
             mean_over_rotation(point.turn,
                                rotated(axes, frames[g].axes * mean.force)),
             moment);
-          energy.strain +=
-            weight * energy_density(stiffness, point.end.strains);
+          energy.strain += weight * response.stored;
           energy.dissipation += 2 * damping_rate * weight *
-            energy_density(stiffness, point.increment);
+            energy_density(section.stiffness, point.increment);
           sum.add(shape, g, jacobian, d);
           correction_work += weight *
             (d.couple * point.missing_turn + moment * point.missing_slope);
@@ -198,14 +184,18 @@ namespace auxfem
       TensorOf<Number> moment_by_spin, moment_by_spin_slope;
     };
 
+    /**
+     * @param stiffness derivatives of the mean section forces by the strains at
+     *   the end
+     * @param stiffness_factor derivative of mean strains by strains at the end
+     */
     template <class Number>
     inline MeanStiffnessOf<Number>
     mean_stiffness(const StepPointOf<Number> &point,
                    const FrameOf<Number>     &frame,
+                   const ForcesOf<Number>    &mean,
                    const StiffnessOf<Number> &stiffness,
-                   const StrainsOf<Number>   &mean_strains,
-                   const double               stiffness_factor,
-                   const Number               material_factor)
+                   const double               stiffness_factor)
     {
       const TensorOf<Number> start_axes =
                                rotated(point.start.rotation, frame.axes),
@@ -221,11 +211,9 @@ namespace auxfem
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
           {
-            force_by_gamma[i][j] = material_factor * axes[i][j] * by_gamma[j];
-            moment_by_kappa[i][j] =
-              material_factor * cofactor[i][j] * by_kappa[j];
+            force_by_gamma[i][j]  = axes[i][j] * by_gamma[j];
+            moment_by_kappa[i][j] = cofactor[i][j] * by_kappa[j];
           }
-      const MeanForcesOf<Number> mean = mean_forces(mean_strains, stiffness);
       const VectorOf<Number>  n = axes * mean.force, m = cofactor * mean.moment;
       const TensorOf<Number>  slope_cross = cross_product_tensor(point.slope);
       MeanStiffnessOf<Number> k;
@@ -250,26 +238,28 @@ namespace auxfem
      * row, without the derivatives of A_a and B_a. It is not symmetric: rows
      * belong to the mean configuration, columns to the end.
      * @param stiffness_factor derivative of mean strains by strains at the end
-     * @param material_factor derivative of stresses over C, without @p damping
+     * @param added_factor derivative of the damping strains by strains at the
+     *   end, without @p damping
      */
     template <int order,
               class Number,
+              class Section,
               class HighFrequencyDamping = NoIncrementDamping>
     inline void
     mean_tangent(const BeamShape<order>                      &shape,
                  const FrameOf<Number>                       *frames,
                  const Number                                 jacobian,
-                 const StiffnessOf<Number>                   &stiffness,
+                 const Section                               &section,
                  const StepStart<order, Number>              &start,
                  const NodeOf<Number>                        *nodes,
                  const Number                                 damping_rate,
                  const double                                 stiffness_factor,
-                 Number                                       material_factor,
+                 Number                                       added_factor,
                  Number                                      *matrix,
                  [[maybe_unused]] const HighFrequencyDamping &damping = {})
     {
       if constexpr (HighFrequencyDamping::is_used)
-        material_factor += damping.tangent_factor;
+        added_factor += damping.tangent_factor;
       constexpr int                      n = n_components * (order + 1);
       const StepElement<order, Number>   element(start, nodes);
       const NodeOperators<order, Number> at_end(element.end);
@@ -294,16 +284,22 @@ namespace auxfem
             1 / jacobian,
             RelativePointOf<Number>(shape, g, 1 / jacobian, element.end),
             at_end);
-          StrainsOf<Number> strains = mean_strains(point, damping_rate);
-          if constexpr (HighFrequencyDamping::is_used)
-            add_damping(damping, g, point.increment, strains);
-          const MeanStiffnessOf<Number> k      = mean_stiffness(point,
-                                                           frames[g],
-                                                           stiffness,
-                                                           strains,
-                                                           stiffness_factor,
-                                                           material_factor);
-          const Number                  weight = shape.weight[g] * jacobian;
+          StrainsOf<Number>          by_damping;
+          const LinearizedOf<Number> linearized = section.mean_linearized(
+            g,
+            point.start.strains,
+            point.end.strains,
+            added_strains(point, damping_rate, damping, g, by_damping));
+          const MeanStiffnessOf<Number> k =
+            mean_stiffness(point,
+                           frames[g],
+                           linearized.forces,
+                           combined(stiffness_factor,
+                                    linearized.stiffness,
+                                    added_factor,
+                                    section.stiffness),
+                           stiffness_factor);
+          const Number weight = shape.weight[g] * jacobian;
           for (int b = 0; b <= order; ++b)
             {
               const Number           Db     = shape.derivative[g][b] / jacobian;

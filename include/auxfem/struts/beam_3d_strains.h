@@ -265,6 +265,107 @@ namespace auxfem
               strains.kappa * section_moment(stiffness, strains.kappa)) /
         2;
     }
+
+    /** Section force and moment in section axes: N, Q_2, Q_3 (N) and T, M_2,
+     * M_3 (N m). */
+    template <class Number>
+    struct ForcesOf
+    {
+      VectorOf<Number> force, moment;
+    };
+
+    /** Section forces and the energy stored per length (J/m). */
+    template <class Number>
+    struct ResponseOf
+    {
+      ForcesOf<Number> forces;
+      Number           stored;
+    };
+
+    /** Section forces and their derivatives by the conjugate strains. */
+    template <class Number>
+    struct LinearizedOf
+    {
+      ForcesOf<Number>    forces;
+      StiffnessOf<Number> stiffness;
+    };
+
+    /**
+     * Linear elastic section. The kernels take the response of a section from a
+     * class with these members; LawSection (struts/effects/law_section.h) is
+     * the other one.
+     */
+    template <class Number>
+    struct ElasticSection
+    {
+      const StiffnessOf<Number> &stiffness;
+
+      /** Response at Gauss point @p g. */
+      ResponseOf<Number> response(const int /*g*/,
+                                  const StrainsOf<Number> &strains) const
+      {
+        return {elastic_forces(strains), energy_density(stiffness, strains)};
+      }
+
+      /** Linearized response at Gauss point @p g. */
+      LinearizedOf<Number> linearized(const int /*g*/,
+                                      const StrainsOf<Number> &strains) const
+      {
+        return {elastic_forces(strains), stiffness};
+      }
+
+      /** Mean forces over a step plus the elastic forces of the strains @p
+       * added, and the energy stored at the end. */
+      ResponseOf<Number> mean(const int                g,
+                              const StrainsOf<Number> &start,
+                              const StrainsOf<Number> &end,
+                              const StrainsOf<Number> &added) const
+      {
+        return {mean_linearized(g, start, end, added).forces,
+                energy_density(stiffness, end)};
+      }
+
+      /** Forces of mean() and twice their derivatives by the strains at the
+       * end. */
+      LinearizedOf<Number> mean_linearized(const int /*g*/,
+                                           const StrainsOf<Number> &start,
+                                           const StrainsOf<Number> &end,
+                                           const StrainsOf<Number> &added) const
+      {
+        return {elastic_forces({0.5 * (start.gamma + end.gamma) + added.gamma,
+                                0.5 * (start.kappa + end.kappa) + added.kappa}),
+                stiffness};
+      }
+
+      /** Forces of @p strains by the elastic stiffness. */
+      ForcesOf<Number> elastic_forces(const StrainsOf<Number> &strains) const
+      {
+        return {section_force(stiffness, strains.gamma),
+                section_moment(stiffness, strains.kappa)};
+      }
+    };
+
+    template <class Number>
+    ElasticSection(const StiffnessOf<Number> &) -> ElasticSection<Number>;
+
+    /** @p factor times @p one plus @p other_factor times @p other. */
+    template <class Number, class Factor>
+    inline StiffnessOf<Number> combined(const Factor              &factor,
+                                        const StiffnessOf<Number> &one,
+                                        const Number              &other_factor,
+                                        const StiffnessOf<Number> &other)
+    {
+      const auto sum = [&](Number StiffnessOf<Number>::*entry) {
+        return factor * one.*entry + other_factor * other.*entry;
+      };
+      using S = StiffnessOf<Number>;
+      return {sum(&S::axial),
+              sum(&S::shear_2),
+              sum(&S::shear_3),
+              sum(&S::torsion),
+              sum(&S::bending_2),
+              sum(&S::bending_3)};
+    }
   } // namespace Beam3D
 } // namespace auxfem
 

@@ -267,16 +267,15 @@ namespace auxfem
     /**
      * Derivative @p factor dF/d(u, theta) of the internal force, row by row
      * into @p matrix (6 (order + 1) squared).
-     * @param stiffness derivative of section forces by strains
-     * @param gradients section forces at the Gauss points
+     * @param sections section forces at the Gauss points and their derivatives
+     *   by strains
      */
     template <int order, class Number>
     inline void
     tangent_with_forces(const BeamShape<order>                 &shape,
                         const ElementKinematics<order, Number> &element,
                         const Number                            jacobian,
-                        const StiffnessOf<Number>              &stiffness,
-                        const GradientOf<Number> (&gradients)[order],
+                        const LinearizedOf<Number> (&sections)[order],
                         const Number factor,
                         Number      *matrix)
     {
@@ -286,13 +285,17 @@ namespace auxfem
       for (int g = 0; g < order; ++g)
         {
           const KinematicsOf<Number> &point = element.points[g];
-          gradient.add(shape, g, jacobian, gradients[g]);
+          const GradientOf<Number>    at_point =
+            energy_gradient(point,
+                            sections[g].forces.force,
+                            sections[g].forces.moment);
+          gradient.add(shape, g, jacobian, at_point);
           hessian.add(shape,
                       g,
                       jacobian,
                       point,
-                      gradients[g],
-                      energy_hessian(point, stiffness, gradients[g]));
+                      at_point,
+                      energy_hessian(point, sections[g].stiffness, at_point));
         }
       hessian.complete();
       const NodeOperators<order, Number> operators(element.relative);
@@ -326,24 +329,18 @@ namespace auxfem
 
     /** Tangent stiffness @p factor dF/d(u, theta) of the internal force, row by
      * row into @p matrix (6 (order + 1) squared). */
-    template <int order, class Number>
+    template <int order, class Number, class Section>
     inline void tangent(const BeamShape<order>                 &shape,
                         const ElementKinematics<order, Number> &element,
                         const Number                            jacobian,
-                        const StiffnessOf<Number>              &stiffness,
+                        const Section                          &section,
                         const Number                            factor,
                         Number                                 *matrix)
     {
-      GradientOf<Number> gradients[order];
+      LinearizedOf<Number> sections[order];
       for (int g = 0; g < order; ++g)
-        gradients[g] = energy_gradient(element.points[g], stiffness);
-      tangent_with_forces(shape,
-                          element,
-                          jacobian,
-                          stiffness,
-                          gradients,
-                          factor,
-                          matrix);
+        sections[g] = section.linearized(g, element.points[g].strains);
+      tangent_with_forces(shape, element, jacobian, sections, factor, matrix);
     }
 
     /** Geometric stiffness of section @p forces at the Gauss points (N, Q_2,
@@ -356,36 +353,49 @@ namespace auxfem
                       const Forces                           *forces,
                       Number                                 *matrix)
     {
-      GradientOf<Number> gradients[order];
+      LinearizedOf<Number> sections[order];
       for (int g = 0; g < order; ++g)
-        gradients[g] = energy_gradient(
-          element.points[g],
-          VectorOf<Number>({forces[g][0], forces[g][1], forces[g][2]}),
-          VectorOf<Number>({forces[g][3], forces[g][4], forces[g][5]}));
+        sections[g] = {
+          {VectorOf<Number>({forces[g][0], forces[g][1], forces[g][2]}),
+           VectorOf<Number>({forces[g][3], forces[g][4], forces[g][5]})},
+          StiffnessOf<Number>{}};
       tangent_with_forces(shape,
                           element,
                           jacobian,
-                          StiffnessOf<Number>{},
-                          gradients,
+                          sections,
                           /*factor=*/Number(1),
                           matrix);
     }
 
-    /** Tangent of the small-displacement form: the exact tangent at rest. */
-    template <int order, class Number>
-    inline void small_displacement_tangent(const BeamShape<order>    &shape,
-                                           const FrameOf<Number>     *frames,
-                                           const Number               jacobian,
-                                           const StiffnessOf<Number> &stiffness,
-                                           const Number               factor,
-                                           Number                    *matrix)
+    /**
+     * Tangent of the small-displacement form: the exact tangent at rest with
+     * the
+     * stiffness of the section at the strains of @p u.
+     */
+    template <int order, class Number, class Section>
+    inline void small_displacement_tangent(const BeamShape<order> &shape,
+                                           const FrameOf<Number>  *frames,
+                                           const Number            jacobian,
+                                           const Section          &section,
+                                           const Number           *u,
+                                           const Number            factor,
+                                           Number                 *matrix)
     {
       const NodeOf<Number> at_rest[order + 1] = {};
-      tangent(
+      LinearizedOf<Number> sections[order];
+      for (int g = 0; g < order; ++g)
+        sections[g] = {
+          {},
+          section
+            .linearized(
+              g,
+              small_displacement_strains(shape, g, frames, jacobian, u))
+            .stiffness};
+      tangent_with_forces(
         shape,
         ElementKinematics<order, Number>(shape, frames, jacobian, at_rest),
         jacobian,
-        stiffness,
+        sections,
         factor,
         matrix);
     }

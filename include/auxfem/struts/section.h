@@ -1,7 +1,7 @@
 #ifndef auxfem_struts_section_h
 #define auxfem_struts_section_h
 
-#include <auxfem/parameters/subsection_schema.h>
+#include <auxfem/struts/material.h>
 
 #include <deal.II/base/tensor.h>
 
@@ -19,7 +19,7 @@ namespace auxfem
    */
   struct Section
   {
-    double youngs_modulus = 0; ///< E (Pa)
+    double youngs_modulus = 0; ///< E (Pa), the instantaneous one
     double shear_modulus  = 0; ///< G = E / (2 (1 + nu)) (Pa)
     double density        = 0; ///< rho (kg/m3)
     double area           = 0; ///< A (m2)
@@ -49,6 +49,21 @@ namespace auxfem
     double stiffness_proportional_damping = 0;
     /** The rate alpha: damping force per mass and velocity (1/s). */
     double mass_proportional_damping = 0;
+    /** Law of the material; empty: linear elastic. */
+    std::shared_ptr<const SectionLaw> law;
+
+    /** This section after complete relaxation, linear elastic. */
+    Section relaxed() const
+    {
+      Section section = *this;
+      if (law)
+        {
+          section.youngs_modulus *= law->long_time_ratio(StrainType::normal);
+          section.shear_modulus *= law->long_time_ratio(StrainType::shear);
+          section.law = nullptr;
+        }
+      return section;
+    }
 
     /** EA (N). */
     double axial_stiffness() const
@@ -110,6 +125,8 @@ namespace auxfem
     std::string struts; ///< strut set
     Section     section;
     std::string path;
+    /** Path of the material's parameters: this section or `Materials/NAME`. */
+    std::string material_path;
     /** False if the scene gives no density, allowed only without inertia and
      * weight. */
     bool has_density = true;
@@ -119,8 +136,10 @@ namespace auxfem
   SubsectionSchema sections_schema();
 
   /** Reads the values of one such subsection. Throws InputError if they are
-   * inconsistent. */
-  SectionDefinition read_section(ParameterValues &values);
+   * inconsistent or name none of the @p materials. */
+  SectionDefinition
+  read_section(ParameterValues                       &values,
+               const std::vector<MaterialDefinition> &materials);
 } // namespace auxfem
 
 #endif

@@ -173,6 +173,19 @@ namespace auxfem
       double      size;
     };
 
+    /** Upper bound of the factor by which struts that have no time to relax
+     * raise frequencies. */
+    double stiffening(const LatticeModel &model)
+    {
+      double factor = 1;
+      for (const auto &law : model.laws)
+        if (law)
+          for (const StrainType type : {StrainType::normal, StrainType::shear})
+            factor =
+              std::max(factor, 1 / std::sqrt(law->long_time_ratio(type)));
+      return factor;
+    }
+
     /** All shares, the largest first. */
     std::vector<ModalShare> modal_shares(const MotionPencil             &pencil,
                                          const std::vector<NaturalMode> &modes,
@@ -216,7 +229,8 @@ namespace auxfem
       return;
     const auto [lowest, highest] =
       std::minmax_element(frequencies.begin(), frequencies.end());
-    const double              max_magnitude = margin * *highest;
+    const double max_magnitude =
+      margin * *highest * stiffening(solver.equations().model());
     MotionPencil              pencil(solver, state, Damping::all);
     const MotionPencil::Roots damped = pencil.nearest(
       shift_below_roots * *lowest,

@@ -57,7 +57,7 @@ namespace auxfem
   void DynamicStiffness::assemble_relaxing_stiffness(const double   time,
                                                      TangentMatrix &matrix)
   {
-    equations.relaxing_stiffness(results, time, matrix);
+    equations.relaxing_stiffness(evaluation(), results, time, matrix);
   }
 
   void DynamicStiffness::multiply(const double *x, double *y) const
@@ -128,7 +128,9 @@ namespace auxfem
   void include_damping(EffectSwitches &effects)
   {
     for (Switch EffectSwitches::*damping :
-         {&EffectSwitches::connector_viscosity, &EffectSwitches::strut_damping})
+         {&EffectSwitches::connector_viscosity,
+          &EffectSwitches::strut_damping,
+          &EffectSwitches::strut_relaxation})
       if (effects.*damping == Switch::automatic)
         effects.*damping = Switch::on;
   }

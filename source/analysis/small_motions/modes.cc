@@ -208,9 +208,11 @@ namespace auxfem
     {
       std::ostringstream text;
       if (found.size() < n_requested)
-        text << found.size() << " of " << n_requested
-             << " relaxations: there are no more, or too many cluster near the "
-                "time of Stiffness-proportional damping.\n  ";
+        text
+          << found.size() << " of " << n_requested
+          << " relaxations: there are no more, or too many cluster near the "
+             "time of Stiffness-proportional damping or of struts that relax.\n"
+             "  ";
       text << "Relaxations are not counted.";
       return text.str();
     }

@@ -14,8 +14,9 @@ namespace auxfem
     using Complex = std::complex<double>;
     using Values  = std::vector<double>;
 
-    /** Smallest Im s over |s| of an oscillation. */
-    constexpr double min_oscillation = 1e-6;
+    /** Smallest Im s over |s| of an oscillation; round-off scatters clusters of
+     * relaxations by up to 1e-4. */
+    constexpr double min_oscillation = 1e-3;
   } // namespace
 
   bool swings(const Complex s)

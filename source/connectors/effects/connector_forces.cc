@@ -165,7 +165,8 @@ namespace auxfem
           }
       }
 
-      void add_relaxing_stiffness(const EffectCache *results,
+      void add_relaxing_stiffness(const Evaluation & /*evaluation*/,
+                                  const EffectCache *results,
                                   const double       time,
                                   TangentMatrix     &matrix) const override
       {

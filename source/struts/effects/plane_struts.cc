@@ -1,6 +1,6 @@
 #include <auxfem/struts/beam_2d_discrete_gradient.h>
 #include <auxfem/struts/beam_dispatch.h>
-#include <auxfem/struts/effects/beam_forces.h>
+#include <auxfem/struts/effects/law_forces.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -20,6 +20,8 @@ namespace auxfem
       static constexpr int  n            = n_components * (order + 1);
       static constexpr bool is_linear    = !large_rotation;
       static constexpr bool is_damped    = damped;
+
+      static constexpr unsigned int n_strains = 3;
 
       using Undamped  = PlaneBeam<order, large_rotation, false>;
       using Frame     = Beam2D::Frame;
@@ -68,9 +70,82 @@ namespace auxfem
       }
 
       template <class Number>
+      static Beam2D::ElasticSection<Number>
+      elastic_section(const AtRestOf<Number> &at_rest)
+      {
+        return {at_rest.stiffness};
+      }
+
+      /** Type of strain @p k: epsilon, gamma, kappa. Shear stiffness that
+       * compensates bending relaxes with it. */
+      static constexpr StrainType strain_type(const unsigned int k,
+                                              const bool shear_is_compensated)
+      {
+        return k == 1 && !shear_is_compensated ? StrainType::shear
+                                               : StrainType::normal;
+      }
+
+      static std::array<Lanes, n_strains>
+      stiffness_by_strain(const AtRestOf<Lanes> &at_rest)
+      {
+        const auto &s = at_rest.stiffness;
+        return {{s.axial, s.shear, s.bending}};
+      }
+
+      /** Stiffness with the entry of each strain k times @p factor(k). */
+      template <class Factor>
+      static Beam2D::StiffnessOf<Lanes>
+      scaled_stiffness(const AtRestOf<Lanes> &at_rest, const Factor &factor)
+      {
+        const auto &s = at_rest.stiffness;
+        return {factor(0) * s.axial,
+                factor(1) * s.shear,
+                factor(2) * s.bending,
+                0};
+      }
+
+      static Beam2D::LinearizedOf<Lanes>
+      without_forces(const Beam2D::StiffnessOf<Lanes> &stiffness)
+      {
+        return {{0, 0, 0}, stiffness};
+      }
+
+      template <class PointLaw>
+      static Beam2D::LawSection<PointLaw>
+      law_section(const AtRestOf<Lanes> &at_rest, PointLaw law)
+      {
+        return {at_rest.stiffness, std::move(law)};
+      }
+
+      /** Forces by strain in one lane. */
+      static SectionForces section_forces(const Lanes *forces)
+      {
+        return {{lane_value(forces[0], 0),
+                 lane_value(forces[1], 0),
+                 0,
+                 0,
+                 0,
+                 lane_value(forces[2], 0)}};
+      }
+
+      /** Power of nodal forces at nodal @p rates, by local unknown. */
+      static Lanes power(const DofNumbering & /*numbering*/,
+                         const LaneArray<const int *> &unknowns,
+                         const State & /*state*/,
+                         const Vector &rates,
+                         const Lanes (&force)[n])
+      {
+        Lanes sum = 0;
+        for (int i = 0; i < n; ++i)
+          sum += force[i] * value_at(rates.data(), unknowns, i);
+        return sum;
+      }
+
+      template <class Number, class Section>
       AUXFEM_FLATTEN static BeamEnergyOf<Number>
       internal_force(const BeamShape<order> &shape,
                      const AtRestOf<Number> &at_rest,
+                     const Section          &section,
                      const MotionOf<Number> &motion,
                      Number                 *force)
       {
@@ -79,7 +154,7 @@ namespace auxfem
             shape,
             at_rest.frames,
             at_rest.jacobian,
-            at_rest.stiffness,
+            section,
             motion.u,
             motion.v,
             force);
@@ -95,8 +170,10 @@ namespace auxfem
         return motion(numbering, unknowns, evaluation.to);
       }
 
+      template <class Section>
       AUXFEM_FLATTEN static void tangent(const BeamShape<order> &shape,
                                          const AtRestOf<Lanes>  &at_rest,
+                                         const Section          &section,
                                          const MotionOf<Lanes>  &motion,
                                          const TangentFactors   &factors,
                                          Lanes                  *block)
@@ -104,7 +181,7 @@ namespace auxfem
         Beam2D::tangent<order, large_rotation, damped>(shape,
                                                        at_rest.frames,
                                                        at_rest.jacobian,
-                                                       at_rest.stiffness,
+                                                       section,
                                                        motion.u,
                                                        motion.v,
                                                        factors.stiffness,
@@ -167,10 +244,11 @@ namespace auxfem
         return start.displacements(unknowns, state);
       }
 
-      template <class HighFrequencyDamping>
+      template <class Section, class HighFrequencyDamping>
       AUXFEM_FLATTEN static Beam2D::StepEnergyOf<Lanes>
       mean_force(const BeamShape<order>     &shape,
                  const AtRestOf<Lanes>      &at_rest,
+                 const Section              &section,
                  const StepStart            &start,
                  const StepEnd              &end,
                  const double                dt,
@@ -179,7 +257,7 @@ namespace auxfem
       {
         return Beam2D::mean_force<order, damped>(shape,
                                                  at_rest.jacobian,
-                                                 at_rest.stiffness,
+                                                 section,
                                                  start.element,
                                                  end.data(),
                                                  dt,
@@ -187,9 +265,10 @@ namespace auxfem
                                                  damping);
       }
 
-      template <class HighFrequencyDamping>
+      template <class Section, class HighFrequencyDamping>
       static void mean_tangent(const BeamShape<order>     &shape,
                                const AtRestOf<Lanes>      &at_rest,
+                               const Section              &section,
                                const StepStart            &start,
                                const StepEnd              &end,
                                const double                dt,
@@ -200,7 +279,7 @@ namespace auxfem
         Beam2D::mean_tangent<order, damped>(shape,
                                             at_rest.frames,
                                             at_rest.jacobian,
-                                            at_rest.stiffness,
+                                            section,
                                             start.element,
                                             end.data(),
                                             dt,

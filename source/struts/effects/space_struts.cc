@@ -1,6 +1,6 @@
 #include <auxfem/struts/beam_3d_discrete_gradient.h>
 #include <auxfem/struts/beam_dispatch.h>
-#include <auxfem/struts/effects/beam_forces.h>
+#include <auxfem/struts/effects/law_forces.h>
 #include <auxfem/struts/effects/space_motion.h>
 
 namespace auxfem
@@ -24,6 +24,8 @@ namespace auxfem
       static constexpr int  n            = n_components * (order + 1);
       static constexpr bool is_linear    = !large_rotation;
       static constexpr bool is_damped    = damped;
+
+      static constexpr unsigned int n_strains = 6;
 
       using Undamped  = SpaceBeam<order, large_rotation, false>;
       using Frame     = Beam3D::Frame;
@@ -72,9 +74,95 @@ namespace auxfem
       }
 
       template <class Number>
+      static Beam3D::ElasticSection<Number>
+      elastic_section(const AtRestOf<Number> &at_rest)
+      {
+        return {at_rest.stiffness.elastic};
+      }
+
+      /** Type of strain @p k: epsilon, gamma_2, gamma_3, torsion, kappa_2,
+       * kappa_3. Shear stiffness that compensates bending relaxes with it. */
+      static constexpr StrainType strain_type(const unsigned int k,
+                                              const bool shear_is_compensated)
+      {
+        const bool is_shear =
+          k == 3 || ((k == 1 || k == 2) && !shear_is_compensated);
+        return is_shear ? StrainType::shear : StrainType::normal;
+      }
+
+      static std::array<Lanes, n_strains>
+      stiffness_by_strain(const AtRestOf<Lanes> &at_rest)
+      {
+        const auto &s = at_rest.stiffness.elastic;
+        return {
+          {s.axial, s.shear_2, s.shear_3, s.torsion, s.bending_2, s.bending_3}};
+      }
+
+      /** Stiffness with the entry of each strain k times @p factor(k). */
+      template <class Factor>
+      static Beam3D::StiffnessOf<Lanes>
+      scaled_stiffness(const AtRestOf<Lanes> &at_rest, const Factor &factor)
+      {
+        const auto &s = at_rest.stiffness.elastic;
+        return {factor(0) * s.axial,
+                factor(1) * s.shear_2,
+                factor(2) * s.shear_3,
+                factor(3) * s.torsion,
+                factor(4) * s.bending_2,
+                factor(5) * s.bending_3};
+      }
+
+      static Beam3D::LinearizedOf<Lanes>
+      without_forces(const Beam3D::StiffnessOf<Lanes> &stiffness)
+      {
+        return {{}, stiffness};
+      }
+
+      template <class PointLaw>
+      static Beam3D::LawSection<PointLaw>
+      law_section(const AtRestOf<Lanes> &at_rest, PointLaw law)
+      {
+        return {at_rest.stiffness.elastic, std::move(law)};
+      }
+
+      /** Forces by strain in one lane. */
+      static SectionForces section_forces(const Lanes *forces)
+      {
+        SectionForces result;
+        for (unsigned int k = 0; k < n_strains; ++k)
+          result[k] = lane_value(forces[k], 0);
+        return result;
+      }
+
+      /** Power of nodal forces at nodal @p rates, by local unknown; those of
+       * large rotations are material. */
+      static Lanes power(const DofNumbering           &numbering,
+                         const LaneArray<const int *> &unknowns,
+                         const State                  &state,
+                         const Vector                 &rates,
+                         const Lanes (&force)[n])
+      {
+        Lanes sum = 0;
+        for (int a = 0; a <= order; ++a)
+          {
+            const int first = n_components * a;
+            for (int i = 0; i < 3; ++i)
+              sum +=
+                force[first + i] * value_at(rates.data(), unknowns, first + i);
+            VectorOf<Lanes> spin = vector_at(rates.data(), unknowns, first + 3);
+            if constexpr (large_rotation)
+              spin = rotated(rotation_at(numbering, unknowns, state, a), spin);
+            for (int i = 0; i < 3; ++i)
+              sum += force[first + 3 + i] * spin[i];
+          }
+        return sum;
+      }
+
+      template <class Number, class Section>
       AUXFEM_FLATTEN static BeamEnergyOf<Number>
       internal_force(const BeamShape<order> &shape,
                      const AtRestOf<Number> &at_rest,
+                     const Section          &section,
                      const MotionOf<Number> &motion,
                      Number                 *force)
       {
@@ -85,7 +173,7 @@ namespace auxfem
             energy.strain      = Beam3D::internal_force(shape,
                                                    element,
                                                    at_rest.jacobian,
-                                                   at_rest.stiffness.elastic,
+                                                   section,
                                                    force);
             if constexpr (damped)
               energy.dissipation =
@@ -99,15 +187,22 @@ namespace auxfem
           }
         else
           {
-            energy.strain =
-              small_displacement_force(shape, at_rest, motion.u, force);
+            energy.strain = small_displacement_force(shape,
+                                                     at_rest,
+                                                     section,
+                                                     motion.u,
+                                                     force);
             if constexpr (damped)
               {
                 const Number &beta = at_rest.stiffness.damping_time;
                 Number        viscous[n];
                 // Twice the energy of the rates is the power of their forces.
                 energy.dissipation = 2 * beta *
-                  small_displacement_force(shape, at_rest, motion.v, viscous);
+                  small_displacement_force(shape,
+                                           at_rest,
+                                           elastic_section(at_rest),
+                                           motion.v,
+                                           viscous);
                 for (int i = 0; i < n; ++i)
                   force[i] += beta * viscous[i];
               }
@@ -135,13 +230,14 @@ namespace auxfem
         return result;
       }
 
+      template <class Section>
       static void tangent(const BeamShape<order> &shape,
                           const AtRestOf<Lanes>  &at_rest,
+                          const Section          &section,
                           const TangentMotion    &node_motion,
                           const TangentFactors   &factors,
                           Lanes                  *block)
       {
-        const Beam3D::StiffnessOf<Lanes> &elastic = at_rest.stiffness.elastic;
         const Lanes &damping_time = at_rest.stiffness.damping_time;
         if constexpr (large_rotation)
           {
@@ -149,14 +245,14 @@ namespace auxfem
             Beam3D::tangent(shape,
                             element,
                             at_rest.jacobian,
-                            elastic,
+                            section,
                             Lanes(factors.stiffness),
                             block);
             if constexpr (damped)
               Beam3D::add_damping_tangent(shape,
                                           element,
                                           at_rest.jacobian,
-                                          elastic,
+                                          at_rest.stiffness.elastic,
                                           damping_time,
                                           node_motion.motion.velocities,
                                           factors.stiffness,
@@ -172,7 +268,8 @@ namespace auxfem
             Beam3D::small_displacement_tangent(shape,
                                                at_rest.frames,
                                                at_rest.jacobian,
-                                               elastic,
+                                               section,
+                                               node_motion.motion.u,
                                                factor,
                                                block);
           }
@@ -205,10 +302,11 @@ namespace auxfem
         return nodes_in_step<order>(numbering, unknowns, state);
       }
 
-      template <class HighFrequencyDamping>
+      template <class Section, class HighFrequencyDamping>
       static Beam3D::StepEnergyOf<Lanes>
       mean_force(const BeamShape<order>     &shape,
                  const AtRestOf<Lanes>      &at_rest,
+                 const Section              &section,
                  const StepStart            &start,
                  const StepEnd              &end,
                  const double                dt,
@@ -218,7 +316,7 @@ namespace auxfem
         return Beam3D::mean_force(shape,
                                   at_rest.frames,
                                   at_rest.jacobian,
-                                  at_rest.stiffness.elastic,
+                                  section,
                                   start,
                                   end.data(),
                                   Lanes(damping_time(at_rest) / dt),
@@ -226,9 +324,10 @@ namespace auxfem
                                   damping);
       }
 
-      template <class HighFrequencyDamping>
+      template <class Section, class HighFrequencyDamping>
       static void mean_tangent(const BeamShape<order>     &shape,
                                const AtRestOf<Lanes>      &at_rest,
+                               const Section              &section,
                                const StepStart            &start,
                                const StepEnd              &end,
                                const double                dt,
@@ -240,12 +339,12 @@ namespace auxfem
         Beam3D::mean_tangent(shape,
                              at_rest.frames,
                              at_rest.jacobian,
-                             at_rest.stiffness.elastic,
+                             section,
                              start,
                              end.data(),
                              Lanes(beta / dt),
                              factors.stiffness,
-                             Lanes(factors.stiffness + beta * factors.damping),
+                             Lanes(beta * factors.damping),
                              block,
                              damping);
       }
@@ -421,16 +520,17 @@ namespace auxfem
         return {shape, at_rest.frames, at_rest.jacobian, motion.nodes};
       }
 
-      template <class Number>
+      template <class Number, class Section>
       static Number small_displacement_force(const BeamShape<order> &shape,
                                              const AtRestOf<Number> &at_rest,
+                                             const Section          &section,
                                              const Number           *u,
                                              Number                 *force)
       {
         return Beam3D::small_displacement_force(shape,
                                                 at_rest.frames,
                                                 at_rest.jacobian,
-                                                at_rest.stiffness.elastic,
+                                                section,
                                                 u,
                                                 force);
       }

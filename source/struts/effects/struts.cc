@@ -38,15 +38,18 @@ namespace auxfem
                     const DofNumbering &numbering,
                     const double        high_frequency_damping)
   {
-    const StrutModel beams{
-      model.plan.simulated.large_rotation,
-      model.plan.simulated.shear_flexibility,
-      has_damping(model, &Section::stiffness_proportional_damping),
-      high_frequency_damping};
+    StrutModel beams{model.plan.simulated.large_rotation,
+                     model.plan.simulated.shear_flexibility,
+                     has_damping(model,
+                                 &Section::stiffness_proportional_damping),
+                     high_frequency_damping};
     std::vector<std::unique_ptr<StrutForces>> forces;
     for (const DofNumbering::Group &group : numbering.groups())
-      forces.push_back(
-        StrutForces::make(lattice, numbering, group, model.sections, beams));
+      {
+        beams.law = model.laws[group.law];
+        forces.push_back(
+          StrutForces::make(lattice, numbering, group, model.sections, beams));
+      }
     return forces;
   }
 

@@ -27,9 +27,10 @@ namespace auxfem
     class BendingWatch : public Watch
     {
     public:
-      BendingWatch(const StrutGroup &group, const WatchContext &run)
+      /** @param groups elements of order 1 */
+      BendingWatch(std::vector<StrutGroup> groups, const WatchContext &run)
         : Watch(SamplingRate::single_steps)
-        , group(group)
+        , groups(std::move(groups))
         , model(run.equations.model())
         , missing_energy(run.statistics.number("bending: energy missed (J)"))
         , strain_energy_sum(run.statistics.number("bending: energy (J)"))
@@ -41,14 +42,16 @@ namespace auxfem
                 TangentSolver & /*solver*/) override
       {
         std::vector<double> energies = {0., 0.};
-        for (unsigned int e = group.forces->elements().begin;
-             e < group.forces->elements().end;
-             ++e)
-          if (model.numbering.elements()[e].is_owned)
-            add_element(e,
-                        step.to,
-                        *results.effect_caches[group.effect],
-                        energies);
+        for (const StrutGroup &group : groups)
+          for (unsigned int e = group.forces->elements().begin;
+               e < group.forces->elements().end;
+               ++e)
+            if (model.numbering.elements()[e].is_owned)
+              add_element(*group.forces,
+                          e,
+                          step.to,
+                          *results.effect_caches[group.effect],
+                          energies);
         energies = model.numbering.layout().sum(energies);
         missing_energy += energies[0];
         strain_energy_sum += energies[1];
@@ -79,7 +82,8 @@ namespace auxfem
 
     private:
       /** Adds the missing energy and the strain energy of an element (J). */
-      void add_element(const unsigned int   e,
+      void add_element(const StrutForces   &forces,
+                       const unsigned int   e,
                        const State         &state,
                        const EffectCache   &results,
                        std::vector<double> &energies) const
@@ -90,16 +94,16 @@ namespace auxfem
         const double         length =
           model.lattice.length(strut) * (interval.end - interval.begin);
         const dealii::Tensor<1, 3> force =
-          group.forces->sample(state, e, 2).front().force;
+          forces.sample(state, e, 2).front().force;
         double squares = force[1] * force[1] / section.bending_stiffness_3();
         if (model.lattice.dimension == 3)
           squares += force[2] * force[2] / section.bending_stiffness_2();
         energies[0] += squares * length * length * length / 24;
-        energies[1] += group.forces->strain_energy(results, e);
+        energies[1] += forces.strain_energy(results, e);
       }
 
-      const StrutGroup    group;
-      const LatticeModel &model;
+      const std::vector<StrutGroup> groups;
+      const LatticeModel           &model;
       /** Sums over sampled steps (J). */
       double &missing_energy, &strain_energy_sum;
       double &time; ///< s
@@ -108,10 +112,13 @@ namespace auxfem
 
   std::unique_ptr<Watch> make_bending_watch(const WatchContext &run)
   {
+    std::vector<StrutGroup> groups;
     for (const StrutGroup &group : run.equations.reporting().struts)
       if (group.forces->elements().order == 1)
-        return std::make_unique<BendingWatch>(group, run);
-    return nullptr;
+        groups.push_back(group);
+    if (groups.empty())
+      return nullptr;
+    return std::make_unique<BendingWatch>(std::move(groups), run);
   }
 
   namespace

@@ -15,9 +15,9 @@ using namespace auxfem::testing_support;
 namespace
 {
   /**
-   * A small frame with every effect: damped struts, every connector law,
-   * springs, hinges, a rigid part, plates with friction, contact of struts,
-   * follower loads, masses, weight, moved supports.
+   * A small frame with every effect: damped and relaxing struts, every
+   * connector law, springs, hinges, a rigid part, plates with friction, contact
+   * of struts, follower loads, masses, weight, moved supports.
    */
   SceneText with_every_effect(const unsigned int dimension)
   {
@@ -38,6 +38,13 @@ namespace
       .add("Sections/band",
            "Stiffness-proportional damping = 0.03 | "
            "Mass-proportional damping = 0.04")
+      .add("Materials/rubber",
+           "Law = viscoelastic | Young's modulus = 100 | Density = 0.3 | "
+           "Relaxing parts = 0.3, 0.2 | Relaxation times = 0.05, 1 | "
+           "Volume change = elastic")
+      .add("Sections/rubber",
+           "Struts = 0 | Material = rubber | Shape = rectangle | "
+           "Width = 0.2 | Height = 0.2")
       .add("Joints/spring",
            "Joints = 1 | Struts = 3 | Type = rotational spring | "
            "Stiffness = 0.8")

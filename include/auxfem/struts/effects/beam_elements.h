@@ -9,7 +9,9 @@
 #include <auxfem/struts/effects/struts.h>
 #include <auxfem/struts/section.h>
 
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace auxfem
 {
@@ -89,6 +91,24 @@ namespace auxfem
     const Section &section(const unsigned int e) const
     {
       return sections[strut(e).section];
+    }
+
+    /** Numbers of all elements in the lattice, independent of the ranks. */
+    std::vector<unsigned int> numbers_in_lattice() const
+    {
+      std::vector<unsigned int> numbers(size());
+      for (unsigned int e = 0; e < size(); ++e)
+        numbers[e] = numbering.number_in_lattice(group.begin + e);
+      return numbers;
+    }
+
+    /** Name of the group in records. */
+    std::string record_name() const
+    {
+      std::string name = "struts of order " + std::to_string(order);
+      if (group.law > 0)
+        name += ", law " + std::to_string(group.law);
+      return name;
     }
 
     /** Motion of the nodes of element @p e. */

@@ -37,8 +37,10 @@ namespace auxfem
    * - output and energies: `rotation`, `axes`, `strain_product`;
    * - steps with large rotations: `StepStart`, data of the step start that all
    * iterations share, `end_of_step`, `mean_force`, `mean_tangent`.
+   *
+   * @p Sections is ElasticSections or LawSections.
    */
-  template <class Beam>
+  template <class Beam, class Sections = ElasticSections<Beam>>
   class BeamForces : public BeamSamples<typename Beam::Undamped>
   {
     using Samples = BeamSamples<typename Beam::Undamped>;
@@ -50,8 +52,14 @@ namespace auxfem
                const std::vector<Section> &sections,
                const StrutModel           &model)
       : Samples({lattice, numbering, group, sections, model.shear_flexibility})
-      , mean_forces(beams, model.high_frequency_damping)
+      , responses(beams, model)
+      , mean_forces(beams, responses, model.high_frequency_damping)
     {}
+
+    bool is_linear() const override
+    {
+      return Beam::is_linear && responses.is_linear();
+    }
 
     void register_in(StateLayout &layout) override
     {
@@ -91,40 +99,51 @@ namespace auxfem
             add_forces(batch, energy, force, residual, beam_results);
           });
       else
-        beams.for_each_batch([&](const ElementBatch &batch) {
-          Lanes      force[n];
-          const auto energy = Beam::internal_force(
-            beams.shape,
-            beams.at_rest(batch),
-            Beam::motion(beams.numbering, beams.unknowns(batch), evaluation.to),
-            force);
-          add_forces(batch, energy, force, residual, beam_results);
-        });
+        {
+          const auto section = responses.in(evaluation, HistoryAccess::writes);
+          beams.for_each_batch([&](const ElementBatch &batch) {
+            Lanes       force[n];
+            const auto &at_rest = beams.at_rest(batch);
+            const auto  energy =
+              Beam::internal_force(beams.shape,
+                                   at_rest,
+                                   section(batch, at_rest),
+                                   Beam::motion(beams.numbering,
+                                                beams.unknowns(batch),
+                                                evaluation.to),
+                                   force);
+            add_forces(batch, energy, force, residual, beam_results);
+          });
+        }
     }
 
     void add_tangent(const Evaluation                   &evaluation,
                      [[maybe_unused]] const EffectCache *results,
-                     const TangentFactors               &scheme_factors,
+                     const TangentFactors               &factors,
                      TangentMatrix                      &matrix) const override
     {
-      TangentFactors factors = scheme_factors;
       if (factors.stiffness == 0 && factors.damping == 0)
         return;
-      if (evaluation.kind == Evaluation::Kind::discrete_gradient)
-        {
-          if constexpr (Beam::is_linear)
-            factors.stiffness += mean_forces.stiffness_of_damping(evaluation);
-          else
-            {
-              mean_forces.add_tangent(
-                evaluation,
-                static_cast<const Results &>(*results).starts,
-                factors,
-                matrix);
-              return;
-            }
-        }
-      add_tangent_at_end(evaluation, factors, matrix);
+      if constexpr (!Beam::is_linear)
+        if (evaluation.kind == Evaluation::Kind::discrete_gradient)
+          return mean_forces.add_tangent(
+            evaluation,
+            static_cast<const Results &>(*results).starts,
+            factors,
+            matrix);
+      add_tangent_at_end(evaluation,
+                         factors,
+                         responses.in(evaluation, HistoryAccess::reads),
+                         matrix);
+      if (evaluation.kind == Evaluation::Kind::discrete_gradient &&
+          mean_forces.damps_high_frequencies())
+        add_tangent_at_end(
+          evaluation,
+          {mean_forces.stiffness_of_damping(evaluation), 0, 0},
+          [](const ElementBatch & /*batch*/, const auto &at_rest) {
+            return Beam::elastic_section(at_rest);
+          },
+          matrix);
     }
 
     void add_geometric_tangent(const ForceChange &change,
@@ -137,8 +156,8 @@ namespace auxfem
           SectionForces forces[order], before[order];
           for (unsigned int e = 0; e < beams.size(); ++e)
             {
-              this->elastic_forces(e, change.to, forces);
-              this->elastic_forces(e, change.from, before);
+              this->section_forces(e, change.to, forces);
+              this->section_forces(e, change.from, before);
               for (int g = 0; g < order; ++g)
                 for (unsigned int k = 0; k < 6; ++k)
                   forces[g][k] = change.factor * (forces[g][k] - before[g][k]);
@@ -238,11 +257,40 @@ namespace auxfem
         }
     }
 
-  private:
+  protected:
     using Samples::beams;
     static constexpr int order        = Beam::order;
     static constexpr int n_components = Beam::n_components;
-    static constexpr int n            = BeamMeanForces<Beam>::Elements::n;
+    static constexpr int n = BeamElements<typename Beam::Undamped>::n;
+    Sections             responses; ///< of the sections
+
+    /**
+     * Adds the tangent of the internal forces at the end of the step.
+     * @param section as LawSections::in()
+     */
+    template <class SectionOfBatch>
+    void add_tangent_at_end(const Evaluation     &evaluation,
+                            const TangentFactors &factors,
+                            const SectionOfBatch &section,
+                            TangentMatrix        &matrix) const
+    {
+      beams.for_each_batch([&](const ElementBatch &batch) {
+        Lanes       block[n * n];
+        const auto &at_rest = beams.at_rest(batch);
+        Beam::tangent(beams.shape,
+                      at_rest,
+                      section(batch, at_rest),
+                      Beam::tangent_motion(beams.numbering,
+                                           beams.unknowns(batch),
+                                           evaluation,
+                                           factors),
+                      factors,
+                      block);
+        beams.add_blocks(batch, block, matrix);
+      });
+    }
+
+  private:
     /** Displacement components, which precede the rotations. */
     static constexpr int n_translations = n_components == 3 ? 2 : 3;
 
@@ -250,7 +298,7 @@ namespace auxfem
     {
       using BeamResults::BeamResults;
 
-      typename BeamMeanForces<Beam>::Starts starts;
+      typename BeamMeanForces<Beam, Sections>::Starts starts;
     };
 
     /** Strain energy (J) and power lost by damping (W); with
@@ -307,25 +355,6 @@ namespace auxfem
         }
     }
 
-    /** Adds the tangent of the internal forces at the end of the step. */
-    void add_tangent_at_end(const Evaluation     &evaluation,
-                            const TangentFactors &factors,
-                            TangentMatrix        &matrix) const
-    {
-      beams.for_each_batch([&](const ElementBatch &batch) {
-        Lanes block[n * n];
-        Beam::tangent(beams.shape,
-                      beams.at_rest(batch),
-                      Beam::tangent_motion(beams.numbering,
-                                           beams.unknowns(batch),
-                                           evaluation,
-                                           factors),
-                      factors,
-                      block);
-        beams.add_blocks(batch, block, matrix);
-      });
-    }
-
     /** Largest force of BeamResults at the first two nodes, the ends of the
      * element. */
     static Lanes largest_end_force(const Lanes (&force)[n], const Lanes &length)
@@ -358,7 +387,7 @@ namespace auxfem
           }
     }
 
-    BeamMeanForces<Beam> mean_forces;
+    BeamMeanForces<Beam, Sections> mean_forces;
     unsigned int strain_entry = 0, damping_entry = 0, numerical_entry = 0;
   };
 
@@ -378,31 +407,6 @@ namespace auxfem
                     const std::vector<Section> &sections,
                     const StrutModel           &model);
   ///@}
-
-  /** The variant of @p Beam <order, large_rotation, damped> that @p model asks for. */
-  template <template <int, bool, bool> class Beam, int order>
-  std::unique_ptr<StrutForces>
-  make_struts_of_order(const Lattice              &lattice,
-                       const DofNumbering         &numbering,
-                       const DofNumbering::Group  &group,
-                       const std::vector<Section> &sections,
-                       const StrutModel           &model)
-  {
-    const auto make = [&](auto large_rotation,
-                          auto damped) -> std::unique_ptr<StrutForces> {
-      return std::make_unique<BeamForces<Beam<order, large_rotation, damped>>>(
-        lattice,
-        numbering,
-        group,
-        sections,
-        model);
-    };
-    const std::true_type  yes;
-    const std::false_type no;
-    if (model.large_rotation)
-      return model.damping ? make(yes, yes) : make(yes, no);
-    return model.damping ? make(no, yes) : make(no, no);
-  }
 } // namespace auxfem
 
 #endif

@@ -6,6 +6,7 @@
 #include <auxfem/struts/beam_dispatch.h>
 #include <auxfem/struts/effects/beam_elements.h>
 #include <auxfem/struts/effects/beam_samples.h>
+#include <auxfem/struts/effects/law_sections.h>
 
 #include <cmath>
 #include <cstring>
@@ -74,10 +75,10 @@ namespace auxfem
 
   /**
    * Mean forces of beams over a step by the discrete gradient, with the damping
-   * of high frequencies, for several elements at a time. @p Beam is as in
-   * BeamForces.
+   * of high frequencies, for several elements at a time. @p Beam and @p
+   * Sections are as in BeamForces.
    */
-  template <class Beam>
+  template <class Beam, class Sections>
   class BeamMeanForces
   {
   public:
@@ -85,8 +86,11 @@ namespace auxfem
     using Starts   = StepStarts<typename Beam::StepStart>;
 
     /** @param high_frequency_damping as in StrutModel */
-    BeamMeanForces(const Elements &beams, const double high_frequency_damping)
+    BeamMeanForces(const Elements &beams,
+                   const Sections &sections,
+                   const double    high_frequency_damping)
       : beams(beams)
+      , sections(sections)
       , high_frequency_damping(high_frequency_damping)
     {}
 
@@ -101,13 +105,10 @@ namespace auxfem
     {
       if (!damps_high_frequencies())
         return;
-      const std::string name = "struts of order " + std::to_string(order);
-      std::vector<unsigned int> numbers;
-      numbers.reserve(beams.size());
-      for (unsigned int e = 0; e < beams.size(); ++e)
-        numbers.push_back(number_in_lattice(beams.interval(e)));
-      first_increment =
-        layout.history.keep(name + ": increments", numbers, n_increments);
+      const std::string name = beams.record_name();
+      first_increment        = layout.history.keep(name + ": increments",
+                                            beams.numbers_in_lattice(),
+                                            n_increments);
       length_of_step = layout.history.keep(name + ": length of the last step",
                                            {0},
                                            /*values_per_item=*/1);
@@ -124,14 +125,20 @@ namespace auxfem
     {
       if constexpr (!Beam::is_linear)
         find_starts(step.from, starts);
+      const auto sections_in_step = sections.in(step, HistoryAccess::writes);
       for_each_batch(step, [&](const ElementBatch &batch, const auto &damping) {
-        Lanes force[n];
+        Lanes       force[n];
+        const auto &at_rest = beams.at_rest(batch);
+        const auto  section = sections_in_step(batch, at_rest);
         if constexpr (Beam::is_linear)
-          act(batch, linear_mean_force(step, batch, damping, force), force);
+          act(batch,
+              linear_mean_force(step, batch, section, damping, force),
+              force);
         else
           {
             const auto energy = Beam::mean_force(beams.shape,
-                                                 beams.at_rest(batch),
+                                                 at_rest,
+                                                 section,
                                                  starts[batch.number()],
                                                  end(batch, starts, step),
                                                  step.dt,
@@ -152,10 +159,13 @@ namespace auxfem
                      const TangentFactors &factors,
                      TangentMatrix        &matrix) const
     {
+      const auto sections_in_step = sections.in(step, HistoryAccess::reads);
       for_each_batch(step, [&](const ElementBatch &batch, const auto &damping) {
-        Lanes block[n * n];
+        Lanes       block[n * n];
+        const auto &at_rest = beams.at_rest(batch);
         Beam::mean_tangent(beams.shape,
-                           beams.at_rest(batch),
+                           at_rest,
+                           sections_in_step(batch, at_rest),
                            starts[batch.number()],
                            end(batch, starts, step),
                            step.dt,
@@ -181,14 +191,6 @@ namespace auxfem
      * element. */
     static constexpr int n_increments =
       Beam::is_linear ? n : order * Beam::n_components;
-
-    /** Element number that does not depend on the number of ranks. */
-    static unsigned int number_in_lattice(const StrutInterval &interval)
-    {
-      const auto elements_per_strut =
-        std::lround(1 / (interval.end - interval.begin));
-      return interval.strut * elements_per_strut + interval.number();
-    }
 
     /** Damping of the @p step; its increments are not set. */
     IncrementDampingOf<Lanes> increment_damping(const Evaluation &step) const
@@ -259,10 +261,11 @@ namespace auxfem
 
     /** Linear mean force: the internal force of the mean unknowns. The damping
      * of high frequencies uses increments of unknowns instead of strains. */
-    template <class HighFrequencyDamping>
+    template <class Section, class HighFrequencyDamping>
     BeamEnergyOf<Lanes>
     linear_mean_force(const Evaluation                            &step,
                       const ElementBatch                          &batch,
+                      const Section                               &section,
                       [[maybe_unused]] const HighFrequencyDamping &damping,
                       Lanes                                       *force) const
     {
@@ -271,37 +274,48 @@ namespace auxfem
         return Beam::motion(beams.numbering, beams.unknowns(batch), state);
       };
       const Motion start = motion(step.from), end = motion(step.to);
-      Motion       mean           = end;
-      const auto   at_rest        = beams.at_rest(batch);
-      const auto   internal_force = [&](const Motion &motion, Lanes *force) {
-        return Beam::internal_force(beams.shape, at_rest, motion, force);
+      Motion       mean          = end;
+      const auto   at_rest       = beams.at_rest(batch);
+      const auto   elastic_force = [&](const Motion &motion, Lanes *force) {
+        return Beam::internal_force(beams.shape,
+                                    at_rest,
+                                    Beam::elastic_section(at_rest),
+                                    motion,
+                                    force);
       };
-      const Lanes strain                = internal_force(end, force).strain;
-      Lanes       numerical_dissipation = 0;
+      Lanes numerical_dissipation = 0;
       for (int i = 0; i < n; ++i)
         {
           mean.u[i] = 0.5 * (start.u[i] + end.u[i]);
           if (Beam::is_damped)
             mean.v[i] = (end.u[i] - start.u[i]) / step.dt;
         }
+      [[maybe_unused]] Lanes added_force[n];
       if constexpr (HighFrequencyDamping::is_used)
         {
           Motion added{};
           for (int i = 0; i < n; ++i)
-            {
-              added.u[i] = damping(i, Lanes(end.u[i] - start.u[i]));
-              mean.u[i] += added.u[i];
-            }
-          internal_force(added, force);
+            added.u[i] = damping(i, Lanes(end.u[i] - start.u[i]));
+          elastic_force(added, added_force);
           for (int i = 0; i < n; ++i)
-            numerical_dissipation += force[i] * (end.u[i] - start.u[i]);
+            numerical_dissipation += added_force[i] * (end.u[i] - start.u[i]);
         }
-      return {strain,
-              step.dt * internal_force(mean, force).dissipation,
+      BeamEnergyOf<Lanes> energy =
+        Beam::internal_force(beams.shape, at_rest, section, mean, force);
+      if constexpr (Sections::is_elastic)
+        {
+          Lanes end_force[n];
+          energy.strain = elastic_force(end, end_force).strain;
+        }
+      for (int i = 0; i < n && HighFrequencyDamping::is_used; ++i)
+        force[i] += added_force[i];
+      return {energy.strain,
+              step.dt * energy.dissipation,
               numerical_dissipation};
     }
 
     const Elements &beams;
+    const Sections &sections;
     const double    high_frequency_damping;
     /** Positions in State::history: increments and length of the last step. */
     std::size_t first_increment = 0, length_of_step = 0;

@@ -64,11 +64,10 @@ namespace auxfem
                                    const unsigned int element,
                                    const unsigned int n_points) const override
     {
-      const unsigned int          e       = index(element);
-      const typename Beam::AtRest at_rest = beams.at_rest(e);
-      const typename Beam::Motion motion  = beams.motion(e, state);
+      const unsigned int          e      = index(element);
+      const typename Beam::Motion motion = beams.motion(e, state);
       SectionForces               elastic[order], viscous[order] = {};
-      Beam::elastic_forces(beams.shape, at_rest, motion, elastic);
+      section_forces(e, state, elastic);
       viscous_forces(e, state, viscous);
       find_moments(elastic);
       find_moments(viscous);
@@ -101,8 +100,7 @@ namespace auxfem
               point.force[k]  = E[k] + V[k];
               point.moment[k] = E[3 + k] + V[3 + k];
             }
-          point.energy_density =
-            Beam::strain_product(at_rest.stiffness, E, E) / 2;
+          point.energy_density = stored_density(e, state, H, E);
         }
       return points;
     }
@@ -173,11 +171,11 @@ namespace auxfem
                        const unsigned int element) const override
     {
       const unsigned int e = index(element);
-      SectionForces      elastic[order];
-      elastic_forces(e, state, elastic);
+      SectionForces      forces[order];
+      section_forces(e, state, forces);
       double integral = 0;
       for (int g = 0; g < order; ++g)
-        integral += beams.shape.weight[g] * elastic[g][0];
+        integral += beams.shape.weight[g] * forces[g][0];
       return integral / 2;
     }
 
@@ -192,7 +190,8 @@ namespace auxfem
       for (std::size_t s = 0; s < limits.size(); ++s)
         bounds.push_back(
           2 * square_at_points *
-          strain_per_energy(beams.sections[s], limits[s].distances));
+          strain_per_energy(beams.sections[s], limits[s].distances) /
+          least_stored_fraction());
       StrutStrain largest{least, invalid_index};
       for (unsigned int e = 0; e < beams.size(); ++e)
         {
@@ -214,8 +213,37 @@ namespace auxfem
   protected:
     static constexpr int order = Beam::order;
 
-    /** Elastic section forces at the Gauss points of element @p e; moments are
-     * work-conjugate to the curvatures of rotation_derivative. */
+    /** Section forces at the Gauss points of element @p e, without damping;
+     * moments are work-conjugate to the curvatures of rotation_derivative. */
+    virtual void section_forces(const unsigned int e,
+                                const State       &state,
+                                SectionForces (&point_forces)[order]) const
+    {
+      elastic_forces(e, state, point_forces);
+    }
+
+    /**
+     * Energy stored per length (J/m) at a point of element @p e.
+     * @param H Gauss interpolation at the point
+     * @param forces section forces there
+     */
+    virtual double stored_density(const unsigned int e,
+                                  const State & /*state*/,
+                                  const double (&/*H*/)[order],
+                                  const SectionForces &forces) const
+    {
+      return Beam::strain_product(beams.at_rest(e).stiffness, forces, forces) /
+        2;
+    }
+
+    /** Lower bound of the stored energy over that of the elastic stiffness. */
+    virtual double least_stored_fraction() const
+    {
+      return 1;
+    }
+
+    /** Forces of the elastic stiffness at the Gauss points of element @p e,
+     * which measure strains; moments as in section_forces(). */
     void elastic_forces(const unsigned int e,
                         const State       &state,
                         SectionForces (&point_forces)[order]) const

@@ -70,6 +70,8 @@ namespace auxfem
     bool damping           = false; ///< stiffness-proportional
     /** ImplicitScheme::high_frequency_damping(). */
     double high_frequency_damping = 0;
+    /** Law of the sections; empty: linear elastic. */
+    std::shared_ptr<const SectionLaw> law = nullptr;
   };
 
   /** Internal forces of the struts of one polynomial order: geometrically exact

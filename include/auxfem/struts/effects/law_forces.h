@@ -1,0 +1,401 @@
+#ifndef auxfem_struts_effects_law_forces_h
+#define auxfem_struts_effects_law_forces_h
+
+#include <auxfem/struts/effects/beam_forces.h>
+
+#include <algorithm>
+
+namespace auxfem
+{
+  /**
+   * Internal forces of struts whose sections have a SectionLaw. Adds to
+   * BeamForces what relaxation needs: history, losses, the equations of
+   * internal variables for Runge-Kutta schemes, and the complex stiffness of
+   * small
+   * motions. @p Beam is undamped.
+   */
+  template <class Beam>
+  class LawForces : public BeamForces<Beam, LawSections<Beam>>
+  {
+    using Base = BeamForces<Beam, LawSections<Beam>>;
+
+  public:
+    using Base::Base;
+
+    void register_in(StateLayout &layout) override
+    {
+      Base::register_in(layout);
+      responses.register_in(layout);
+      lost_entry      = layout.energies.enter(relaxation_energy_entry());
+      numerical_entry = layout.energies.enter(numerical_energy_entry());
+    }
+
+    void account_step(const Evaluation  &step,
+                      const EffectCache *results,
+                      EnergyAccount     &account) const override
+    {
+      Base::account_step(step, results, account);
+      if (!account.has_duration())
+        return;
+      const auto losses = responses.law().losses(responses.step(step));
+      double     lost   = 0;
+      for_each_owned(
+        [&](const ElementBatch &batch, const auto &at_rest) {
+          return responses.lost(*losses, step, batch, at_rest);
+        },
+        lost);
+      account.add_in_step(lost_entry, lost);
+      // Mean forces do exactly the work of stored and lost energy.
+      if (step.kind != Evaluation::Kind::discrete_gradient)
+        account.add_in_step(numerical_entry,
+                            work_of_relaxing_forces(step, account.motion()) -
+                              lost);
+    }
+
+    void account_stage(const Evaluation &stage,
+                       const EffectCache * /*results*/,
+                       EnergyAccount &account) const override
+    {
+      double power = 0;
+      for_each_owned(
+        [&](const ElementBatch &batch, const auto &at_rest) {
+          Lanes force[n];
+          return integrate(
+            batch,
+            at_rest,
+            stage.to,
+            [](const SectionInstant &now, SectionResponse &r) {
+              r.stored = now.lost_power;
+            },
+            force);
+        },
+        power);
+      account.add_power(lost_entry, power);
+    }
+
+    void find_internal_rates(const State &state,
+                             const EffectCache * /*results*/,
+                             double *rates) const override
+    {
+      beams.for_each_batch([&](const ElementBatch &batch) {
+        const auto &at_rest = beams.at_rest(batch);
+        Lanes       force[n];
+        integrate(
+          batch,
+          at_rest,
+          state,
+          [](const SectionInstant &, SectionResponse &) {},
+          force,
+          rates);
+      });
+    }
+
+    void add_viscous_stiffness(const Evaluation &evaluation,
+                               const EffectCache * /*results*/,
+                               const std::complex<double> s,
+                               TangentMatrix             &real,
+                               TangentMatrix &imaginary) const override
+    {
+      const auto ratio = [&](const StrainType type) {
+        std::complex<double> sum = 0;
+        for (const auto &[time, part] : responses.law().relaxing_ratios(type))
+          sum += part * s * time / (1. + s * time);
+        return sum;
+      };
+      const std::complex<double> normal = ratio(StrainType::normal),
+                                 shear  = ratio(StrainType::shear);
+      add_material_tangent(evaluation, normal.real(), shear.real(), real);
+      add_material_tangent(evaluation, normal.imag(), shear.imag(), imaginary);
+    }
+
+    void add_relaxation_times(const Unknowns      &unknowns,
+                              std::vector<double> &times) const override
+    {
+      for (unsigned int e = 0; e < beams.size(); ++e)
+        if (beams[e].owned &&
+            std::any_of(beams.unknowns(e),
+                        beams.unknowns(e) + n,
+                        [&](const int unknown) {
+                          return unknowns.kinds[unknown] !=
+                            UnknownKind::prescribed;
+                        }))
+          {
+            for (const StrainType type :
+                 {StrainType::normal, StrainType::shear})
+              for (const auto &[time, part] :
+                   responses.law().relaxing_ratios(type))
+                times.push_back(time);
+            // All elements of the group have the same.
+            return;
+          }
+    }
+
+    void add_relaxing_stiffness(const Evaluation &evaluation,
+                                const EffectCache * /*results*/,
+                                const double   time,
+                                TangentMatrix &matrix) const override
+    {
+      const auto part = [&](const StrainType type) {
+        const std::map<double, double> ratios =
+          responses.law().relaxing_ratios(type);
+        const auto found = ratios.find(time);
+        return found == ratios.end() ? 0. : found->second;
+      };
+      add_material_tangent(evaluation,
+                           part(StrainType::normal),
+                           part(StrainType::shear),
+                           matrix);
+    }
+
+  protected:
+    using Base::beams;
+    using Base::n;
+    using Base::order;
+    using Base::responses;
+
+    void section_forces(const unsigned int e,
+                        const State       &state,
+                        SectionForces (&point_forces)[order]) const override
+    {
+      for_each_point(e, state, [&](const int g, const SectionInstant &now) {
+        point_forces[g] = Beam::section_forces(now.forces);
+      });
+    }
+
+    double stored_density(const unsigned int e,
+                          const State       &state,
+                          const double (&H)[order],
+                          const SectionForces & /*forces*/) const override
+    {
+      double density = 0;
+      for_each_point(e, state, [&](const int g, const SectionInstant &now) {
+        density += H[g] * lane_value(now.stored, 0);
+      });
+      return std::max(0., density);
+    }
+
+    double least_stored_fraction() const override
+    {
+      return std::min(responses.law().long_time_ratio(StrainType::normal),
+                      responses.law().long_time_ratio(StrainType::shear));
+    }
+
+  private:
+    /** Adds the values of @p value_of, a function of a batch and its elements at
+     * rest, of the elements owned by this rank to @p sum. */
+    template <class ValueOfBatch>
+    void for_each_owned(const ValueOfBatch &value_of, double &sum) const
+    {
+      beams.for_each_batch([&](const ElementBatch &batch) {
+        const Lanes values = value_of(batch, beams.at_rest(batch));
+        for (unsigned int lane = 0; lane < batch.size; ++lane)
+          if (beams[batch.elements[lane]].owned)
+            sum += lane_value(values, lane);
+      });
+    }
+
+    /**
+     * Sections at an instant whose response @p Respond makes from the
+     * SectionInstant; the law writes the rates of the internal variables to @p
+     * rates if not nullptr.
+     */
+    template <class Respond>
+    class InstantLaw
+    {
+    public:
+      template <class AtRest>
+      InstantLaw(const LawSections<Beam> &sections,
+                 const State             &state,
+                 const ElementBatch      &batch,
+                 const AtRest            &at_rest,
+                 const Respond           &make_response,
+                 double                  *rates)
+        : sections(sections)
+        , state(state)
+        , batch(batch)
+        , points(sections, at_rest)
+        , make_response(make_response)
+        , rates(rates)
+      {}
+
+      SectionResponse respond(const int g,
+                              const Lanes (&strains)[Beam::n_strains]) const
+      {
+        sections.read(state, batch, g, history);
+        internal_rates.resize(history.size());
+        SectionInstant now;
+        sections.law().instant(points.point(),
+                               strains,
+                               history.data(),
+                               internal_rates.data(),
+                               now);
+        if (rates != nullptr)
+          sections.write_internal(internal_rates, batch, g, rates);
+        SectionResponse response = {};
+        make_response(now, response);
+        return response;
+      }
+
+    private:
+      const LawSections<Beam>                    &sections;
+      const State                                &state;
+      const ElementBatch                         &batch;
+      const typename LawSections<Beam>::PointsOf  points;
+      const Respond                              &make_response;
+      double                                     *rates;
+      mutable typename LawSections<Beam>::History history, internal_rates;
+    };
+
+    /**
+     * Integral over each element of a batch of the `stored` that @p
+     * make_response sets, at the instant @p state; @p force receives the nodal
+     * forces of its section forces.
+     */
+    template <class AtRest, class Respond>
+    Lanes integrate(const ElementBatch &batch,
+                    const AtRest       &at_rest,
+                    const State        &state,
+                    const Respond      &make_response,
+                    Lanes (&force)[n],
+                    double *rates = nullptr) const
+    {
+      return Beam::internal_force(
+               beams.shape,
+               at_rest,
+               Beam::law_section(at_rest,
+                                 InstantLaw<Respond>(responses,
+                                                     state,
+                                                     batch,
+                                                     at_rest,
+                                                     make_response,
+                                                     rates)),
+               Beam::motion(beams.numbering, beams.unknowns(batch), state),
+               force)
+        .strain;
+    }
+
+    /** Calls @p action with the Gauss points of element @p e at an instant. */
+    template <class Action>
+    void for_each_point(const unsigned int e,
+                        const State       &state,
+                        const Action      &action) const
+    {
+      ElementBatch batch;
+      batch.elements.fill(e);
+      batch.size = 1;
+      int   g    = 0;
+      Lanes force[n];
+      integrate(
+        batch,
+        beams.at_rest(batch),
+        state,
+        [&](const SectionInstant &now, SectionResponse &) { action(g++, now); },
+        force);
+    }
+
+    /** Work of the mean relaxing forces of both ends of a step minus the growth
+     * of the energy they store (J). */
+    double work_of_relaxing_forces(const Evaluation &step,
+                                   const StepMotion &motion) const
+    {
+      const auto relaxing = [](const SectionInstant &now, SectionResponse &r) {
+        std::copy_n(now.relaxing, Beam::n_strains, r.forces);
+        r.stored = now.relaxing_stored;
+      };
+      double work = 0;
+      for_each_owned(
+        [&](const ElementBatch &batch, const auto &at_rest) {
+          const auto at = [&](const State &state, const double sign) {
+            Lanes       force[n];
+            const Lanes stored =
+              integrate(batch, at_rest, state, relaxing, force);
+            return Lanes(motion.dt / 2 *
+                           Beam::power(beams.numbering,
+                                       beams.unknowns(batch),
+                                       state,
+                                       motion.rate,
+                                       force) -
+                         sign * stored);
+          };
+          return Lanes(at(step.from, -1) + at(step.to, 1));
+        },
+        work);
+      return work;
+    }
+
+    /** Sections without force, with a given tangent stiffness. */
+    template <class Stiffness>
+    struct TangentSection
+    {
+      const Stiffness stiffness;
+
+      template <class Strains>
+      auto linearized(const int /*g*/, const Strains & /*strains*/) const
+      {
+        return Beam::without_forces(stiffness);
+      }
+    };
+
+    /** Adds the tangent of the elastic stiffness times @p normal and @p shear at
+     * the end of @p evaluation, without geometric part. */
+    void add_material_tangent(const Evaluation &evaluation,
+                              const double      normal,
+                              const double      shear,
+                              TangentMatrix    &matrix) const
+    {
+      const auto factor = [&](const unsigned int strain) {
+        return Beam::strain_type(strain, beams.shear > 0) == StrainType::normal
+          ? normal
+          : shear;
+      };
+      this->add_tangent_at_end(
+        evaluation,
+        {1, 0, 0},
+        [&](const ElementBatch & /*batch*/, const auto &at_rest) {
+          const auto stiffness = Beam::scaled_stiffness(at_rest, factor);
+          return TangentSection<std::decay_t<decltype(stiffness)>>{stiffness};
+        },
+        matrix);
+    }
+
+    unsigned int lost_entry = 0, numerical_entry = 0;
+  };
+  /** The variant of @p Beam <order, large_rotation, damped> that @p model asks for. */
+  template <template <int, bool, bool> class Beam, int order>
+  std::unique_ptr<StrutForces>
+  make_struts_of_order(const Lattice              &lattice,
+                       const DofNumbering         &numbering,
+                       const DofNumbering::Group  &group,
+                       const std::vector<Section> &sections,
+                       const StrutModel           &model)
+  {
+    const auto make = [&](auto large_rotation,
+                          auto damped) -> std::unique_ptr<StrutForces> {
+      return std::make_unique<BeamForces<Beam<order, large_rotation, damped>>>(
+        lattice,
+        numbering,
+        group,
+        sections,
+        model);
+    };
+    const std::true_type  yes;
+    const std::false_type no;
+    if (model.law && model.large_rotation)
+      return std::make_unique<LawForces<Beam<order, true, false>>>(lattice,
+                                                                   numbering,
+                                                                   group,
+                                                                   sections,
+                                                                   model);
+    if (model.law)
+      return std::make_unique<LawForces<Beam<order, false, false>>>(lattice,
+                                                                    numbering,
+                                                                    group,
+                                                                    sections,
+                                                                    model);
+    if (model.large_rotation)
+      return model.damping ? make(yes, yes) : make(yes, no);
+    return model.damping ? make(no, yes) : make(no, no);
+  }
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,424 @@
+#ifndef auxfem_struts_effects_law_sections_h
+#define auxfem_struts_effects_law_sections_h
+
+#include <auxfem/struts/beam_2d.h>
+#include <auxfem/struts/beam_3d_strains.h>
+#include <auxfem/struts/effects/beam_elements.h>
+#include <auxfem/struts/section_law.h>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+/**
+ * @file
+ * Where the sections of BeamForces take their forces from: ElasticSections from
+ * the stiffness alone, LawSections from a SectionLaw with history. Both give
+ * the kernels an object per batch of elements, see ElasticSection of Beam2D.
+ */
+namespace auxfem
+{
+  namespace Beam2D
+  {
+    /** Section whose response comes from @p PointLaw, see PointLaw below. */
+    template <class PointLaw>
+    struct LawSection
+    {
+      const StiffnessOf<Lanes> &stiffness;
+      const PointLaw            law;
+
+      ResponseOf<Lanes> response(const int g, const StrainsOf<Lanes> &e) const
+      {
+        const SectionResponse r = respond(g, e);
+        return {forces(r), r.stored};
+      }
+
+      LinearizedOf<Lanes> linearized(const int               g,
+                                     const StrainsOf<Lanes> &e) const
+      {
+        const SectionResponse r = respond(g, e);
+        return {forces(r), {r.tangent[0], r.tangent[1], r.tangent[2], 0}};
+      }
+
+      ResponseOf<Lanes> mean(const int               g,
+                             const StrainsOf<Lanes> &start,
+                             const StrainsOf<Lanes> &increment) const
+      {
+        return response(g, end(start, increment));
+      }
+
+      LinearizedOf<Lanes>
+      mean_linearized(const int               g,
+                      const StrainsOf<Lanes> &start,
+                      const StrainsOf<Lanes> &increment) const
+      {
+        return linearized(g, end(start, increment));
+      }
+
+    private:
+      static StrainsOf<Lanes> end(const StrainsOf<Lanes> &start,
+                                  const StrainsOf<Lanes> &increment)
+      {
+        return {start.epsilon + increment.epsilon,
+                start.gamma + increment.gamma,
+                start.kappa + increment.kappa};
+      }
+
+      SectionResponse respond(const int g, const StrainsOf<Lanes> &e) const
+      {
+        const Lanes strains[] = {e.epsilon, e.gamma, e.kappa};
+        return law.respond(g, strains);
+      }
+
+      static ForcesOf<Lanes> forces(const SectionResponse &r)
+      {
+        return {r.forces[0], r.forces[1], r.forces[2]};
+      }
+    };
+  } // namespace Beam2D
+
+  namespace Beam3D
+  {
+    /** @copydoc Beam2D::LawSection */
+    template <class PointLaw>
+    struct LawSection
+    {
+      const StiffnessOf<Lanes> &stiffness;
+      const PointLaw            law;
+
+      ResponseOf<Lanes> response(const int               g,
+                                 const StrainsOf<Lanes> &strains) const
+      {
+        const SectionResponse r = respond(g, strains);
+        return {forces(r), r.stored};
+      }
+
+      LinearizedOf<Lanes> linearized(const int               g,
+                                     const StrainsOf<Lanes> &strains) const
+      {
+        const SectionResponse r = respond(g, strains);
+        const Lanes          *t = r.tangent;
+        return {forces(r), {t[0], t[1], t[2], t[3], t[4], t[5]}};
+      }
+
+      ResponseOf<Lanes> mean(const int g,
+                             const StrainsOf<Lanes> & /*start*/,
+                             const StrainsOf<Lanes> &end,
+                             const StrainsOf<Lanes> &added) const
+      {
+        ResponseOf<Lanes> r = response(g, end);
+        add(added, r.forces);
+        return r;
+      }
+
+      LinearizedOf<Lanes> mean_linearized(const int g,
+                                          const StrainsOf<Lanes> & /*start*/,
+                                          const StrainsOf<Lanes> &end,
+                                          const StrainsOf<Lanes> &added) const
+      {
+        LinearizedOf<Lanes> r = linearized(g, end);
+        add(added, r.forces);
+        return r;
+      }
+
+      ForcesOf<Lanes> elastic_forces(const StrainsOf<Lanes> &strains) const
+      {
+        return {section_force(stiffness, strains.gamma),
+                section_moment(stiffness, strains.kappa)};
+      }
+
+    private:
+      void add(const StrainsOf<Lanes> &added, ForcesOf<Lanes> &forces) const
+      {
+        const ForcesOf<Lanes> elastic = elastic_forces(added);
+        forces.force += elastic.force;
+        forces.moment += elastic.moment;
+      }
+
+      SectionResponse respond(const int g, const StrainsOf<Lanes> &e) const
+      {
+        const Lanes strains[] = {e.gamma[0],
+                                 e.gamma[1],
+                                 e.gamma[2],
+                                 e.kappa[0],
+                                 e.kappa[1],
+                                 e.kappa[2]};
+        return law.respond(g, strains);
+      }
+
+      static ForcesOf<Lanes> forces(const SectionResponse &r)
+      {
+        const Lanes *f = r.forces;
+        return {VectorOf<Lanes>({f[0], f[1], f[2]}),
+                VectorOf<Lanes>({f[3], f[4], f[5]})};
+      }
+    };
+  } // namespace Beam3D
+
+  /** How BeamForces uses the history of its sections in an evaluation. */
+  enum class HistoryAccess
+  {
+    reads, ///< for tangents
+    writes ///< for forces: the trial state gets its history
+  };
+
+  /** Linear elastic sections. */
+  template <class Beam>
+  class ElasticSections
+  {
+  public:
+    static constexpr bool is_elastic = true;
+
+    ElasticSections(const BeamElements<typename Beam::Undamped> & /*beams*/,
+                    const StrutModel & /*model*/)
+    {}
+
+    bool is_linear() const
+    {
+      return true;
+    }
+
+    /** Returns a function of a batch and its elements at rest: the section. */
+    auto in(const Evaluation & /*evaluation*/,
+            const HistoryAccess /*access*/) const
+    {
+      return [](const ElementBatch & /*batch*/, const auto &at_rest) {
+        return Beam::elastic_section(at_rest);
+      };
+    }
+  };
+
+  /**
+   * Sections with a SectionLaw. State::history has, element by element and
+   * Gauss point by Gauss point, the internal variables in one record and the
+   * kept values in another.
+   */
+  template <class Beam>
+  class LawSections
+  {
+  public:
+    static constexpr bool is_elastic = false;
+
+    LawSections(const BeamElements<typename Beam::Undamped> &beams,
+                const StrutModel                            &model)
+      : beams(beams)
+      , section_law(model.law)
+    {
+      for (std::size_t k = 0; k < types.size(); ++k)
+        types[k] = Beam::strain_type(k, beams.shear > 0);
+      const SectionPoint point = {n_strains, types.data(), nullptr};
+      n_internal               = section_law->n_internal(point);
+      n_kept                   = section_law->n_kept(point);
+    }
+
+    const SectionLaw &law() const
+    {
+      return *section_law;
+    }
+
+    bool is_linear() const
+    {
+      return section_law->is_linear();
+    }
+
+    void register_in(StateLayout &layout)
+    {
+      const std::string name    = beams.record_name();
+      const auto        numbers = beams.numbers_in_lattice();
+      if (n_internal > 0)
+        {
+          first_internal = layout.history.keep(name + ": internal variables",
+                                               numbers,
+                                               Beam::order * n_internal);
+          layout.integrated.emplace_back(first_internal,
+                                         layout.history.n_values());
+        }
+      if (n_kept > 0)
+        first_kept = layout.history.keep(name + ": strains",
+                                         numbers,
+                                         Beam::order * n_kept);
+    }
+
+    /** History of a Gauss point of a batch, internal variables first. */
+    using History = std::vector<Lanes>;
+
+    void read(const State        &state,
+              const ElementBatch &batch,
+              const int           g,
+              History            &history) const
+    {
+      history.resize(n_internal + n_kept);
+      for (unsigned int i = 0; i < history.size(); ++i)
+        history[i] = batch.numbers(
+          [&](const unsigned int e) { return state.history[index(e, g, i)]; });
+    }
+
+    void write(const History       &history,
+               const ElementBatch  &batch,
+               const int            g,
+               std::vector<double> &values) const
+    {
+      for (unsigned int i = 0; i < n_internal + n_kept; ++i)
+        for (unsigned int lane = 0; lane < batch.size; ++lane)
+          values[index(batch.elements[lane], g, i)] =
+            lane_value(history[i], lane);
+    }
+
+    /** Writes the internal variables in @p history to @p values. */
+    void write_internal(const History      &history,
+                        const ElementBatch &batch,
+                        const int           g,
+                        double             *values) const
+    {
+      for (unsigned int i = 0; i < n_internal; ++i)
+        for (unsigned int lane = 0; lane < batch.size; ++lane)
+          values[index(batch.elements[lane], g, i)] =
+            lane_value(history[i], lane);
+    }
+
+    /** The sections of a batch at a Gauss point, the input of the law. */
+    struct PointsOf
+    {
+      template <class AtRest>
+      PointsOf(const LawSections &sections, const AtRest &at_rest)
+        : stiffness(Beam::stiffness_by_strain(at_rest))
+        , types(sections.types)
+      {}
+
+      SectionPoint point() const
+      {
+        return {n_strains, types.data(), stiffness.data()};
+      }
+
+      std::array<Lanes, Beam::n_strains>             stiffness;
+      const std::array<StrainType, Beam::n_strains> &types;
+    };
+
+    /** The law at the Gauss points of a batch in an evaluation. */
+    class PointLaw
+    {
+    public:
+      template <class AtRest>
+      PointLaw(const LawSections   &sections,
+               const SectionUpdate &update,
+               const Evaluation    &evaluation,
+               const HistoryAccess  access,
+               const ElementBatch  &batch,
+               const AtRest        &at_rest)
+        : sections(sections)
+        , update(update)
+        , evaluation(evaluation)
+        , access(access)
+        , batch(batch)
+        , points(sections, at_rest)
+      {}
+
+      /** Response at Gauss point @p g to @p strains at the end of the step; the
+       * linear kernel computes forces of mean strains. */
+      SectionResponse respond(const int g,
+                              const Lanes (&strains)[Beam::n_strains]) const
+      {
+        sections.read(evaluation.from, batch, g, committed);
+        trial.resize(committed.size());
+        const SectionPoint point = points.point();
+        Lanes              ends[Beam::n_strains];
+        std::copy_n(strains, n_strains, ends);
+        if (Beam::is_linear && access == HistoryAccess::writes &&
+            evaluation.kind == Evaluation::Kind::discrete_gradient)
+          {
+            Lanes starts[Beam::n_strains];
+            update.start_strains(point, committed.data(), starts);
+            for (unsigned int k = 0; k < n_strains; ++k)
+              ends[k] = 2 * strains[k] - starts[k];
+          }
+        SectionResponse response;
+        update.evaluate(point, ends, committed.data(), trial.data(), response);
+        if (access == HistoryAccess::writes)
+          sections.write(trial, batch, g, evaluation.to.history);
+        return response;
+      }
+
+    private:
+      const LawSections   &sections;
+      const SectionUpdate &update;
+      const Evaluation    &evaluation;
+      const HistoryAccess  access;
+      const ElementBatch  &batch;
+      const PointsOf       points;
+      mutable History      committed, trial;
+    };
+
+    /** As ElasticSections::in(). */
+    auto in(const Evaluation &evaluation, const HistoryAccess access) const
+    {
+      return
+        [this,
+         &evaluation,
+         access,
+         update = std::shared_ptr<const SectionUpdate>(section_law->update(
+           step(evaluation)))](const ElementBatch &batch, const auto &at_rest) {
+          return Beam::law_section(
+            at_rest,
+            PointLaw(*this, *update, evaluation, access, batch, at_rest));
+        };
+    }
+
+    /** Energy lost in an accepted step by a batch (J). */
+    template <class AtRest>
+    Lanes lost(const SectionLosses &losses,
+               const Evaluation    &evaluation,
+               const ElementBatch  &batch,
+               const AtRest        &at_rest) const
+    {
+      const PointsOf points(*this, at_rest);
+      History        committed, accepted;
+      Lanes          sum = 0;
+      for (int g = 0; g < Beam::order; ++g)
+        {
+          read(evaluation.from, batch, g, committed);
+          read(evaluation.to, batch, g, accepted);
+          sum += beams.shape.weight[g] * at_rest.jacobian *
+            losses.lost(points.point(), committed.data(), accepted.data());
+        }
+      return sum;
+    }
+
+    static SectionStep step(const Evaluation &evaluation)
+    {
+      using Kind = Evaluation::Kind;
+      switch (evaluation.kind)
+        {
+          case Kind::equilibrium:
+            return {evaluation.starts_run ? SectionStep::Kind::start
+                                          : SectionStep::Kind::relaxed,
+                    0};
+          case Kind::stage:
+            return {SectionStep::Kind::stage, evaluation.dt};
+          case Kind::discrete_gradient:
+            return {SectionStep::Kind::mean, evaluation.dt};
+          default:
+            return {SectionStep::Kind::end, evaluation.dt};
+        }
+    }
+
+  private:
+    static constexpr unsigned int n_strains = Beam::n_strains;
+
+    /** Index in State::history of history value @p i at a Gauss point. */
+    std::size_t
+    index(const unsigned int e, const int g, const unsigned int i) const
+    {
+      const std::size_t point = std::size_t(e) * Beam::order + g;
+      return i < n_internal ? first_internal + point * n_internal + i
+                            : first_kept + point * n_kept + i - n_internal;
+    }
+
+    const BeamElements<typename Beam::Undamped> &beams;
+    const std::shared_ptr<const SectionLaw>      section_law;
+    std::array<StrainType, Beam::n_strains>      types;
+    unsigned int                                 n_internal, n_kept;
+    std::size_t first_internal = 0, first_kept = 0;
+  };
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,55 @@
+#ifndef auxfem_struts_material_h
+#define auxfem_struts_material_h
+
+#include <auxfem/struts/section_law.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace auxfem
+{
+  /** A material, named in `Materials` or given within a section (SI). */
+  struct MaterialDefinition
+  {
+    std::string name;               ///< empty if given within a section
+    double      youngs_modulus = 0; ///< E (Pa), the instantaneous one
+    double      shear_modulus  = 0; ///< G = E / (2 (1 + nu)) (Pa)
+    /** rho (kg/m3); empty if not given. */
+    std::optional<double> density;
+    /** Outer-fibre strain at which the material yields; empty: not given. */
+    std::optional<double> yield_strain;
+    /** The time beta in stress = E (strain + beta strain rate) (s). */
+    double stiffness_proportional_damping = 0;
+    /** The rate alpha: damping force per mass and velocity (1/s). */
+    double mass_proportional_damping = 0;
+    /** Empty: linear elastic. */
+    std::shared_ptr<const SectionLaw> law;
+  };
+
+  /** Parameters of the material constants, for materials and for sections. */
+  Parameters material_parameters();
+
+  /** Poisson's ratio among material_parameters(). */
+  const Quantity &poissons_ratio_parameter();
+
+  /**
+   * Reads material_parameters(); the law is left empty. Throws InputError
+   * without Young's modulus, with @p remedy.
+   */
+  MaterialDefinition read_material_constants(const ParameterValues &values,
+                                             const std::string     &remedy);
+
+  /** Refuses material_parameters() that are given beside @p material. */
+  void refuse_material_parameters(const ParameterValues &values,
+                                  const std::string     &material);
+
+  /** `Materials`. */
+  SubsectionSchema materials_schema();
+
+  /** Reads the values of one such subsection. Throws InputError if they are
+   * inconsistent. */
+  MaterialDefinition read_material(ParameterValues &values);
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,130 @@
+#include <auxfem/struts/material.h>
+
+namespace auxfem
+{
+  namespace
+  {
+    const Quantity youngs_modulus = {
+      "Young's modulus",
+      "none",
+      "Pa",
+      Range::positive(),
+      "Young's modulus, the instantaneous one of materials that relax.",
+      {"none"}};
+    const Quantity poissons_ratio = {"Poisson's ratio",
+                                     "0.3",
+                                     "1",
+                                     {-1, 0.5, true, false},
+                                     "Poisson's ratio, for the shear modulus."};
+    const Quantity density        = {
+             "Density",
+             "none",
+             "kg/m3",
+             Range::non_negative(),
+             "Mass per volume; none: allowed only in statics without weight.",
+             {"none"}};
+    const Quantity yield_strain = {
+      "Yield strain",
+      "none",
+      "1",
+      Range::positive(),
+      "Outer-fibre strain at which the material yields, in tension or "
+      "compression; beyond it the verdict is doubtful. In a section with Shape "
+      "= given see Extreme fibre.",
+      {"none"}};
+    const Quantity stiffness_damping = {
+      "Stiffness-proportional damping",
+      "0 s",
+      "s",
+      Range::non_negative(),
+      "Time b of the damping stress = E b strain rate; elastic materials only."};
+    const Quantity mass_damping = {
+      "Mass-proportional damping",
+      "0 1/s",
+      "1/s",
+      Range::non_negative(),
+      "Rate a of the damping force = a mass velocity."};
+
+    Choice law_choice()
+    {
+      return {"Law",
+              "elastic",
+              names_of(section_law_registry()),
+              "Relation between stress and strain."};
+    }
+  } // namespace
+
+  Parameters material_parameters()
+  {
+    return {youngs_modulus,
+            poissons_ratio,
+            density,
+            yield_strain,
+            stiffness_damping,
+            mass_damping};
+  }
+
+  const Quantity &poissons_ratio_parameter()
+  {
+    return poissons_ratio;
+  }
+
+  MaterialDefinition read_material_constants(const ParameterValues &values,
+                                             const std::string     &remedy)
+  {
+    if (values.is_word(youngs_modulus))
+      values.refuse(youngs_modulus, "it must be given. " + remedy);
+    MaterialDefinition material;
+    material.youngs_modulus = values[youngs_modulus];
+    material.shear_modulus =
+      material.youngs_modulus / (2 * (1 + values[poissons_ratio]));
+    if (!values.is_word(density))
+      material.density = values[density];
+    if (!values.is_word(yield_strain))
+      material.yield_strain = values[yield_strain];
+    material.stiffness_proportional_damping = values[stiffness_damping];
+    material.mass_proportional_damping      = values[mass_damping];
+    return material;
+  }
+
+  void refuse_material_parameters(const ParameterValues &values,
+                                  const std::string     &material)
+  {
+    for (const Parameter &parameter : material_parameters())
+      if (!values.is_default(parameter))
+        values.refuse(parameter,
+                      "the section has Material = " + material + ". Set " +
+                        parameter.name + " in Materials/" + material +
+                        ", or remove Material");
+  }
+
+  SubsectionSchema materials_schema()
+  {
+    Parameters parameters = {law_choice()};
+    for (const Parameter &parameter : material_parameters())
+      parameters.push_back(parameter);
+    return {"Materials",
+            SubsectionSchema::Form::named_groups,
+            "Materials of sections, each named once.",
+            parameters,
+            "Law",
+            variants_of(section_law_registry())};
+  }
+
+  MaterialDefinition read_material(ParameterValues &values)
+  {
+    MaterialDefinition material =
+      read_material_constants(values,
+                              "For instance set Young's modulus = 70 GPa");
+    material.name = values.name();
+    material.law =
+      find_entry(section_law_registry(), values[law_choice()]).make(values);
+    if (material.law && material.stiffness_proportional_damping > 0)
+      values.refuse(
+        stiffness_damping,
+        "Law = " + values[law_choice()] +
+          " has losses of its own. Remove it, or add a relaxing part "
+          "with a short relaxation time");
+    return material;
+  }
+} // namespace auxfem

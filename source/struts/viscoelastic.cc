@@ -1,0 +1,569 @@
+#include <auxfem/mathematics/maxwell_element.h>
+#include <auxfem/struts/material.h>
+#include <auxfem/struts/section_law.h>
+
+#include <boost/math/tools/roots.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace auxfem
+{
+  namespace
+  {
+    /** Maxwell element of a modulus. */
+    struct Term
+    {
+      double ratio; ///< stiffness over the instantaneous modulus
+      double time;  ///< relaxation time (s)
+
+      /** With unit stiffness: forces are the strain of its spring. */
+      MaxwellElement element() const
+      {
+        return {1, time};
+      }
+    };
+
+    /** Prony series of a modulus over its instantaneous value. */
+    struct Series
+    {
+      double            long_time; ///< what does not relax
+      std::vector<Term> terms;
+    };
+
+    /** Both series of a material, with equally many terms. */
+    struct SeriesPair
+    {
+      Series normal, shear;
+
+      const Series &of(const StrainType type) const
+      {
+        return type == StrainType::normal ? normal : shear;
+      }
+    };
+
+    /**
+     * History at a point: by strain the viscous strains of the terms, which are
+     * the internal variables; then the strains and their mean rates (1/s) in
+     * the last step.
+     */
+    struct Layout
+    {
+      Layout(const SectionPoint &point, const SeriesPair &series)
+        : n_strains(point.n_strains)
+        , n_terms(series.normal.terms.size())
+      {}
+
+      unsigned int viscous(const unsigned int strain,
+                           const unsigned int term) const
+      {
+        return strain * n_terms + term;
+      }
+
+      unsigned int strain(const unsigned int k) const
+      {
+        return n_strains * n_terms + k;
+      }
+
+      unsigned int rate(const unsigned int k) const
+      {
+        return n_strains * (n_terms + 1) + k;
+      }
+
+      const unsigned int n_strains, n_terms;
+    };
+
+    /**
+     * Coefficients of a term in a step. The strain of its spring changes from e
+     * to decay e + by_increment dE + by_lead (v dt - dE) and has the mean
+     * mean_decay e + mean_by_increment dE, with the strain increment dE and the
+     * strain rate v at the end.
+     */
+    struct TermStep
+    {
+      double decay, by_increment, by_lead;
+      double mean_decay = 0, mean_by_increment = 0;
+    };
+
+    TermStep term_step(const Term &term, const SectionStep &step)
+    {
+      const MaxwellElement element = term.element();
+      switch (step.kind)
+        {
+          case SectionStep::Kind::relaxed:
+            return {0, 0, 0};
+          case SectionStep::Kind::stage:
+            {
+              // The viscous strain a obeys a' = (E - a) / tau: the spring takes
+              // up the increment and decays with it.
+              const double decay = element.stage(step.dt).decay;
+              return {decay, decay, 0};
+            }
+          case SectionStep::Kind::mean:
+            {
+              const MaxwellElement::Mean mean = element.mean(step.dt);
+              return {element.at_constant_rate(1, 0, step.dt),
+                      element.at_constant_rate(0, 1, step.dt),
+                      0,
+                      mean.decay,
+                      mean.stiffness};
+            }
+          default:
+            {
+              const MaxwellElement::Step end = element.step(step.dt);
+              const double lead = step.dt > 0 ? end.damping / step.dt : 0;
+              return {end.decay, end.stiffness + lead, lead};
+            }
+        }
+    }
+
+    /** Coefficients of a series in a step. */
+    struct SeriesStep
+    {
+      double                long_time;
+      std::vector<double>   ratios;
+      std::vector<TermStep> terms;
+      /** Derivative of the force by the strain at the end, over the
+       * instantaneous modulus; doubled for mean forces. */
+      double tangent;
+    };
+
+    /**
+     * The strain rate at the end of a step exceeds its mean by half of what the
+     * mean has grown by since the last step, as in the backward difference of
+     * second order. Where the step length changes, this is of first order,
+     * once.
+     */
+    constexpr double lead_of_rate = 0.5;
+
+    SeriesStep series_step(const Series &series, const SectionStep &step)
+    {
+      SeriesStep result{series.long_time, {}, {}, series.long_time};
+      for (const Term &term : series.terms)
+        {
+          const TermStep t = term_step(term, step);
+          result.ratios.push_back(term.ratio);
+          result.terms.push_back(t);
+          result.tangent += term.ratio *
+            (step.kind == SectionStep::Kind::mean
+               ? 2 * t.mean_by_increment
+               : t.by_increment + lead_of_rate * t.by_lead);
+        }
+      return result;
+    }
+
+    class ViscoelasticUpdate : public SectionUpdate
+    {
+    public:
+      ViscoelasticUpdate(const SeriesPair &series, const SectionStep &step)
+        : series(series)
+        , step(step)
+        , normal(series_step(series.normal, step))
+        , shear(series_step(series.shear, step))
+      {}
+
+      void evaluate(const SectionPoint &point,
+                    const Lanes        *strains,
+                    const Lanes        *committed,
+                    Lanes              *trial,
+                    SectionResponse    &response) const override
+      {
+        const Layout layout(point, series);
+        response.stored = 0;
+        for (unsigned int k = 0; k < point.n_strains; ++k)
+          {
+            const SeriesStep &s =
+              point.types[k] == StrainType::normal ? normal : shear;
+            const Lanes &start     = committed[layout.strain(k)];
+            const Lanes  increment = strains[k] - start;
+            const Lanes  lead =
+              lead_of_rate * (increment - step.dt * committed[layout.rate(k)]);
+            const bool is_mean = step.kind == SectionStep::Kind::mean;
+            Lanes      force   = s.long_time *
+              (is_mean ? Lanes((start + strains[k]) / 2) : strains[k]);
+            Lanes stored = s.long_time * strains[k] * strains[k];
+            for (unsigned int i = 0; i < layout.n_terms; ++i)
+              {
+                const TermStep    &t      = s.terms[i];
+                const unsigned int at     = layout.viscous(k, i);
+                const Lanes        before = start - committed[at],
+                            after         = t.decay * before +
+                  t.by_increment * increment + t.by_lead * lead;
+                trial[at] = strains[k] - after;
+                force += s.ratios[i] *
+                  (is_mean ? Lanes(t.mean_decay * before +
+                                   t.mean_by_increment * increment)
+                           : after);
+                stored += s.ratios[i] * after * after;
+              }
+            trial[layout.strain(k)] = strains[k];
+            trial[layout.rate(k)]   = rate_of(increment, committed, layout, k);
+            response.forces[k]      = point.stiffness[k] * force;
+            response.tangent[k]     = point.stiffness[k] * s.tangent;
+            response.stored += point.stiffness[k] / 2 * stored;
+          }
+      }
+
+      void start_strains(const SectionPoint &point,
+                         const Lanes        *committed,
+                         Lanes              *strains) const override
+      {
+        const Layout layout(point, series);
+        for (unsigned int k = 0; k < point.n_strains; ++k)
+          strains[k] = committed[layout.strain(k)];
+      }
+
+    private:
+      /** Mean rate of strain @p k to keep for the next step. */
+      Lanes rate_of(const Lanes       &increment,
+                    const Lanes       *committed,
+                    const Layout      &layout,
+                    const unsigned int k) const
+      {
+        if (step.kind == SectionStep::Kind::relaxed ||
+            step.kind == SectionStep::Kind::stage)
+          return 0;
+        return step.dt > 0 ? Lanes(increment / step.dt)
+                           : committed[layout.rate(k)];
+      }
+
+      const SeriesPair &series;
+      const SectionStep step;
+      const SeriesStep  normal, shear;
+    };
+
+    /** Energy lost by a Maxwell element of unit stiffness: a quadratic form of
+     * the strain e of its spring at the start, dE and v dt - dE. */
+    struct LossForm
+    {
+      LossForm(const Term &term, const double dt)
+      {
+        const auto lost =
+          [&](const double e, const double increment, const double lead) {
+            return dt > 0
+              ? term.element().dissipated_energy(e,
+                                                 increment,
+                                                 (increment + lead) / dt,
+                                                 dt)
+              : 0.;
+          };
+        for (int i = 0; i < 3; ++i)
+          square[i] = lost(i == 0, i == 1, i == 2);
+        for (int i = 0; i < 3; ++i)
+          product[i] = lost(i != 0, i != 1, i != 2) - square[(i + 1) % 3] -
+            square[(i + 2) % 3];
+      }
+
+      /** J per unit stiffness, >= 0. */
+      Lanes operator()(const Lanes &e,
+                       const Lanes &increment,
+                       const Lanes &lead) const
+      {
+        using std::max;
+        return max(Lanes(square[0] * e * e + square[1] * increment * increment +
+                         square[2] * lead * lead +
+                         product[0] * increment * lead + product[1] * e * lead +
+                         product[2] * e * increment),
+                   Lanes(0));
+      }
+
+      double square[3];
+      double product[3]; ///< of the two others
+    };
+
+    class ViscoelasticLosses : public SectionLosses
+    {
+    public:
+      ViscoelasticLosses(const SeriesPair &series, const SectionStep &step)
+        : series(series)
+        , step(step)
+      {
+        for (const Term &term : series.normal.terms)
+          normal.emplace_back(term, step.dt);
+        for (const Term &term : series.shear.terms)
+          shear.emplace_back(term, step.dt);
+      }
+
+      Lanes lost(const SectionPoint &point,
+                 const Lanes        *committed,
+                 const Lanes        *accepted) const override
+      {
+        const Layout layout(point, series);
+        const double lead_factor =
+          step.kind == SectionStep::Kind::mean ? 0 : lead_of_rate;
+        Lanes sum = 0;
+        for (unsigned int k = 0; k < point.n_strains; ++k)
+          {
+            const bool   is_normal = point.types[k] == StrainType::normal;
+            const auto  &forms     = is_normal ? normal : shear;
+            const auto  &terms     = series.of(point.types[k]).terms;
+            const Lanes &start     = committed[layout.strain(k)];
+            const Lanes  increment = accepted[layout.strain(k)] - start;
+            const Lanes  lead =
+              lead_factor * (increment - step.dt * committed[layout.rate(k)]);
+            for (unsigned int i = 0; i < layout.n_terms; ++i)
+              sum += point.stiffness[k] * terms[i].ratio *
+                forms[i](start - committed[layout.viscous(k, i)],
+                         increment,
+                         lead);
+          }
+        return sum;
+      }
+
+    private:
+      const SeriesPair     &series;
+      const SectionStep     step;
+      std::vector<LossForm> normal, shear;
+    };
+
+    /** Generalized Maxwell material: Prony series of both moduli. */
+    class Viscoelastic : public SectionLaw
+    {
+    public:
+      /** @param starts_relaxed state in the equilibrium at the start of a run */
+      Viscoelastic(SeriesPair series, const bool starts_relaxed)
+        : series(std::move(series))
+        , is_relaxed_at_start(starts_relaxed)
+      {}
+
+      bool starts_relaxed() const override
+      {
+        return is_relaxed_at_start;
+      }
+
+      bool is_linear() const override
+      {
+        return true;
+      }
+
+      unsigned int n_internal(const SectionPoint &point) const override
+      {
+        return point.n_strains * series.normal.terms.size();
+      }
+
+      unsigned int n_kept(const SectionPoint &point) const override
+      {
+        return 2 * point.n_strains;
+      }
+
+      std::unique_ptr<SectionUpdate>
+      update(const SectionStep &step) const override
+      {
+        return std::make_unique<ViscoelasticUpdate>(series, resolved(step));
+      }
+
+      std::unique_ptr<SectionLosses>
+      losses(const SectionStep &step) const override
+      {
+        return std::make_unique<ViscoelasticLosses>(series, resolved(step));
+      }
+
+      void instant(const SectionPoint &point,
+                   const Lanes        *strains,
+                   const Lanes        *internal,
+                   Lanes              *internal_rates,
+                   SectionInstant     &instant) const override
+      {
+        const Layout layout(point, series);
+        instant.stored = instant.relaxing_stored = instant.lost_power = 0;
+        for (unsigned int k = 0; k < point.n_strains; ++k)
+          {
+            const Series &s     = series.of(point.types[k]);
+            Lanes         force = 0, stored = 0, power = 0;
+            for (unsigned int i = 0; i < layout.n_terms; ++i)
+              {
+                const unsigned int at     = layout.viscous(k, i);
+                const Lanes        spring = strains[k] - internal[at];
+                const auto [ratio, time]  = s.terms[i];
+                internal_rates[at]        = spring / time;
+                force += ratio * spring;
+                stored += ratio * spring * spring;
+                power += ratio * spring * internal_rates[at];
+              }
+            const Lanes &stiffness = point.stiffness[k];
+            instant.relaxing[k]    = stiffness * force;
+            instant.forces[k] =
+              instant.relaxing[k] + stiffness * s.long_time * strains[k];
+            instant.relaxing_stored += stiffness / 2 * stored;
+            instant.stored +=
+              stiffness / 2 * s.long_time * strains[k] * strains[k];
+            instant.lost_power += stiffness * power;
+          }
+        instant.stored += instant.relaxing_stored;
+      }
+
+      double long_time_ratio(const StrainType type) const override
+      {
+        return series.of(type).long_time;
+      }
+
+      std::map<double, double>
+      relaxing_ratios(const StrainType type) const override
+      {
+        std::map<double, double> ratios;
+        for (const Term &term : series.of(type).terms)
+          ratios[term.time] += term.ratio;
+        return ratios;
+      }
+
+    private:
+      /** Replaces the start of a run by what the material makes of it. */
+      SectionStep resolved(SectionStep step) const
+      {
+        if (step.kind == SectionStep::Kind::start)
+          step.kind = is_relaxed_at_start ? SectionStep::Kind::relaxed
+                                          : SectionStep::Kind::end;
+        return step;
+      }
+
+      const SeriesPair series;
+      const bool       is_relaxed_at_start;
+    };
+
+    Series series_of(const std::map<double, double> &parts)
+    {
+      Series series{1, {}};
+      for (const auto &[time, part] : parts)
+        {
+          series.terms.push_back({part, time});
+          series.long_time -= part;
+        }
+      // Parts that add up to 1 in decimals leave a round-off.
+      if (std::abs(series.long_time) <
+          parts.size() * std::numeric_limits<double>::epsilon())
+        series.long_time = 0;
+      return series;
+    }
+
+    /**
+     * Series of Young's modulus E = 9 K G / (3 K + G) over its instantaneous
+     * value, with the elastic bulk modulus K and the @p shear series of G. The
+     * relaxation times T = -1/s belong to the roots s of G(s) = -3 K, one below
+     * each rate of G; the residues of E there are the terms 27 K^2 T / G'(s).
+     */
+    Series series_of_youngs_modulus(const Series &shear,
+                                    const double  poissons_ratio)
+    {
+      // Over the instantaneous shear modulus: 3 K / G and E / G.
+      const double bulk = 2 * (1 + poissons_ratio) / (1 - 2 * poissons_ratio),
+                   youngs_modulus = 2 * (1 + poissons_ratio);
+      const auto sum = [&](const double rate, const auto &term_value) {
+        double total = 0;
+        for (const Term &term : shear.terms)
+          total += term_value(term, 1 - rate * term.time);
+        return total;
+      };
+      // Both for s = -rate.
+      const auto modulus = [&](const double rate) {
+        return shear.long_time + sum(rate, [&](const Term &t, const double d) {
+                 return -t.ratio * rate * t.time / d;
+               });
+      };
+      const auto slope = [&](const double rate) {
+        return sum(rate, [](const Term &t, const double d) {
+          return t.ratio * t.time / (d * d);
+        });
+      };
+      Series result{3 * bulk * shear.long_time / (bulk + shear.long_time) /
+                      youngs_modulus,
+                    {}};
+      double faster_than = 0;
+      for (auto term = shear.terms.rbegin(); term != shear.terms.rend(); ++term)
+        {
+          double low = faster_than, high = 1 / term->time;
+          faster_than = high;
+          // The modulus falls from above -3 K to minus infinity.
+          for (int i = 0; i < 200 && low < high; ++i)
+            {
+              const double middle = (low + high) / 2;
+              if (middle == low || middle == high)
+                break;
+              (modulus(middle) + bulk > 0 ? low : high) = middle;
+            }
+          const double rate = (low + high) / 2;
+          result.terms.push_back(
+            {3 * bulk * bulk / (rate * slope(rate)) / youngs_modulus,
+             1 / rate});
+        }
+      return result;
+    }
+
+    const QuantityList relaxing_parts = {
+      "Relaxing parts",
+      "",
+      "1",
+      {0, 1, true, false},
+      1,
+      std::numeric_limits<unsigned int>::max(),
+      "Parts of the instantaneous modulus that relax, one per relaxation time. "
+      "Together at most 1; less than 1 where the material must carry load "
+      "forever."};
+    const QuantityList relaxation_times = {
+      "Relaxation times",
+      "",
+      "s",
+      Range::positive(),
+      1,
+      std::numeric_limits<unsigned int>::max(),
+      "Time in which each part falls to 1/e under constant strain."};
+    const Choice volume_change = {
+      "Volume change",
+      "relaxing",
+      {"relaxing", "elastic"},
+      "relaxing: Poisson's ratio is constant and all moduli relax alike; "
+      "elastic: the bulk modulus does not relax, the parts are those of the "
+      "shear modulus."};
+
+    const Choice start = {
+      "State at start",
+      "relaxed",
+      {"relaxed", "instantaneous"},
+      "State in the equilibrium of Time/Static start: relaxed, as under loads "
+      "that have been there for long; instantaneous: loaded just now."};
+
+    std::map<double, double> read_parts(const ParameterValues &values)
+    {
+      const std::vector<double> parts = values[relaxing_parts],
+                                times = values[relaxation_times];
+      if (parts.size() != times.size())
+        values.refuse("Relaxing parts has " + std::to_string(parts.size()) +
+                      " values, Relaxation times has " +
+                      std::to_string(times.size()) +
+                      ". Each part needs one time: give lists of equal length");
+      std::map<double, double> by_time;
+      for (std::size_t i = 0; i < parts.size(); ++i)
+        by_time[times[i]] += parts[i];
+      const double sum = std::accumulate(parts.begin(), parts.end(), 0.);
+      if (sum > 1 + parts.size() * std::numeric_limits<double>::epsilon())
+        values.refuse(relaxing_parts,
+                      "the parts add up to " + std::to_string(sum) +
+                        ". More than the whole modulus cannot relax: reduce "
+                        "them to at most 1 together");
+      return by_time;
+    }
+
+    std::unique_ptr<SectionLaw> make_viscoelastic(ParameterValues &values)
+    {
+      const std::map<double, double> parts = read_parts(values);
+      const Series                   shear = series_of(parts);
+      const double                   nu    = values[poissons_ratio_parameter()];
+      // An incompressible material has E = 3 G.
+      const bool is_alike = values[volume_change] == "relaxing" || nu == 0.5;
+      return std::make_unique<Viscoelastic>(
+        SeriesPair{is_alike ? shear : series_of_youngs_modulus(shear, nu),
+                   shear},
+        values[start] == "relaxed");
+    }
+  } // namespace
+
+  RegistryEntry<SectionLaw> viscoelastic_entry()
+  {
+    return {"viscoelastic",
+            "Generalized Maxwell material (Prony series): a spring in parallel "
+            "with Maxwell elements. Young's modulus is the instantaneous one.",
+            {relaxing_parts, relaxation_times, volume_change, start},
+            make_viscoelastic};
+  }
+} // namespace auxfem
