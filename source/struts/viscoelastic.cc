@@ -164,11 +164,11 @@ namespace auxfem
         , shear(series_step(series.shear, step))
       {}
 
-      void evaluate(const SectionPoint &point,
-                    const Lanes        *strains,
-                    const Lanes        *committed,
-                    Lanes              *trial,
-                    SectionResponse    &response) const override
+      AUXFEM_FLATTEN void evaluate(const SectionPoint &point,
+                                   const Lanes        *strains,
+                                   const Lanes        *committed,
+                                   Lanes              *trial,
+                                   SectionResponse    &response) const override
       {
         const Layout layout(point, series);
         response.stored = 0;
@@ -286,9 +286,9 @@ namespace auxfem
           shear.emplace_back(term, step.dt);
       }
 
-      Lanes lost(const SectionPoint &point,
-                 const Lanes        *committed,
-                 const Lanes        *accepted) const override
+      AUXFEM_FLATTEN Lanes lost(const SectionPoint &point,
+                                const Lanes        *committed,
+                                const Lanes        *accepted) const override
       {
         const Layout layout(point, series);
         const double lead_factor =
@@ -360,11 +360,11 @@ namespace auxfem
         return std::make_unique<ViscoelasticLosses>(series, resolved(step));
       }
 
-      void instant(const SectionPoint &point,
-                   const Lanes        *strains,
-                   const Lanes        *internal,
-                   Lanes              *internal_rates,
-                   SectionInstant     &instant) const override
+      AUXFEM_FLATTEN void instant(const SectionPoint &point,
+                                  const Lanes        *strains,
+                                  const Lanes        *internal,
+                                  Lanes              *internal_rates,
+                                  SectionInstant     &instant) const override
       {
         const Layout layout(point, series);
         instant.stored = instant.relaxing_stored = instant.lost_power = 0;

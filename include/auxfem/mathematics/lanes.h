@@ -8,6 +8,17 @@
 #include <experimental/simd>
 
 /**
+ * Inlines all calls of a function, which the compiler would not do for
+ * functions of this size. Sanitizer builds skip it because their checks make
+ * compilation too slow.
+ */
+#ifdef AUXFEM_SANITIZERS
+#  define AUXFEM_FLATTEN
+#else
+#  define AUXFEM_FLATTEN [[gnu::flatten]]
+#endif
+
+/**
  * @file
  * SIMD over elements: a kernel written for a number computes one number per
  * element, its lane, at a time. Lanes do not interact, so results do not depend

@@ -9,17 +9,6 @@
 #include <cmath>
 #include <limits>
 
-/**
- * Inlines all calls of a function, which the compiler would not do for
- * functions of this size. Sanitizer builds skip it because their checks make
- * compilation too slow.
- */
-#ifdef AUXFEM_SANITIZERS
-#  define AUXFEM_FLATTEN
-#else
-#  define AUXFEM_FLATTEN [[gnu::flatten]]
-#endif
-
 namespace auxfem
 {
   /**

@@ -39,9 +39,10 @@ namespace auxfem
         return;
       const auto losses = responses.law().losses(responses.step(step));
       double     lost   = 0;
+      Scratch    scratch;
       for_each_owned(
         [&](const ElementBatch &batch, const auto &at_rest) {
-          return responses.lost(*losses, step, batch, at_rest);
+          return responses.lost(*losses, step, batch, at_rest, scratch);
         },
         lost);
       account.add_in_step(lost_entry, lost);
@@ -56,7 +57,8 @@ namespace auxfem
                        const EffectCache * /*results*/,
                        EnergyAccount &account) const override
     {
-      double power = 0;
+      double  power = 0;
+      Scratch scratch;
       for_each_owned(
         [&](const ElementBatch &batch, const auto &at_rest) {
           Lanes force[n];
@@ -67,7 +69,8 @@ namespace auxfem
             [](const SectionInstant &now, SectionResponse &r) {
               r.stored = now.lost_power;
             },
-            force);
+            force,
+            scratch);
         },
         power);
       account.add_power(lost_entry, power);
@@ -77,6 +80,7 @@ namespace auxfem
                              const EffectCache * /*results*/,
                              double *rates) const override
     {
+      Scratch scratch;
       beams.for_each_batch([&](const ElementBatch &batch) {
         const auto &at_rest = beams.at_rest(batch);
         Lanes       force[n];
@@ -86,6 +90,7 @@ namespace auxfem
           state,
           [](const SectionInstant &, SectionResponse &) {},
           force,
+          scratch,
           rates);
       });
     }
@@ -181,6 +186,8 @@ namespace auxfem
     }
 
   private:
+    using Scratch = typename LawSections<Beam>::Scratch;
+
     /** Adds the values of @p value_of, a function of a batch and its elements at
      * rest, of the elements owned by this rank to @p sum. */
     template <class ValueOfBatch>
@@ -209,18 +216,21 @@ namespace auxfem
                  const ElementBatch      &batch,
                  const AtRest            &at_rest,
                  const Respond           &make_response,
-                 double                  *rates)
+                 double                  *rates,
+                 Scratch                 &scratch)
         : sections(sections)
         , state(state)
         , batch(batch)
         , points(sections, at_rest)
         , make_response(make_response)
         , rates(rates)
+        , scratch(scratch)
       {}
 
       SectionResponse respond(const int g,
                               const Lanes (&strains)[Beam::n_strains]) const
       {
+        auto &[history, internal_rates] = scratch;
         sections.read(state, batch, g, history);
         internal_rates.resize(history.size());
         SectionInstant now;
@@ -237,13 +247,13 @@ namespace auxfem
       }
 
     private:
-      const LawSections<Beam>                    &sections;
-      const State                                &state;
-      const ElementBatch                         &batch;
-      const typename LawSections<Beam>::PointsOf  points;
-      const Respond                              &make_response;
-      double                                     *rates;
-      mutable typename LawSections<Beam>::History history, internal_rates;
+      const LawSections<Beam>                   &sections;
+      const State                               &state;
+      const ElementBatch                        &batch;
+      const typename LawSections<Beam>::PointsOf points;
+      const Respond                             &make_response;
+      double                                    *rates;
+      Scratch                                   &scratch;
     };
 
     /**
@@ -257,7 +267,8 @@ namespace auxfem
                     const State        &state,
                     const Respond      &make_response,
                     Lanes (&force)[n],
-                    double *rates = nullptr) const
+                    Scratch &scratch,
+                    double  *rates = nullptr) const
     {
       return Beam::internal_force(
                beams.shape,
@@ -268,7 +279,8 @@ namespace auxfem
                                                      batch,
                                                      at_rest,
                                                      make_response,
-                                                     rates)),
+                                                     rates,
+                                                     scratch)),
                Beam::motion(beams.numbering, beams.unknowns(batch), state),
                force)
         .strain;
@@ -283,14 +295,16 @@ namespace auxfem
       ElementBatch batch;
       batch.elements.fill(e);
       batch.size = 1;
-      int   g    = 0;
-      Lanes force[n];
+      int     g  = 0;
+      Lanes   force[n];
+      Scratch scratch;
       integrate(
         batch,
         beams.at_rest(batch),
         state,
         [&](const SectionInstant &now, SectionResponse &) { action(g++, now); },
-        force);
+        force,
+        scratch);
     }
 
     /** Work of the mean relaxing forces of both ends of a step minus the growth
@@ -302,13 +316,14 @@ namespace auxfem
         std::copy_n(now.relaxing, Beam::n_strains, r.forces);
         r.stored = now.relaxing_stored;
       };
-      double work = 0;
+      double  work = 0;
+      Scratch scratch;
       for_each_owned(
         [&](const ElementBatch &batch, const auto &at_rest) {
           const auto at = [&](const State &state, const double sign) {
             Lanes       force[n];
             const Lanes stored =
-              integrate(batch, at_rest, state, relaxing, force);
+              integrate(batch, at_rest, state, relaxing, force, scratch);
             return Lanes(motion.dt / 2 *
                            Beam::power(beams.numbering,
                                        beams.unknowns(batch),

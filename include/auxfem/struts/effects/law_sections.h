@@ -242,6 +242,12 @@ namespace auxfem
     /** History of a Gauss point of a batch, internal variables first. */
     using History = std::vector<Lanes>;
 
+    /** Memory for the history of a point at both ends of a step. */
+    struct Scratch
+    {
+      History start, end;
+    };
+
     void read(const State        &state,
               const ElementBatch &batch,
               const int           g,
@@ -304,13 +310,16 @@ namespace auxfem
                const Evaluation    &evaluation,
                const HistoryAccess  access,
                const ElementBatch  &batch,
-               const AtRest        &at_rest)
+               const AtRest        &at_rest,
+               Scratch             &scratch)
         : sections(sections)
         , update(update)
         , evaluation(evaluation)
         , access(access)
         , batch(batch)
         , points(sections, at_rest)
+        , committed(scratch.start)
+        , trial(scratch.end)
       {}
 
       /** Response at Gauss point @p g to @p strains at the end of the step; the
@@ -345,21 +354,26 @@ namespace auxfem
       const HistoryAccess  access;
       const ElementBatch  &batch;
       const PointsOf       points;
-      mutable History      committed, trial;
+      History             &committed, &trial;
     };
 
     /** As ElasticSections::in(). */
     auto in(const Evaluation &evaluation, const HistoryAccess access) const
     {
+      const std::shared_ptr<const SectionUpdate> update =
+        section_law->update(step(evaluation));
+      const auto scratch = std::make_shared<Scratch>();
       return
-        [this,
-         &evaluation,
-         access,
-         update = std::shared_ptr<const SectionUpdate>(section_law->update(
-           step(evaluation)))](const ElementBatch &batch, const auto &at_rest) {
-          return Beam::law_section(
-            at_rest,
-            PointLaw(*this, *update, evaluation, access, batch, at_rest));
+        [this, &evaluation, access, update, scratch](const ElementBatch &batch,
+                                                     const auto &at_rest) {
+          return Beam::law_section(at_rest,
+                                   PointLaw(*this,
+                                            *update,
+                                            evaluation,
+                                            access,
+                                            batch,
+                                            at_rest,
+                                            *scratch));
         };
     }
 
@@ -368,17 +382,19 @@ namespace auxfem
     Lanes lost(const SectionLosses &losses,
                const Evaluation    &evaluation,
                const ElementBatch  &batch,
-               const AtRest        &at_rest) const
+               const AtRest        &at_rest,
+               Scratch             &scratch) const
     {
       const PointsOf points(*this, at_rest);
-      History        committed, accepted;
       Lanes          sum = 0;
       for (int g = 0; g < Beam::order; ++g)
         {
-          read(evaluation.from, batch, g, committed);
-          read(evaluation.to, batch, g, accepted);
+          read(evaluation.from, batch, g, scratch.start);
+          read(evaluation.to, batch, g, scratch.end);
           sum += beams.shape.weight[g] * at_rest.jacobian *
-            losses.lost(points.point(), committed.data(), accepted.data());
+            losses.lost(points.point(),
+                        scratch.start.data(),
+                        scratch.end.data());
         }
       return sum;
     }
