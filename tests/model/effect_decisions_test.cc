@@ -34,7 +34,7 @@ TEST(EffectDecisions, AutomaticEnablesEffectsWithACause)
   for (const EffectDecision &one : everything.decisions)
     EXPECT_EQ(one.on, one.name != "rigid parts" && one.name != "contact")
       << one.name;
-  EXPECT_EQ(everything.decisions.size(), 10u);
+  EXPECT_EQ(everything.decisions.size(), 11u);
 }
 
 TEST(EffectDecisions, AutomaticDisablesEffectsWithoutACause)

@@ -125,6 +125,34 @@ TEST(EffectMeasures, StrutDampingIsItsTimeOverThatOfLoading)
   EXPECT_NEAR(measure_of("strut damping", scene)->change, 7e-3, 1e-9);
 }
 
+TEST(EffectMeasures, RelaxationIsTheStiffnessLeftAtTheEndOfARamp)
+{
+  SceneText scene = strut_with("min(t / 0.5, 1)");
+  scene.remove("Sections/strut/Young's modulus")
+    .set("Sections/strut/Material", "polymer")
+    .set("Materials/polymer/Law", "viscoelastic")
+    .set("Materials/polymer/Young's modulus", 1)
+    .set("Materials/polymer/Density", 3)
+    .set("Materials/polymer/Relaxing parts", "0.4")
+    .set("Materials/polymer/Relaxation times", "0.25");
+  for (const std::string name : {"Poisson's ratio", "Density"})
+    try
+      {
+        scene.remove("Sections/strut/" + name);
+      }
+    catch (const std::logic_error &)
+      {}
+  const double excess = 0.4 * (1 - std::exp(-2)) / 2;
+  EXPECT_NEAR(measure_of("strut relaxation", scene)->change,
+              excess / (excess + 0.6),
+              1e-9);
+  scene.set("Materials/polymer/State at start", "instantaneous")
+    .set("Materials/polymer/Relaxation times", "1e-9")
+    .set("Time/Start from", "static equilibrium");
+  EXPECT_NEAR(measure_of("strut relaxation", scene)->change, 0.4, 1e-9);
+  EXPECT_FALSE(measure_of("strut relaxation", strut_with("t")));
+}
+
 TEST(EffectMeasures, GravityIsWeightOverLoads)
 {
   SceneText scene = strut_with("20 * t");

@@ -66,6 +66,18 @@ namespace
   }
 } // namespace
 
+TEST(Numbering, ElementsOfUnequalStrutsHaveNumbersOfTheirOwn)
+{
+  const Numbered         numbered(tripod(),
+                          {{2, 2}, {2, 1}, {2, 3}},
+                          {},
+                          MPI_COMM_SELF);
+  std::set<unsigned int> numbers;
+  for (unsigned int e = 0; e < numbered.dofs.elements().size(); ++e)
+    numbers.insert(numbered.dofs.number_in_lattice(e));
+  EXPECT_EQ(numbers, (std::set<unsigned int>{0, 1, 2, 3, 4, 5}));
+}
+
 TEST(DofNumbering, FourByFourStarsHave1080UnknownsAtOrderTwo)
 {
   // 16 x 12 struts with one inner node, 168 joints, 3 unknowns each.

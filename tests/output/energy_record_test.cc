@@ -166,6 +166,7 @@ TEST(EnergyRecord, EveryCauseInAFullSceneHasItsColumn)
                            "fixed direction.dissipated",
                            "anchors.dissipated",
                            "strut_damping_dissipated",
+                           "strut_relaxation_dissipated",
                            "mass_damping_dissipated",
                            "push.load_work",
                            "wind.load_work",
@@ -178,5 +179,5 @@ TEST(EnergyRecord, EveryCauseInAFullSceneHasItsColumn)
                        columns.end(),
                        "foundation.support_work"),
             0);
-  EXPECT_EQ(columns.size(), 17u);
+  EXPECT_EQ(columns.size(), 18u);
 }

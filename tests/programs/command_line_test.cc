@@ -120,6 +120,7 @@ namespace
 
     // Free text has no range; its description names the allowed values.
     const Words        free_text = {"set Title",
+                                    "set Material",
                                     "set Constants",
                                     "set Joints",
                                     "set Struts",

@@ -107,6 +107,20 @@ namespace
 
 
 
+  TEST_F(ShippedScenes, RelaxingStrutsLoseTheEnergyOfAnImpact)
+  {
+    run_scene("tpu-impact", {"Output/Graphics=false"});
+    const Table table = history();
+    const auto &lost  = table["strut_relaxation_dissipated"];
+    for (unsigned int i = 1; i < table.n_rows; ++i)
+      EXPECT_GE(lost[i], lost[i - 1]);
+    EXPECT_GT(lost.back(), 0.9 * table["external"].back());
+    EXPECT_LT(std::abs(table["balance"].back()),
+              1e-4 * table["external"].back());
+  }
+
+
+
   TEST_F(ShippedScenes, TheDropWeightIsThrownBack)
   {
     run_scene("drop-weight", {"Output/Graphics=false"});

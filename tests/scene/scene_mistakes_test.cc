@@ -193,8 +193,11 @@ namespace
   {
     expect_message(
       group("Sections", "set Shape = circle"),
-      {"scene.prm:5: Sections/name/Radius must be given: Radius of the circle.",
-       "Sections/name/Young's modulus must be given"});
+      {"scene.prm:5: Sections/name/Radius must be given: Radius of the circle."});
+    expect_message(group("Sections", "set Shape = circle\nset Radius = 1 mm"),
+                   {"Sections/name/Young's modulus",
+                    "must be given",
+                    "Material = NAME"});
     expect_message(subsection("Supports", subsection("a", "set Joints =")),
                    {"scene.prm:6: Supports/a/Joints must be given"});
     expect_message(subsection("Probes", "set top ="),

@@ -19,48 +19,54 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  constexpr double modulus = 1e6, height = 0.02, part = 0.6, tau = 1;
+  constexpr double polymer_modulus = 1e6, bar_height = 0.02,
+                   relaxing_part = 0.6, relaxing_time = 1;
 
   /** A material that keeps 1 - @p parts of its modulus. */
-  SceneText
-  polymer(const double parts, const double time, const std::string more = "")
+  SceneText polymer_material(const double      parts,
+                             const double      time,
+                             const std::string more = "")
   {
     return SceneText()
       .add("Materials/polymer",
-           "Law = viscoelastic | Young's modulus = " + text(modulus) +
+           "Law = viscoelastic | Young's modulus = " + text(polymer_modulus) +
              " | Poisson's ratio = 0 | Relaxing parts = " + text(parts) +
              " | Relaxation times = " + text(time))
       .add("Materials/polymer", more);
   }
 
   /** A cantilever of length 1 along x of square section. */
-  SceneText cantilever(const unsigned int dimension)
+  SceneText polymer_cantilever(const unsigned int dimension)
   {
-    return polymer(part, tau, "State at start = instantaneous")
+    return polymer_material(relaxing_part,
+                            relaxing_time,
+                            "State at start = instantaneous")
       .dimension(dimension)
       .frame(dimension == 2 ? "0 0; 1 0" : "0 0 0; 1 0 0", "0 1")
       .add("Sections/bar",
-           "Material = polymer | Shape = rectangle | Width = " + text(height) +
-             " | Height = " + text(height))
+           "Material = polymer | Shape = rectangle | Width = " +
+             text(bar_height) + " | Height = " + text(bar_height))
       .support("clamp", "0", "clamp")
       .set("Time/Start from", "static equilibrium");
   }
 
   /** Growth of the deformation of a structure under constant loads at t = 2. */
-  const double creep = 2.5 - 1.5 * std::exp(-2 * (1 - part) / tau);
+  const double growth_by_creep =
+    2.5 - 1.5 * std::exp(-2 * (1 - relaxing_part) / relaxing_time);
 
-  constexpr double bending = modulus * height * height * height * height / 12;
+  constexpr double bar_bending =
+    polymer_modulus * bar_height * bar_height * bar_height * bar_height / 12;
 
   /** What a run of 2 s brings: a motion at its end, over that at its start. */
-  struct Creep
+  struct CreepResult
   {
     double growth, imbalance, lost, numerical;
   };
 
-  Creep creep_of(SceneText          scene,
-                 const double       dt,
-                 const unsigned int joint,
-                 const unsigned int component)
+  CreepResult creep_result(SceneText          scene,
+                           const double       dt,
+                           const unsigned int joint,
+                           const unsigned int component)
   {
     SceneRun     run(scene.time(2, dt, "static"));
     const double start = run.motion(joint, component);
@@ -72,17 +78,18 @@ namespace
             energies.sum(EnergyKind::numerical)};
   }
 
-  void expect_creep(ComparisonTable   &table,
-                    const std::string &name,
-                    const SceneText   &scene,
-                    const unsigned int joint,
-                    const unsigned int component)
+  void expect_growth(ComparisonTable   &table,
+                     const std::string &name,
+                     const SceneText   &scene,
+                     const unsigned int joint,
+                     const unsigned int component)
   {
-    const Creep coarse = creep_of(scene, 0.125, joint, component),
-                fine   = creep_of(scene, 0.0625, joint, component);
-    table.relative(name + ": growth", fine.growth, creep, 4e-5);
+    const CreepResult coarse = creep_result(scene, 0.125, joint, component),
+                      fine   = creep_result(scene, 0.0625, joint, component);
+    table.relative(name + ": growth", fine.growth, growth_by_creep, 4e-5);
     table.row(name + ": order in the step",
-              std::log2((coarse.growth - creep) / (fine.growth - creep)),
+              std::log2((coarse.growth - growth_by_creep) /
+                        (fine.growth - growth_by_creep)),
               2,
               0.1);
     table.row(name + ": energy balance", fine.imbalance, 0, 1e-9);
@@ -96,58 +103,58 @@ TEST(ViscoelasticStruts, CreepUnderConstantLoads)
 {
   ComparisonTable table(
     "Creep in two relaxation times, relaxing part 0.6: 2.5 - 1.5 exp(-0.8)");
-  expect_creep(table,
-               "cantilever, small displacements",
-               cantilever(2)
-                 .add("Loads/tip", "Joints = 1 | Force y = 1e-5")
-                 .set("Effects/Large rotation", "off")
-                 .mesh(3),
-               1,
-               1);
-  const std::string moment = text(0.5 * bending);
-  expect_creep(table,
-               "roll-up in the plane",
-               cantilever(2)
-                 .add("Loads/tip", "Joints = 1 | Moment z = " + moment)
-                 .set("Effects/Large rotation", "on")
-                 .mesh(3, 2),
-               1,
-               rotation_z);
-  expect_creep(table,
-               "roll-up in space",
-               cantilever(3)
-                 .add("Loads/tip", "Joints = 1 | Moment y = " + moment)
-                 .set("Effects/Large rotation", "on")
-                 .mesh(3, 2),
-               1,
-               4);
-  expect_creep(table,
-               "torsion",
-               cantilever(3)
-                 .add("Loads/tip",
-                      "Joints = 1 | Moment x = " + text(0.2 * bending))
-                 .set("Effects/Large rotation", "on")
-                 .mesh(3),
-               1,
-               3);
+  expect_growth(table,
+                "cantilever, small displacements",
+                polymer_cantilever(2)
+                  .add("Loads/tip", "Joints = 1 | Force y = 1e-5")
+                  .set("Effects/Large rotation", "off")
+                  .mesh(3),
+                1,
+                1);
+  const std::string moment = text(0.5 * bar_bending);
+  expect_growth(table,
+                "roll-up in the plane",
+                polymer_cantilever(2)
+                  .add("Loads/tip", "Joints = 1 | Moment z = " + moment)
+                  .set("Effects/Large rotation", "on")
+                  .mesh(3, 2),
+                1,
+                rotation_z);
+  expect_growth(table,
+                "roll-up in space",
+                polymer_cantilever(3)
+                  .add("Loads/tip", "Joints = 1 | Moment y = " + moment)
+                  .set("Effects/Large rotation", "on")
+                  .mesh(3, 2),
+                1,
+                4);
+  expect_growth(table,
+                "torsion",
+                polymer_cantilever(3)
+                  .add("Loads/tip",
+                       "Joints = 1 | Moment x = " + text(0.2 * bar_bending))
+                  .set("Effects/Large rotation", "on")
+                  .mesh(3),
+                1,
+                3);
   // All moduli relax alike, so that every frame creeps by the same factor.
-  expect_creep(table,
-               "ring under point loads",
-               cantilever(2)
-                 .frame("0 0; 1 1; 0 2; -1 1",
-                        "0 1 0.29289321881345; 1 2 0.29289321881345; "
-                        "2 3 0.29289321881345; 3 0 0.29289321881345")
-                 .add("Loads/tip", "Joints = 2 | Force y = -1e-4")
-                 .set("Effects/Large rotation", "off")
-                 .mesh(4, 1),
-               2,
-               1);
+  expect_growth(table,
+                "ring under point loads",
+                polymer_cantilever(2)
+                  .frame("0 0; 1 1; 0 2; -1 1",
+                         "0 1 0.29289321881345; 1 2 0.29289321881345; "
+                         "2 3 0.29289321881345; 3 0 0.29289321881345")
+                  .add("Loads/tip", "Joints = 2 | Force y = -1e-4")
+                  .set("Effects/Large rotation", "off")
+                  .mesh(4, 1),
+                2,
+                1);
 }
 
 TEST(ViscoelasticStruts, RelaxUnderAHeldStrain)
 {
   SceneText scene =
-    cantilever(2)
+    polymer_cantilever(2)
       .add("Supports/pull",
            "Joints = 1 | Type = prescribed | Displacement x = 1e-3")
       .set("Effects/Large rotation", "off")
@@ -158,25 +165,25 @@ TEST(ViscoelasticStruts, RelaxUnderAHeldStrain)
   ComparisonTable("Force after two relaxation times in four steps")
     .row("force over that at the start",
          run.reaction("pull", 0) / start,
-         1 - part + part * std::exp(-2 / tau),
+         1 - relaxing_part + relaxing_part * std::exp(-2 / relaxing_time),
          1e-12);
 }
 
 TEST(ViscoelasticStruts, CreepWithAnElasticVolume)
 {
-  // The compliance of G relaxing by 0.6 with the bulk modulus constant, in
-  // pure bending: 1/E = 1/9K + 1/3G.
+  // The compliance of G relaxing by 0.6 with the bulk modulus constant,
+  // in pure bending: 1/E = 1/9K + 1/3G.
   const double nu          = 0.3;
   const double shear_share = 2 * (1 + nu) / 3, bulk_share = 1 - shear_share;
-  SceneText    scene = cantilever(2)
+  SceneText    scene = polymer_cantilever(2)
                       .add("Materials/polymer",
                            "Poisson's ratio = 0.3 | Volume change = elastic")
                       .add("Loads/tip", "Joints = 1 | Moment z = 1e-5")
                       .set("Effects/Large rotation", "off")
                       .mesh(3);
-  const double exact  = bulk_share + shear_share * creep,
-               coarse = creep_of(scene, 0.125, 1, rotation_z).growth,
-               fine   = creep_of(scene, 0.0625, 1, rotation_z).growth;
+  const double exact  = bulk_share + shear_share * growth_by_creep,
+               coarse = creep_result(scene, 0.125, 1, rotation_z).growth,
+               fine   = creep_result(scene, 0.0625, 1, rotation_z).growth;
   ComparisonTable table("Creep in bending with an elastic bulk modulus");
   table.relative("growth", fine, exact, 4e-5);
   table.row("order in the step",
@@ -188,9 +195,9 @@ TEST(ViscoelasticStruts, CreepWithAnElasticVolume)
 namespace
 {
   /** A mass of 1 kg on a strut of 1 N/m, pushed along it. */
-  SceneText mass_on_strut(const double parts, const double time)
+  SceneText mass_on_relaxing_strut(const double parts, const double time)
   {
-    return polymer(parts, time)
+    return polymer_material(parts, time)
       .frame("0 0; 1 0", "0 1")
       .add("Materials/polymer", "Young's modulus = 1 | Density = 0")
       .add("Sections/bar",
@@ -206,15 +213,16 @@ namespace
       .mesh(1);
   }
 
-  struct MotionError
+  struct StrutMotionError
   {
     double motion, imbalance, lost;
   };
 
-  MotionError
-  motion_error(const std::string &scheme, const double time, const double dt)
+  StrutMotionError strut_motion_error(const std::string &scheme,
+                                      const double       time,
+                                      const double       dt)
   {
-    SceneRun run(mass_on_strut(0.5, time).time(5, dt, scheme));
+    SceneRun run(mass_on_relaxing_strut(0.5, time).time(5, dt, scheme));
     run.run();
     const double exact = OneMass{1, 0.5, 0, {{0.5, time}}}.at(5, 0, 1e-3)(0);
     return {std::abs(run.motion(1, 0) - exact) / 1e-3,
@@ -230,8 +238,8 @@ TEST(ViscoelasticStruts, OrderOfTimeSchemesForAnyRelaxationTime)
        {"newmark", "hht", "generalized-alpha", "energy-momentum"})
     for (const double time : {1e-3, 0.03, 1., 1000.})
       {
-        const MotionError coarse = motion_error(scheme, time, 0.05),
-                          fine   = motion_error(scheme, time, 0.025);
+        const StrutMotionError coarse = strut_motion_error(scheme, time, 0.05),
+                               fine   = strut_motion_error(scheme, time, 0.025);
         table.row(label(std::string(scheme) + ", relaxation time", time),
                   std::log2(coarse.motion / fine.motion),
                   2,
@@ -242,8 +250,8 @@ TEST(ViscoelasticStruts, OrderOfTimeSchemesForAnyRelaxationTime)
       }
   for (const double time : {1., 1000.})
     table.row(label("esdirk of order 4, relaxation time", time),
-              std::log2(motion_error("esdirk", time, 0.2).motion /
-                        motion_error("esdirk", time, 0.1).motion),
+              std::log2(strut_motion_error("esdirk", time, 0.2).motion /
+                        strut_motion_error("esdirk", time, 0.1).motion),
               4,
               0.3);
 }
@@ -252,15 +260,15 @@ TEST(ViscoelasticStruts, OrderOfTimeSchemesForAnyRelaxationTime)
 TEST(ViscoelasticStruts, DampedModeOfAPinnedBeam)
 {
   const double parts = 0.5, density = 1000;
-  const double inertia = density * height * height;
-  const double omega   = pi * pi * std::sqrt(bending / inertia);
+  const double inertia = density * bar_height * bar_height;
+  const double omega   = pi * pi * std::sqrt(bar_bending / inertia);
   const Scene  scene   = read_scene_from_text(
-    polymer(parts, 1 / omega, "Density = " + text(density))
+    polymer_material(parts, 1 / omega, "Density = " + text(density))
       .frame("0 0; 1 0", "0 1")
       .add("Sections/bar",
            "Material = polymer | Shape = given | Area = " +
-             text(height * height) + " | Shear area = 1 | " +
-             "Second moment of area = " + text(bending / modulus))
+             text(bar_height * bar_height) + " | Shear area = 1 | " +
+             "Second moment of area = " + text(bar_bending / polymer_modulus))
       .support("left", "0", "pin")
       .support("right", "1", "roller x")
       .add("Effects",
@@ -293,7 +301,7 @@ TEST(ViscoelasticStruts, FrequencyResponseOfARod)
 {
   const double density = 1000, frequency = 8, omega = 2 * pi * frequency;
   const Scene  scene = read_scene_from_text(
-    polymer(part, 0.02, "Density = " + text(density))
+    polymer_material(relaxing_part, 0.02, "Density = " + text(density))
       .frame("0 0; 1 0", "0 1")
       .add("Sections/bar",
            "Material = polymer | Shape = rectangle | Width = 1 | Height = 1")
@@ -316,8 +324,8 @@ TEST(ViscoelasticStruts, FrequencyResponseOfARod)
                                    vibration.displacement.imaginary[end]);
   using namespace std::complex_literals;
   const std::complex<double> s = 1i * omega,
-                             E = modulus *
-    (1 - part + part * s * 0.02 / (1. + s * 0.02)),
+                             E = polymer_modulus *
+    (1 - relaxing_part + relaxing_part * s * 0.02 / (1. + s * 0.02)),
                              k     = omega * std::sqrt(density / E),
                              exact = std::tan(k) / (E * k);
   ComparisonTable("Displacement of a relaxing rod under a harmonic force")
