@@ -38,7 +38,7 @@ namespace auxfem
     const bool are_few = problem.n_finite < 4 * n_krylov_directions(n);
     Eigenpairs found =
       are_few ? dense_eigenpairs(problem, n) : krylov_eigenpairs(problem, n);
-    if (!are_few && !found.why.empty() &&
+    if (!are_few && !found.failure_reason.empty() &&
         problem.layout.n_global() <= most_dense)
       found = dense_eigenpairs(problem, n);
     std::sort(found.pairs.begin(),

@@ -50,8 +50,8 @@ namespace auxfem
     work.linear_solver                 = solver.method();
     if (outcome == FactorizationOutcome::out_of_memory ||
         outcome == FactorizationOutcome::too_large)
-      throw ComputationError("No solution could be computed: " + solver.why() +
-                             '.');
+      throw ComputationError(
+        "No solution could be computed: " + solver.last_failure() + '.');
     is_new_factorization = outcome == FactorizationOutcome::done;
     return is_new_factorization;
   }

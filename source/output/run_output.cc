@@ -163,7 +163,7 @@ namespace auxfem
         return restored_checkpoint ? &*restored_checkpoint : nullptr;
       }
 
-      void take(CheckpointData checkpoint) override
+      void store_checkpoint(CheckpointData checkpoint) override
       {
         if (!checkpoints)
           return;
@@ -190,7 +190,7 @@ namespace auxfem
                                : graphics;
       }
 
-      void between(const Solution &solution) override
+      void row(const Solution &solution) override
       {
         const Stopwatch watch(seconds);
         if (row_times.has(solution.state.time))

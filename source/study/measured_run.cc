@@ -83,7 +83,7 @@ namespace auxfem
           : std::optional<double>(*next);
       }
 
-      void between(const Solution &solution) override
+      void row(const Solution &solution) override
       {
         record_fields(solution);
       }

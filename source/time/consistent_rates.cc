@@ -279,7 +279,7 @@ namespace auxfem
         return;
       }
     if (!solver.solve(increment))
-      throw ComputationError(found + solver.why() + '.');
+      throw ComputationError(found + solver.last_failure() + '.');
   }
 
   std::vector<double> ConsistentRates::empty_rows()

@@ -165,10 +165,10 @@ namespace auxfem
               start.emplace(evaluate_start(from, solver));
             interpolate_forces(*start, to, between);
           }
-        recorder.between(between);
+        recorder.row(between);
       }
     if (next && *next <= end + nearness)
-      recorder.between(to);
+      recorder.row(to);
   }
 
   Solution DenseOutput::evaluate_start(const Solution &start,

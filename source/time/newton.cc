@@ -208,7 +208,7 @@ namespace auxfem
 
         if (!prepare(scheme, evaluation, results, reduction))
           {
-            result.reason = solver.why();
+            result.reason = solver.last_failure();
             return result;
           }
         result.reason = iterate(scheme, evaluation, added);
@@ -333,7 +333,7 @@ namespace auxfem
     find_right_side(model, evaluation, increment.data());
     if (!solver.solve(increment) ||
         (added != nullptr && !added->complete(solver, evaluation, increment)))
-      return solver.why();
+      return solver.last_failure();
     if (!is_linear)
       {
         const double turn = largest_motion(model, increment).second;

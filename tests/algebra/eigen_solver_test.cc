@@ -78,7 +78,7 @@ TEST_P(EigenSolver, FindsTheNearestToTheShift)
     {
       Pairs            pairs(MPI_COMM_WORLD);
       const Eigenpairs found = GetParam()(pairs.problem(shift), 6);
-      EXPECT_EQ(found.why, "");
+      EXPECT_EQ(found.failure_reason, "");
       ASSERT_EQ(found.pairs.size(), 6u);
       std::vector<double> values;
       for (const Eigenpair &pair : found.pairs)
@@ -101,7 +101,7 @@ TEST_P(EigenSolver, ReportsAFailedSolution)
   Pairs               pairs(MPI_COMM_WORLD);
   ShiftedEigenproblem problem = pairs.problem(-0.1);
   problem.solve               = [](double               */*x*/) { return false; };
-  EXPECT_EQ(GetParam()(problem, 6).why, "a linear solution failed");
+  EXPECT_EQ(GetParam()(problem, 6).failure_reason, "a linear solution failed");
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods,

@@ -30,7 +30,7 @@ namespace
   {
     std::vector<double>       x = network.owned(network.right_side());
     const std::vector<double> b = x;
-    ASSERT_TRUE(solver.solve(x)) << solver.why();
+    ASSERT_TRUE(solver.solve(x)) << solver.last_failure();
     const dealii::Vector<double> expected = network.solution(symmetry);
     for (unsigned int i = 0; i < x.size(); ++i)
       EXPECT_NEAR(x[i], expected(network.layout->global(i)), solver_round_off);
@@ -79,7 +79,7 @@ TEST(LinearSolver, SolvesSymmetricEquations)
         LinearSolver       solver(with_type(type), *network.matrix);
         ASSERT_EQ(solver.factorize(Exactness::exact),
                   FactorizationOutcome::done);
-        EXPECT_EQ(solver.why(), "");
+        EXPECT_EQ(solver.last_failure(), "");
         EXPECT_TRUE(solver.is_exact());
         expect_solution(network, solver, Symmetry::none);
         EXPECT_EQ(solver.n_iterations(), 0u);
@@ -96,9 +96,9 @@ TEST(LinearSolver, SolvesWithoutTheEntriesOfTheMatrix)
       ASSERT_EQ(solver.factorize(Exactness::exact), FactorizationOutcome::done);
       std::vector<double> expected = network.owned(network.right_side()),
                           x        = expected;
-      ASSERT_TRUE(solver.solve(expected)) << solver.why();
+      ASSERT_TRUE(solver.solve(expected)) << solver.last_failure();
       network.matrix->release();
-      ASSERT_TRUE(solver.solve(x)) << solver.why();
+      ASSERT_TRUE(solver.solve(x)) << solver.last_failure();
       EXPECT_EQ(x, expected);
     }
 }
@@ -264,8 +264,9 @@ TEST(LinearSolver, DistinguishesSingularFromNonFiniteMatrices)
         network.matrix->reset();
         EXPECT_EQ(solver.factorize(Exactness::exact),
                   FactorizationOutcome::singular);
-        EXPECT_NE(solver.why().find("singular"), std::string::npos);
-        EXPECT_EQ(solver.why().find("the inside of strut") != std::string::npos,
+        EXPECT_NE(solver.last_failure().find("singular"), std::string::npos);
+        EXPECT_EQ(solver.last_failure().find("the inside of strut") !=
+                    std::string::npos,
                   order == 2);
         EXPECT_FALSE(solver.inertia());
         EXPECT_FALSE(solver.determinant_sign());
@@ -275,7 +276,7 @@ TEST(LinearSolver, DistinguishesSingularFromNonFiniteMatrices)
                               std::numeric_limits<double>::quiet_NaN()));
         EXPECT_EQ(solver.factorize(Exactness::exact),
                   FactorizationOutcome::not_finite);
-        EXPECT_NE(solver.why().find("not finite"), std::string::npos);
+        EXPECT_NE(solver.last_failure().find("not finite"), std::string::npos);
         // The failure must leave no trace.
         network.fill();
         ASSERT_EQ(solver.factorize(Exactness::exact),

@@ -46,10 +46,10 @@ namespace
       return output.next_time(time);
     }
 
-    void between(const Solution &solution) override
+    void row(const Solution &solution) override
     {
       const Stopwatch watch(seconds);
-      output.between(solution);
+      output.row(solution);
     }
 
     Recorder &output;

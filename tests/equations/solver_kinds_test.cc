@@ -51,7 +51,7 @@ namespace
       LinearSolver solver(parameters, *matrix);
       EXPECT_EQ(solver.factorize(Exactness::exact), FactorizationOutcome::done);
       Vector x = right_side;
-      EXPECT_TRUE(solver.solve(x)) << solver.why();
+      EXPECT_TRUE(solver.solve(x)) << solver.last_failure();
       EXPECT_LT(backward_error(*matrix, x, right_side), largest_error);
       return x;
     }

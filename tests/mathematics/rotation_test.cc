@@ -1,7 +1,7 @@
 #include <auxfem/mathematics/rotation.h>
 
 #include <gtest/gtest.h>
-#include <mathematics/some_rotation.h>
+#include <mathematics/sample_rotation.h>
 
 #include <cmath>
 

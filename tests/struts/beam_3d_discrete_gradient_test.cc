@@ -1,7 +1,7 @@
 #include <auxfem/struts/beam_3d_discrete_gradient.h>
 
 #include <gtest/gtest.h>
-#include <mathematics/some_rotation.h>
+#include <mathematics/sample_rotation.h>
 
 #include <vector>
 

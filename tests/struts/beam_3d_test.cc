@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <mathematics/some_rotation.h>
+#include <mathematics/sample_rotation.h>
 
 #include <support/pi.h>
 

@@ -2,7 +2,7 @@
 #include <auxfem/struts/section.h>
 
 #include <gtest/gtest.h>
-#include <mathematics/some_rotation.h>
+#include <mathematics/sample_rotation.h>
 
 #include <cmath>
 

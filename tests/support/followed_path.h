@@ -98,7 +98,7 @@ namespace auxfem
         return former;
       }
 
-      void take(CheckpointData records) override
+      void store_checkpoint(CheckpointData records) override
       {
         checkpoints.push_back(
           {std::move(records), points.size(), singular_points.size()});

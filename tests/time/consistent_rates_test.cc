@@ -131,7 +131,7 @@ namespace
     Vector increment(setup.dofs().layout().n_local());
     for (unsigned int i = 0; i < setup.dofs().layout().n_owned(); ++i)
       increment[i] = is_free(i) ? -direct.residual[i] : 0.;
-    ASSERT_TRUE(solver.solve(increment)) << solver.why();
+    ASSERT_TRUE(solver.solve(increment)) << solver.last_failure();
     add_multiple(1., increment, *direct.acceleration);
 
     const double largest    = largest_size(*direct.acceleration);

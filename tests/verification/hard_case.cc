@@ -98,7 +98,7 @@ namespace auxfem
           return former;
         }
 
-        void take(CheckpointData records) override
+        void store_checkpoint(CheckpointData records) override
         {
           if (n_steps > checkpoint_step || former != nullptr)
             return;

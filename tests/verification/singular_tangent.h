@@ -42,7 +42,7 @@ namespace auxfem
       for (unsigned int iteration = 0; iteration < 200; ++iteration)
         {
           Vector next = vector;
-          EXPECT_TRUE(solver.solve(next)) << solver.why();
+          EXPECT_TRUE(solver.solve(next)) << solver.last_failure();
           const double size = std::sqrt(product(next, next));
           const double before =
             std::exchange(eigenvalue, product(next, vector) / (size * size));

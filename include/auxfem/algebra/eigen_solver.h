@@ -48,13 +48,13 @@ namespace auxfem
   };
 
   /**
-   * Eigenpairs by ascending eigenvalue; `why` gives the reason if some are
-   * missing.
+   * Eigenpairs by ascending eigenvalue; `failure_reason` gives the reason if
+   * some are missing.
    */
   struct Eigenpairs
   {
     std::vector<Eigenpair> pairs;
-    std::string            why;
+    std::string            failure_reason;
   };
 
   /**

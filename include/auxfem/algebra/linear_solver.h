@@ -46,10 +46,11 @@ namespace auxfem
                  const TangentMatrix    &matrix);
 
     /**
-     * Factorizes the matrix as it is now. If the outcome is not `done`, why()
-     * gives the reason and the remedy. The outcome is the same on all ranks,
-     * but a rank without memory for the matrix of the joints throws
-     * std::bad_alloc. Throws InputError if Solver/Type cannot solve the scene.
+     * Factorizes the matrix as it is now. If the outcome is not `done`,
+     * last_failure() gives the reason and the remedy. The outcome is the same
+     * on all ranks, but a rank without memory for the matrix of the joints
+     * throws std::bad_alloc. Throws InputError if Solver/Type cannot solve the
+     * scene.
      */
     FactorizationOutcome factorize(Exactness exactness);
 
@@ -86,8 +87,8 @@ namespace auxfem
     /**
      * Solves for @p values at local unknowns: the right-hand side in owned rows
      * and increments in prescribed rows become the solution, ghosts included.
-     * On failure returns false; why() gives the reason and the values are not
-     * finite.
+     * On failure returns false; last_failure() gives the reason and the
+     * values are not finite.
      */
     bool solve(std::vector<double> &values);
 
@@ -95,7 +96,7 @@ namespace auxfem
      * Reason why the last factorize() or solve() failed, as a part of a
      * sentence; empty if it succeeded.
      */
-    const std::string &why() const
+    const std::string &last_failure() const
     {
       return failure_reason;
     }

@@ -14,7 +14,7 @@ namespace auxfem
   /**
    * Sets the entry of a local unknown to at least @p size; ignores -1 (ground).
    */
-  inline void raise(double *sizes, const int unknown, const double size)
+  inline void raise_bound(double *sizes, const int unknown, const double size)
   {
     if (unknown >= 0)
       sizes[unknown] = std::max(sizes[unknown], size);

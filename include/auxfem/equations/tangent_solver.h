@@ -48,14 +48,14 @@ namespace auxfem
                   const TangentFactors    &factors);
 
     /** Factorizes matrix(). Returns false if it is singular or not finite;
-     * why() gives the reason. Throws ComputationError if memory does not
-     * suffice. */
+     * last_failure() gives the reason. Throws ComputationError if memory does
+     * not suffice. */
     bool factorize(Exactness exactness = Exactness::exact);
 
     /** Solves for the right-hand side in the owned rows of @p values, with
      * increments in prescribed rows; overwrites them with the solution,
-     * including ghosts. Returns false on failure; why() gives the reason, and
-     * the values are not finite. */
+     * including ghosts. Returns false on failure; last_failure() gives the
+     * reason, and the values are not finite. */
     bool solve(Vector &values);
 
     /** As solve(), by Jacobi-preconditioned conjugate gradients without
@@ -64,9 +64,9 @@ namespace auxfem
     bool solve_by_conjugate_gradients(Vector &values);
 
     /** Reason why the last factorization or solution failed. */
-    const std::string &why() const
+    const std::string &last_failure() const
     {
-      return solver.why();
+      return solver.last_failure();
     }
 
     /** @name Inertia of the last factorization; empty if already queried.

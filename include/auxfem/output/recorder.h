@@ -149,7 +149,7 @@ namespace auxfem
     }
 
     /** Stores the latest checkpoint. Collective. */
-    virtual void take(CheckpointData /*checkpoint*/)
+    virtual void store_checkpoint(CheckpointData /*checkpoint*/)
     {}
 
     /**
@@ -181,7 +181,7 @@ namespace auxfem
      * Receives the solution at a time of next_time(), before step() for the
      * step that contains it.
      */
-    virtual void between(const Solution & /*solution*/)
+    virtual void row(const Solution & /*solution*/)
     {}
 
     /**
@@ -268,7 +268,7 @@ namespace auxfem
       return row_times.after(time);
     }
 
-    void between(const Solution &solution) override
+    void row(const Solution &solution) override
     {
       row_list.push_back(history->values(solution));
     }

@@ -145,13 +145,13 @@ namespace auxfem
         eigenproblem->setNEV(n);
         if (!eigenproblem->setProblem())
           {
-            found.why = "the eigenproblem is not complete";
+            found.failure_reason = "the eigenproblem is not complete";
             return found;
           }
         auto        parameters = parameters_for(problem, n);
         KrylovSchur method(eigenproblem, parameters);
         if (method.solve() != Anasazi::Converged)
-          found.why = "the Krylov-Schur method has not converged";
+          found.failure_reason = "the Krylov-Schur method has not converged";
         const auto &solution = eigenproblem->getSolution();
         for (int j = 0; j < solution.numVecs; ++j)
           {
@@ -166,12 +166,12 @@ namespace auxfem
       }
     catch (const SolutionFailed &)
       {
-        found.why = "a linear solution failed";
+        found.failure_reason = "a linear solution failed";
       }
     // Anasazi throws std::logic_error or std::runtime_error on breakdown.
     catch (const std::exception &error)
       {
-        found.why =
+        found.failure_reason =
           std::string("the Krylov-Schur method broke down: ") + error.what();
       }
     return found;

@@ -36,7 +36,7 @@ namespace auxfem
       throw ComputationError(
         "The path of equilibria cannot start, because its tangent cannot be "
         "computed: " +
-        solver.why() + '.');
+        solver.last_failure() + '.');
     if (!std::isfinite(tangent->load_rate))
       throw InputError(
         "Analysis = static path: no load and no prescribed motion acts at "
@@ -116,7 +116,7 @@ namespace auxfem
     auto tangent = find_tangent(step, end.results, &sense);
     if (!tangent)
       {
-        result.failure_reason = solver.why();
+        result.failure_reason = solver.last_failure();
         return result;
       }
     equations.accept(step, end.results);

@@ -81,7 +81,7 @@ namespace auxfem
             // A resumed longer path repeats the last step, which the end has
             // shortened, so a checkpoint precedes it too.
             if (run.scene.output.checkpoints > 0)
-              recorder.take(checkpoint(recorder));
+              recorder.store_checkpoint(checkpoint(recorder));
             advance(recorder);
           }
         recorder.keep_checkpoint();

@@ -211,9 +211,9 @@ namespace auxfem
         if (interval == 0)
           continue;
         if (solution.state.time >= model.plan.time.end_time)
-          recorder.take(last_checkpoint(recorder));
+          recorder.store_checkpoint(last_checkpoint(recorder));
         else if (solution.state.step % interval == 0)
-          recorder.take(checkpoint(recorder));
+          recorder.store_checkpoint(checkpoint(recorder));
       }
     recorder.keep_checkpoint();
   }

@@ -43,7 +43,8 @@ namespace auxfem
         find_tangent(state, stiffness);
         require_no_follower_loads(loads.time);
         if (!factorize(0))
-          throw InputError("the stiffness is singular: " + solver.why() + '.');
+          throw InputError(
+            "the stiffness is singular: " + solver.last_failure() + '.');
         if (const auto n_negative = space.n_negative();
             n_negative && *n_negative > 0)
           throw InputError(
@@ -83,7 +84,7 @@ namespace auxfem
       Eigenpairs lowest(const unsigned int n)
       {
         Eigenpairs found = nearest_eigenpairs(problem(), n);
-        if (!found.why.empty())
+        if (!found.failure_reason.empty())
           return found;
         std::vector<Vector> shapes;
         for (const Eigenpair &pair : found.pairs)
@@ -123,7 +124,7 @@ namespace auxfem
         std::vector<double> x(layout.n_owned());
         multiply_change(pair.vector.data(), x.data());
         if (!space.solve(x.data()))
-          throw_buckling_error(solver.why());
+          throw_buckling_error(solver.last_failure());
         BucklingMode        mode{0., 0., space.shape(x)};
         std::vector<double> forces(layout.n_owned()), changes(layout.n_owned()),
           free_forces(layout.n_owned());
@@ -165,7 +166,7 @@ namespace auxfem
         const auto             products =
           iterated_products(problem(), shapes, n_iterations);
         if (!products)
-          throw_buckling_error(solver.why());
+          throw_buckling_error(solver.last_failure());
         Eigenpairs      result;
         const RitzPairs ritz =
           ritz_pairs(products->by_mass, products->by_stiffness);
@@ -256,7 +257,7 @@ namespace auxfem
             throw InputError(why.str());
           }
         if (!solver.solve(response))
-          throw_buckling_error(solver.why());
+          throw_buckling_error(solver.last_failure());
         return response;
       }
 
@@ -443,20 +444,21 @@ namespace auxfem
     for (unsigned int attempt = 0; attempt < n_attempts_to_find_all; ++attempt)
       {
         if (!buckling.factorize(0))
-          throw_buckling_error(solver.why());
+          throw_buckling_error(solver.last_failure());
         const unsigned int n_computed =
           std::min((n_requested << attempt) + n_guard_modes, n_possible);
         const Eigenpairs near = buckling.lowest(n_computed);
-        if (near.pairs.empty() || !near.why.empty())
-          throw_buckling_error(near.why.empty() ? "no mode was found"
-                                                : near.why);
+        if (near.pairs.empty() || !near.failure_reason.empty())
+          throw_buckling_error(near.failure_reason.empty()
+                                 ? "no mode was found"
+                                 : near.failure_reason);
         const unsigned int n_modes =
           std::min<std::size_t>(n_requested, near.pairs.size());
         const bool can_count = n_all && n_modes < near.pairs.size();
         if (can_count && !are_all_found(buckling, near.pairs, n_modes))
           continue;
         if (!buckling.factorize(0))
-          throw_buckling_error(solver.why());
+          throw_buckling_error(solver.last_failure());
         BucklingModes found;
         found.motion = buckling.response_size();
         // A complete set needs no count.
@@ -481,7 +483,7 @@ namespace auxfem
     FinerValues finer;
     finer.n_possible = buckling.n_with_change();
     if (!buckling.factorize(0))
-      throw_buckling_error(solver.why());
+      throw_buckling_error(solver.last_failure());
     for (const Eigenpair &pair : buckling.improved(shapes).pairs)
       finer.values.push_back(pair.value);
     const CountLimit known = limit_below_last(finer.values, 0.);

@@ -1,6 +1,6 @@
 #include <auxfem/analysis/simulation/lattice_run.h>
 #include <auxfem/analysis/small_motions/frequency_response.h>
-#include <auxfem/analysis/small_motions/mesh_choice.h>
+#include <auxfem/analysis/small_motions/mesh_error_estimate.h>
 #include <auxfem/loads/effects/prescribed_motion.h>
 #include <auxfem/output/console.h>
 #include <auxfem/output/csv_table.h>
@@ -60,7 +60,7 @@ namespace auxfem
   {
     stiffness.set({0., omega});
     if (!stiffness.factorize())
-      throw_no_vibration(omega, solver.why());
+      throw_no_vibration(omega, solver.last_failure());
     const unsigned int  n = layout.n_owned();
     std::vector<double> b(2 * n, 0.), x(2 * n, 0.);
     std::copy(loads.begin(), loads.end(), b.begin());

@@ -162,8 +162,8 @@ namespace auxfem
             x[i] -= factor * forces[i];
         }
       if (!pencil.space.solve(x.data()))
-        throw ComputationError("Analysis = modes: " + pencil.solver.why() +
-                               '.');
+        throw ComputationError(
+          "Analysis = modes: " + pencil.solver.last_failure() + '.');
       Values result(w.size());
       for (unsigned int i = 0; i < n; ++i)
         {
@@ -306,7 +306,7 @@ namespace auxfem
     if (!solver.factorize())
       throw ComputationError("Analysis = modes: the dynamic stiffness cannot "
                              "be factorized: " +
-                             solver.why() + '.');
+                             solver.last_failure() + '.');
     Arnoldi                    space_of_motions(*this, shift);
     std::vector<Arnoldi::Ritz> found;
     bool                       is_complete = false, grows = true;

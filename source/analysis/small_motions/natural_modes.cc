@@ -251,7 +251,8 @@ namespace auxfem
       for (const double relative : relative_shifts)
         if (vibration.factorize(-relative * scale))
           return -relative * scale;
-      throw_modes_error("the stiffness cannot be factorized: " + solver.why());
+      throw_modes_error("the stiffness cannot be factorized: " +
+                        solver.last_failure());
     }
   } // namespace
 
@@ -282,14 +283,14 @@ namespace auxfem
     for (unsigned int attempt = 0; attempt < n_attempts_to_find_all; ++attempt)
       {
         if (attempt > 0 && !vibration.factorize(found.shift))
-          throw_modes_error(solver.why());
+          throw_modes_error(solver.last_failure());
         const auto         n_below_shift = vibration.n_below();
         const unsigned int n_computed =
           std::min((n_requested << attempt) + n_guard_modes, n_with_mass);
         const Eigenpairs near = vibration.nearest(found.shift, n_computed);
-        if (near.pairs.empty() || !near.why.empty())
-          throw_modes_error(near.why.empty() ? "no motion has a mass"
-                                             : near.why);
+        if (near.pairs.empty() || !near.failure_reason.empty())
+          throw_modes_error(near.failure_reason.empty() ? "no motion has a mass"
+                                                        : near.failure_reason);
         const unsigned int n_modes =
           std::min<std::size_t>(n_requested, near.pairs.size());
         // A complete set needs no count and may have no gap.
@@ -326,7 +327,7 @@ namespace auxfem
     FinerValues finer;
     finer.n_possible = vibration.n_with_mass();
     if (!vibration.factorize(coarse.shift))
-      throw_modes_error(solver.why());
+      throw_modes_error(solver.last_failure());
     finer.values           = vibration.improved_eigenvalues(shapes, coarse);
     const CountLimit known = limit_below_last(finer.values, coarse.shift);
     if (coarse.is_counted && known.limit > coarse.shift &&

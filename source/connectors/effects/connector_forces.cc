@@ -269,7 +269,7 @@ namespace auxfem
         const ConnectorResults &cache = connector_cache(*results);
         for (unsigned int i = 0; i < connectors.size(); ++i)
           for (const int unknown : connectors[i].unknowns)
-            raise(forces, unknown, std::abs(cache.response[i].force));
+            raise_bound(forces, unknown, std::abs(cache.response[i].force));
       }
 
       void roundoff_force_bounds(const Evaluation    &evaluation,
@@ -283,10 +283,10 @@ namespace auxfem
                       : largest.velocity;
         for (unsigned int i = 0; i < connectors.size(); ++i)
           for (const int unknown : connectors[i].unknowns)
-            raise(forces,
-                  unknown,
-                  cache.response[i].stiffness * largest.displacement +
-                    cache.response[i].damping * rate);
+            raise_bound(forces,
+                        unknown,
+                        cache.response[i].stiffness * largest.displacement +
+                          cache.response[i].damping * rate);
       }
 
       std::string nonfinite_reason(const Evaluation  &evaluation,

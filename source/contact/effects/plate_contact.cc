@@ -104,9 +104,9 @@ namespace auxfem
                           [&](const int unknown,
                               const unsigned int /*component*/,
                               const double share) {
-                            raise(forces,
-                                  unknown,
-                                  std::abs(share) * touch.force);
+                            raise_bound(forces,
+                                        unknown,
+                                        std::abs(share) * touch.force);
                           });
       }
 
@@ -126,11 +126,12 @@ namespace auxfem
                             [&](const int unknown,
                                 const unsigned int /*component*/,
                                 const double share) {
-                              raise(forces,
-                                    unknown,
-                                    std::abs(share) *
-                                      (touch.force +
-                                       std::max(slope, touch.slope) * length));
+                              raise_bound(forces,
+                                          unknown,
+                                          std::abs(share) *
+                                            (touch.force +
+                                             std::max(slope, touch.slope) *
+                                               length));
                             });
           }
       }

@@ -1,5 +1,5 @@
 #include <auxfem/algebra/rank_exchange.h>
-#include <auxfem/contact/effects/strut_touch.h>
+#include <auxfem/contact/effects/touching_struts.h>
 
 #include <set>
 #include <sstream>
@@ -120,7 +120,7 @@ namespace auxfem
       {
         for (const StrutTouch &touch : points_of(results))
           for (const int unknown : coupled[touch.pair].unknowns)
-            raise(forces, unknown, touch.force);
+            raise_bound(forces, unknown, touch.force);
       }
 
       void roundoff_force_bounds(const Evaluation & /*evaluation*/,
@@ -130,9 +130,9 @@ namespace auxfem
       {
         for (const StrutTouch &touch : points_of(results))
           for (const int unknown : coupled[touch.pair].unknowns)
-            raise(forces,
-                  unknown,
-                  touch.force + touch.slope * largest.displacement);
+            raise_bound(forces,
+                        unknown,
+                        touch.force + touch.slope * largest.displacement);
       }
 
       bool has_contact_candidates() const override

@@ -145,9 +145,9 @@ namespace auxfem
         for (const Hinge &hinge : hinges)
           for (unsigned int i = 0; i < 2; ++i)
             for (unsigned int c = 0; c < 6; ++c)
-              raise(forces,
-                    hinge.unknowns[c],
-                    unit * std::abs(u[hinge.unknowns[6 + i]]));
+              raise_bound(forces,
+                          hinge.unknowns[c],
+                          unit * std::abs(u[hinge.unknowns[6 + i]]));
       }
 
       void find_rates(const State &state, double *rates) const override

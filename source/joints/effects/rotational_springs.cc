@@ -86,9 +86,9 @@ namespace auxfem
         const double *u = evaluation.to.displacement.data();
         for (const RotationalSpring &spring : springs)
           for (const int unknown : spring.unknowns)
-            raise(forces,
-                  unknown,
-                  spring.stiffness * std::abs(angle(spring, u)));
+            raise_bound(forces,
+                        unknown,
+                        spring.stiffness * std::abs(angle(spring, u)));
       }
 
       void roundoff_force_bounds(const Evaluation & /*evaluation*/,
@@ -98,7 +98,7 @@ namespace auxfem
       {
         for (const RotationalSpring &spring : springs)
           for (const int unknown : spring.unknowns)
-            raise(forces, unknown, spring.stiffness * largest.rotation);
+            raise_bound(forces, unknown, spring.stiffness * largest.rotation);
       }
 
     private:
@@ -261,9 +261,10 @@ namespace auxfem
       {
         for (unsigned int i = 0; i < springs.size(); ++i)
           for (const int unknown : springs[i].unknowns)
-            raise(forces,
-                  unknown,
-                  springs[i].stiffness * material_angle(i, evaluation).norm());
+            raise_bound(forces,
+                        unknown,
+                        springs[i].stiffness *
+                          material_angle(i, evaluation).norm());
       }
 
       void roundoff_force_bounds(const Evaluation & /*evaluation*/,
@@ -273,7 +274,7 @@ namespace auxfem
       {
         for (const Spring &spring : springs)
           for (const int unknown : spring.unknowns)
-            raise(forces, unknown, spring.stiffness * largest.rotation);
+            raise_bound(forces, unknown, spring.stiffness * largest.rotation);
       }
 
     private:

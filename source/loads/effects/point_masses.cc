@@ -165,7 +165,7 @@ namespace auxfem
             const double torque = (mass.inertia * now.acceleration).norm() +
               now.velocity.norm() * (mass.inertia * now.velocity).norm();
             for (const int spin : numbering.rotations()[mass.rotation])
-              raise(forces, spin, torque);
+              raise_bound(forces, spin, torque);
           }
       }
 

@@ -133,9 +133,11 @@ namespace auxfem
             const double lambda = values(u, joint, 9).norm();
             for (unsigned int c = 0; c < 3; ++c)
               {
-                raise(forces, joint.unknowns[c], lambda);
-                raise(forces, joint.unknowns[3 + c], lambda);
-                raise(forces, joint.unknowns[6 + c], lambda * joint.arm.norm());
+                raise_bound(forces, joint.unknowns[c], lambda);
+                raise_bound(forces, joint.unknowns[3 + c], lambda);
+                raise_bound(forces,
+                            joint.unknowns[6 + c],
+                            lambda * joint.arm.norm());
               }
           }
       }

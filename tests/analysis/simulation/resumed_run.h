@@ -48,7 +48,7 @@ namespace auxfem
           former = nullptr;
       }
 
-      void take(CheckpointData records) override
+      void store_checkpoint(CheckpointData records) override
       {
         checkpoints.push_back({std::move(records), rows().size()});
       }

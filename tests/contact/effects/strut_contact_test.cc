@@ -1,4 +1,4 @@
-#include <auxfem/contact/effects/strut_touch.h>
+#include <auxfem/contact/effects/touching_struts.h>
 
 #include <equations/effect_alone.h>
 #include <equations/equations_on_ranks.h>

@@ -51,7 +51,8 @@ namespace auxfem
     /** @p y = A x. */
     void multiply(const double *x, double *y) const;
 
-    /** Factorizes W for solve(); false if it is singular, solver.why(). */
+    /** Factorizes W for solve(); false if it is singular,
+     * solver.last_failure(). */
     bool factorize()
     {
       return solver.factorize();

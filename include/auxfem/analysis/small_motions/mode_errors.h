@@ -3,7 +3,7 @@
 
 #include <auxfem/analysis/small_motions/buckling_modes.h>
 #include <auxfem/analysis/small_motions/complex_modes.h>
-#include <auxfem/analysis/small_motions/mesh_choice.h>
+#include <auxfem/analysis/small_motions/mesh_error_estimate.h>
 #include <auxfem/analysis/small_motions/natural_modes.h>
 
 namespace auxfem

@@ -100,23 +100,27 @@ namespace auxfem
       const double *u = evaluation.to.displacement.data();
       for (const Base &base : bases)
         for (unsigned int i = 0; i < 2 * dim; ++i)
-          raise(forces, base.unknowns[i], std::abs(u[base.unknowns[2 * dim]]));
+          raise_bound(forces,
+                      base.unknowns[i],
+                      std::abs(u[base.unknowns[2 * dim]]));
       for (const Joint &joint : joints)
         for (unsigned int c = 0; c < dim; ++c)
           {
             const double lambda = std::abs(u[joint.unknowns[3 * dim + c]]);
-            raise(forces, joint.unknowns[c], lambda);
+            raise_bound(forces, joint.unknowns[c], lambda);
             for (unsigned int i = 0; i < 2 * dim; ++i)
-              raise(forces,
-                    joint.unknowns[dim + i],
-                    lambda * std::abs(joint.shapes[c][i]));
+              raise_bound(forces,
+                          joint.unknowns[dim + i],
+                          lambda * std::abs(joint.shapes[c][i]));
           }
       for (const Clamp &clamp : clamps)
         {
           const double lambda = std::abs(u[clamp.unknowns[5]]);
           for (unsigned int i = 0; i < 4; ++i)
-            raise(forces, clamp.unknowns[i], lambda);
-          raise(forces, clamp.unknowns[4], lambda * clamp.constraint.length);
+            raise_bound(forces, clamp.unknowns[i], lambda);
+          raise_bound(forces,
+                      clamp.unknowns[4],
+                      lambda * clamp.constraint.length);
         }
     }
 

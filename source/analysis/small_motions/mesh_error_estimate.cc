@@ -1,5 +1,5 @@
 #include <auxfem/analysis/discretization/order_choice.h>
-#include <auxfem/analysis/small_motions/mesh_choice.h>
+#include <auxfem/analysis/small_motions/mesh_error_estimate.h>
 #include <auxfem/model/build_lattice.h>
 #include <auxfem/model/unknown_records.h>
 #include <auxfem/parameters/numerical_limits.h>

@@ -1,5 +1,5 @@
-#ifndef auxfem_contact_effects_strut_touch_h
-#define auxfem_contact_effects_strut_touch_h
+#ifndef auxfem_contact_effects_touching_struts_h
+#define auxfem_contact_effects_touching_struts_h
 
 #include <auxfem/contact/effects/contact_effect.h>
 #include <auxfem/contact/effects/strut_curves.h>

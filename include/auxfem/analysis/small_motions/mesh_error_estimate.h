@@ -1,5 +1,5 @@
-#ifndef auxfem_analysis_small_motions_mesh_choice_h
-#define auxfem_analysis_small_motions_mesh_choice_h
+#ifndef auxfem_analysis_small_motions_mesh_error_estimate_h
+#define auxfem_analysis_small_motions_mesh_error_estimate_h
 
 #include <auxfem/analysis/simulation/lattice_run.h>
 
