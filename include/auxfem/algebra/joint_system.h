@@ -15,7 +15,7 @@ namespace auxfem
    * matrix is the sum of one condensed block per strut and all other blocks of
    * the pattern; prescribed rows are identity rows, prescribed columns are
    * dropped. The rank that owns the inside of a strut eliminates it and sends
-   * its block to the owners of its end joints.
+   * its block to the owners of its end joints. StrutCondensation uses it.
    */
   class JointSystem
   {

@@ -14,7 +14,7 @@ namespace auxfem
   /**
    * Recorded quantity of a run: at least two values at increasing times. Values
    * in between are interpolated by polynomials, so that comparisons show the
-   * errors of the runs and not the sampling.
+   * errors of the runs and not the sampling. Studies compare such records.
    */
   struct RecordedHistory
   {

@@ -48,7 +48,8 @@ namespace auxfem
     return radians * 180 / dealii::numbers::PI;
   }
 
-  /** Time integration of the reduced cell of a scene, step by step. */
+  /** Time integration of the reduced cell of a scene, step by step; each scheme
+   * of the reduced cell derives from it. */
   class CellScheme
   {
   public:

@@ -36,7 +36,8 @@ namespace auxfem
    *
    * with the forces q_j of the dashpots of Maxwell elements of relaxation time
    * tau_j as further unknowns, so A(s) = K + s C + s^2 M + sum_j E_j s tau_j /
-   * (1 + s tau_j). Functions that compute are collective.
+   * (1 + s tau_j). Complex modes, damped modes and relaxations are its roots.
+   * Functions that compute are collective.
    */
   class MotionPencil
   {

@@ -73,7 +73,8 @@ namespace auxfem
     }
   };
 
-  /** Geometry and motion of a group of equal connectors. */
+  /** Geometry and motion of a group of equal connectors, for ConnectorForces.
+   */
   class ConnectorLines
   {
   public:

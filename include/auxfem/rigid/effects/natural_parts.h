@@ -32,7 +32,7 @@ namespace auxfem
   /**
    * Constraints of rigid parts in natural coordinates: bodies in the plane (dim
    * = 2), with a constraint for each clamped strut, and bars in space (dim =
-   * 3).
+   * 3). make_rigid_part_constraints() makes them.
    */
   template <int dim>
   class NaturalParts : public RigidPartGroup

@@ -42,7 +42,7 @@ namespace auxfem
   };
 
   /** Section forces, positions and strains of struts for output and checks. @p
-   * Beam is as in BeamForces, without damping. */
+   * Beam is as in BeamForces, which derives from it, without damping. */
   template <class Beam>
   class BeamSamples : public StrutForces
   {
