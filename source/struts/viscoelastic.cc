@@ -1,8 +1,6 @@
-#include <auxfem/mathematics/maxwell_element.h>
 #include <auxfem/struts/material.h>
+#include <auxfem/struts/prony_series.h>
 #include <auxfem/struts/section_law.h>
-
-#include <boost/math/tools/roots.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -13,25 +11,8 @@ namespace auxfem
 {
   namespace
   {
-    /** Maxwell element of a modulus. */
-    struct Term
-    {
-      double ratio; ///< stiffness over the instantaneous modulus
-      double time;  ///< relaxation time (s)
-
-      /** With unit stiffness: forces are the strain of its spring. */
-      MaxwellElement element() const
-      {
-        return {1, time};
-      }
-    };
-
-    /** Prony series of a modulus over its instantaneous value. */
-    struct Series
-    {
-      double            long_time; ///< what does not relax
-      std::vector<Term> terms;
-    };
+    using Term   = PronySeries::Term;
+    using Series = PronySeries;
 
     /** Both series of a material, with equally many terms. */
     struct SeriesPair
@@ -422,74 +403,6 @@ namespace auxfem
       const bool       is_relaxed_at_start;
     };
 
-    Series series_of(const std::map<double, double> &parts)
-    {
-      Series series{1, {}};
-      for (const auto &[time, part] : parts)
-        {
-          series.terms.push_back({part, time});
-          series.long_time -= part;
-        }
-      // Parts that add up to 1 in decimals leave a round-off.
-      if (std::abs(series.long_time) <
-          parts.size() * std::numeric_limits<double>::epsilon())
-        series.long_time = 0;
-      return series;
-    }
-
-    /**
-     * Series of Young's modulus E = 9 K G / (3 K + G) over its instantaneous
-     * value, with the elastic bulk modulus K and the @p shear series of G. The
-     * relaxation times T = -1/s belong to the roots s of G(s) = -3 K, one below
-     * each rate of G; the residues of E there are the terms 27 K^2 T / G'(s).
-     */
-    Series series_of_youngs_modulus(const Series &shear,
-                                    const double  poissons_ratio)
-    {
-      // Over the instantaneous shear modulus: 3 K / G and E / G.
-      const double bulk = 2 * (1 + poissons_ratio) / (1 - 2 * poissons_ratio),
-                   youngs_modulus = 2 * (1 + poissons_ratio);
-      const auto sum = [&](const double rate, const auto &term_value) {
-        double total = 0;
-        for (const Term &term : shear.terms)
-          total += term_value(term, 1 - rate * term.time);
-        return total;
-      };
-      // Both for s = -rate.
-      const auto modulus = [&](const double rate) {
-        return shear.long_time + sum(rate, [&](const Term &t, const double d) {
-                 return -t.ratio * rate * t.time / d;
-               });
-      };
-      const auto slope = [&](const double rate) {
-        return sum(rate, [](const Term &t, const double d) {
-          return t.ratio * t.time / (d * d);
-        });
-      };
-      Series result{3 * bulk * shear.long_time / (bulk + shear.long_time) /
-                      youngs_modulus,
-                    {}};
-      double faster_than = 0;
-      for (auto term = shear.terms.rbegin(); term != shear.terms.rend(); ++term)
-        {
-          double low = faster_than, high = 1 / term->time;
-          faster_than = high;
-          // The modulus falls from above -3 K to minus infinity.
-          for (int i = 0; i < 200 && low < high; ++i)
-            {
-              const double middle = (low + high) / 2;
-              if (middle == low || middle == high)
-                break;
-              (modulus(middle) + bulk > 0 ? low : high) = middle;
-            }
-          const double rate = (low + high) / 2;
-          result.terms.push_back(
-            {3 * bulk * bulk / (rate * slope(rate)) / youngs_modulus,
-             1 / rate});
-        }
-      return result;
-    }
-
     const QuantityList relaxing_parts = {
       "Relaxing parts",
       "",
@@ -547,7 +460,7 @@ namespace auxfem
     std::unique_ptr<SectionLaw> make_viscoelastic(ParameterValues &values)
     {
       const std::map<double, double> parts = read_parts(values);
-      const Series                   shear = series_of(parts);
+      const Series                   shear = prony_series(parts);
       const double                   nu    = values[poissons_ratio_parameter()];
       // An incompressible material has E = 3 G.
       const bool is_alike = values[volume_change] == "relaxing" || nu == 0.5;

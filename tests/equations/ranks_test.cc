@@ -370,7 +370,9 @@ namespace
       {
         // Numbered from 0 on; elements by their numbers in the lattice.
         if (name.rfind("struts", 0) != 0)
-          EXPECT_EQ(*numbers.rbegin() + 1, numbers.size()) << name;
+          {
+            EXPECT_EQ(*numbers.rbegin() + 1, numbers.size()) << name;
+          }
       }
     EXPECT_EQ(kept_items(all.on_ranks.equations.layout(), MPI_COMM_WORLD),
               items);

@@ -57,7 +57,7 @@ namespace
   constexpr double bar_bending =
     polymer_modulus * bar_height * bar_height * bar_height * bar_height / 12;
 
-  /** What a run of 2 s brings: a motion at its end, over that at its start. */
+  /** Result of a run of 2 s: growth of a motion from its start to its end. */
   struct CreepResult
   {
     double growth, imbalance, lost, numerical;

@@ -1,5 +1,6 @@
 #include <auxfem/struts/beam_2d_discrete_gradient.h>
 #include <auxfem/struts/beam_dispatch.h>
+#include <auxfem/struts/effects/beam_sections.h>
 #include <auxfem/struts/effects/law_forces.h>
 
 #include <deal.II/base/numbers.h>
@@ -13,15 +14,13 @@ namespace auxfem
   {
     /** Beam2D as the Beam of BeamForces. */
     template <int p, bool large_rotation, bool damped>
-    struct PlaneBeam
+    struct PlaneBeam : public PlaneSections
     {
       static constexpr int  order        = p;
       static constexpr int  n_components = 3;
       static constexpr int  n            = n_components * (order + 1);
       static constexpr bool is_linear    = !large_rotation;
       static constexpr bool is_damped    = damped;
-
-      static constexpr unsigned int n_strains = 3;
 
       using Undamped  = PlaneBeam<order, large_rotation, false>;
       using Frame     = Beam2D::Frame;
@@ -74,58 +73,6 @@ namespace auxfem
       elastic_section(const AtRestOf<Number> &at_rest)
       {
         return {at_rest.stiffness};
-      }
-
-      /** Type of strain @p k: epsilon, gamma, kappa. Shear stiffness that
-       * compensates bending relaxes with it. */
-      static constexpr StrainType strain_type(const unsigned int k,
-                                              const bool shear_is_compensated)
-      {
-        return k == 1 && !shear_is_compensated ? StrainType::shear
-                                               : StrainType::normal;
-      }
-
-      static std::array<Lanes, n_strains>
-      stiffness_by_strain(const AtRestOf<Lanes> &at_rest)
-      {
-        const auto &s = at_rest.stiffness;
-        return {{s.axial, s.shear, s.bending}};
-      }
-
-      /** Stiffness with the entry of each strain k times @p factor(k). */
-      template <class Factor>
-      static Beam2D::StiffnessOf<Lanes>
-      scaled_stiffness(const AtRestOf<Lanes> &at_rest, const Factor &factor)
-      {
-        const auto &s = at_rest.stiffness;
-        return {factor(0) * s.axial,
-                factor(1) * s.shear,
-                factor(2) * s.bending,
-                0};
-      }
-
-      static Beam2D::LinearizedOf<Lanes>
-      without_forces(const Beam2D::StiffnessOf<Lanes> &stiffness)
-      {
-        return {{0, 0, 0}, stiffness};
-      }
-
-      template <class PointLaw>
-      static Beam2D::LawSection<PointLaw>
-      law_section(const AtRestOf<Lanes> &at_rest, PointLaw law)
-      {
-        return {at_rest.stiffness, std::move(law)};
-      }
-
-      /** Forces by strain in one lane. */
-      static SectionForces section_forces(const Lanes *forces)
-      {
-        return {{lane_value(forces[0], 0),
-                 lane_value(forces[1], 0),
-                 0,
-                 0,
-                 0,
-                 lane_value(forces[2], 0)}};
       }
 
       /** Power of nodal forces at nodal @p rates, by local unknown. */

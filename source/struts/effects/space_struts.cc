@@ -1,5 +1,6 @@
 #include <auxfem/struts/beam_3d_discrete_gradient.h>
 #include <auxfem/struts/beam_dispatch.h>
+#include <auxfem/struts/effects/beam_sections.h>
 #include <auxfem/struts/effects/law_forces.h>
 #include <auxfem/struts/effects/space_motion.h>
 
@@ -7,25 +8,15 @@ namespace auxfem
 {
   namespace
   {
-    /** Section stiffness of an element. */
-    template <class Number>
-    struct SpaceStiffness
-    {
-      Beam3D::StiffnessOf<Number> elastic;
-      Number                      damping_time; ///< s
-    };
-
     /** Beam3D as the Beam of BeamForces. */
     template <int p, bool large_rotation, bool damped>
-    struct SpaceBeam
+    struct SpaceBeam : public SpaceSections
     {
       static constexpr int  order        = p;
       static constexpr int  n_components = Beam3D::n_components;
       static constexpr int  n            = n_components * (order + 1);
       static constexpr bool is_linear    = !large_rotation;
       static constexpr bool is_damped    = damped;
-
-      static constexpr unsigned int n_strains = 6;
 
       using Undamped  = SpaceBeam<order, large_rotation, false>;
       using Frame     = Beam3D::Frame;
@@ -77,85 +68,21 @@ namespace auxfem
       static Beam3D::ElasticSection<Number>
       elastic_section(const AtRestOf<Number> &at_rest)
       {
-        return {at_rest.stiffness.elastic};
+        return {elastic_stiffness(at_rest)};
       }
 
-      /** Type of strain @p k: epsilon, gamma_2, gamma_3, torsion, kappa_2,
-       * kappa_3. Shear stiffness that compensates bending relaxes with it. */
-      static constexpr StrainType strain_type(const unsigned int k,
-                                              const bool shear_is_compensated)
-      {
-        const bool is_shear =
-          k == 3 || ((k == 1 || k == 2) && !shear_is_compensated);
-        return is_shear ? StrainType::shear : StrainType::normal;
-      }
-
-      static std::array<Lanes, n_strains>
-      stiffness_by_strain(const AtRestOf<Lanes> &at_rest)
-      {
-        const auto &s = at_rest.stiffness.elastic;
-        return {
-          {s.axial, s.shear_2, s.shear_3, s.torsion, s.bending_2, s.bending_3}};
-      }
-
-      /** Stiffness with the entry of each strain k times @p factor(k). */
-      template <class Factor>
-      static Beam3D::StiffnessOf<Lanes>
-      scaled_stiffness(const AtRestOf<Lanes> &at_rest, const Factor &factor)
-      {
-        const auto &s = at_rest.stiffness.elastic;
-        return {factor(0) * s.axial,
-                factor(1) * s.shear_2,
-                factor(2) * s.shear_3,
-                factor(3) * s.torsion,
-                factor(4) * s.bending_2,
-                factor(5) * s.bending_3};
-      }
-
-      static Beam3D::LinearizedOf<Lanes>
-      without_forces(const Beam3D::StiffnessOf<Lanes> &stiffness)
-      {
-        return {{}, stiffness};
-      }
-
-      template <class PointLaw>
-      static Beam3D::LawSection<PointLaw>
-      law_section(const AtRestOf<Lanes> &at_rest, PointLaw law)
-      {
-        return {at_rest.stiffness.elastic, std::move(law)};
-      }
-
-      /** Forces by strain in one lane. */
-      static SectionForces section_forces(const Lanes *forces)
-      {
-        SectionForces result;
-        for (unsigned int k = 0; k < n_strains; ++k)
-          result[k] = lane_value(forces[k], 0);
-        return result;
-      }
-
-      /** Power of nodal forces at nodal @p rates, by local unknown; those of
-       * large rotations are material. */
+      /** As nodal_power(). */
       static Lanes power(const DofNumbering           &numbering,
                          const LaneArray<const int *> &unknowns,
                          const State                  &state,
                          const Vector                 &rates,
                          const Lanes (&force)[n])
       {
-        Lanes sum = 0;
-        for (int a = 0; a <= order; ++a)
-          {
-            const int first = n_components * a;
-            for (int i = 0; i < 3; ++i)
-              sum +=
-                force[first + i] * value_at(rates.data(), unknowns, first + i);
-            VectorOf<Lanes> spin = vector_at(rates.data(), unknowns, first + 3);
-            if constexpr (large_rotation)
-              spin = rotated(rotation_at(numbering, unknowns, state, a), spin);
-            for (int i = 0; i < 3; ++i)
-              sum += force[first + 3 + i] * spin[i];
-          }
-        return sum;
+        return nodal_power<order, large_rotation>(numbering,
+                                                  unknowns,
+                                                  state,
+                                                  rates,
+                                                  force);
       }
 
       template <class Number, class Section>
@@ -489,21 +416,6 @@ namespace auxfem
                               : at_rest;
       }
 
-      /** Product of section @p forces and the strains of @p others (J/m). */
-      template <class Number>
-      static Number strain_product(const SpaceStiffness<Number>  &stiffness,
-                                   const SectionForcesOf<Number> &forces,
-                                   const SectionForcesOf<Number> &others)
-      {
-        const Beam3D::StiffnessOf<Number> &s = stiffness.elastic;
-        const Number                       k[] =
-          {s.axial, s.shear_2, s.shear_3, s.torsion, s.bending_2, s.bending_3};
-        Number sum = 0;
-        for (unsigned int i = 0; i < forces.size(); ++i)
-          sum += forces[i] * others[i] / k[i];
-        return sum;
-      }
-
     private:
       /** Damping time (s), zero without damping. */
       static Lanes damping_time(const AtRestOf<Lanes> &at_rest)
@@ -547,20 +459,6 @@ namespace auxfem
                                                   at_rest.frames,
                                                   at_rest.jacobian,
                                                   u);
-      }
-
-      template <class Number>
-      static SectionForcesOf<Number>
-      forces(const SpaceStiffness<Number>    &stiffness,
-             const Beam3D::StrainsOf<Number> &strains)
-      {
-        const VectorOf<Number> force = Beam3D::section_force(stiffness.elastic,
-                                                             strains.gamma),
-                               moment =
-                                 Beam3D::section_moment(stiffness.elastic,
-                                                        strains.kappa);
-        return {
-          {force[0], force[1], force[2], moment[0], moment[1], moment[2]}};
       }
     };
   } // namespace

@@ -77,6 +77,31 @@ namespace auxfem
     return nodes;
   }
 
+  /** Power of nodal @p forces of elements at nodal @p rates, by local unknown;
+   * those of large rotations are material. */
+  template <int order, bool large_rotation>
+  Lanes nodal_power(const DofNumbering           &numbering,
+                    const LaneArray<const int *> &unknowns,
+                    const State                  &state,
+                    const Vector                 &rates,
+                    const Lanes                  *forces)
+  {
+    Lanes sum = 0;
+    for (int a = 0; a <= order; ++a)
+      {
+        const int             first = Beam3D::n_components * a;
+        const VectorOf<Lanes> velocity =
+          vector_at(rates.data(), unknowns, first);
+        VectorOf<Lanes> spin = vector_at(rates.data(), unknowns, first + 3);
+        if constexpr (large_rotation)
+          spin = rotated(rotation_at(numbering, unknowns, state, a), spin);
+        for (int i = 0; i < 3; ++i)
+          sum +=
+            forces[first + i] * velocity[i] + forces[first + 3 + i] * spin[i];
+      }
+    return sum;
+  }
+
   /** Motion of the nodes with large rotations. */
   template <int order, bool damped, class Number>
   struct RotatingMotion
