@@ -143,6 +143,17 @@ namespace auxfem
         read_discretization(values, is_linearized(scene.analysis));
     }
 
+    /** A material that cannot be read keeps its name, so that sections that use
+     * it are no further mistakes. */
+    void add_material(ParameterValues &values, Scene &scene)
+    {
+      MaterialDefinition material;
+      material.name    = values.name();
+      material.density = 0;
+      scene.materials.push_back(material);
+      scene.materials.back() = read_material(values);
+    }
+
     /** Needs the materials. */
     void add_section(ParameterValues &values, Scene &scene)
     {
@@ -206,7 +217,7 @@ namespace auxfem
       {lattice_schema(), set<&Scene::lattice, read_lattice>},
       {sets_schema(), add<&Scene::sets, read_set>},
       {imperfections_schema(), add<&Scene::imperfections, read_imperfection>},
-      {materials_schema(), add<&Scene::materials, read_material>},
+      {materials_schema(), add_material},
       {sections_schema(), add_section},
       {rigid_parts_schema(), add<&Scene::rigid_parts, read_rigid_part>},
       {joints_schema(), add<&Scene::joints, read_joint>},

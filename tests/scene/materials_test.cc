@@ -74,6 +74,14 @@ TEST(Materials, RefuseWhatContradictsThem)
                {"Materials/polymer/Density must be given"});
 }
 
+TEST(Materials, OfWrongValuesAreOneMistake)
+{
+  const std::string message = refusal_of(
+    polymer_strut().set("Materials/polymer/Relaxing parts", "0.9, 0.2"));
+  expect_parts(message, {"Materials/polymer/Relaxing parts", "add up to 1.1"});
+  EXPECT_FALSE(contains(message, "Sections"));
+}
+
 TEST(Materials, FlowOnlyWhereNothingLasts)
 {
   SceneText liquid = polymer_strut();
