@@ -434,12 +434,7 @@ namespace auxfem
       motions.enter(scene.output.probes);
       motions.enter(scene.plates);
     }
-  } // namespace
 
-
-
-  namespace
-  {
     /** Refuses materials that flow under loads which last forever. */
     void check_long_time_stiffness(const Scene &scene, Mistakes &mistakes)
     {
@@ -463,6 +458,8 @@ namespace auxfem
                     "simulate the motion from rest with inertia"));
     }
   } // namespace
+
+
 
   void check_consistency(const Scene &scene, Mistakes &mistakes)
   {

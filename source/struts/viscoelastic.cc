@@ -14,16 +14,20 @@ namespace auxfem
     using Term   = PronySeries::Term;
     using Series = PronySeries;
 
-    /** Both series of a material, with equally many terms. */
-    struct SeriesPair
+    /** One object for each type of strain. */
+    template <class T>
+    struct ByType
     {
-      Series normal, shear;
+      T normal, shear;
 
-      const Series &of(const StrainType type) const
+      const T &operator[](const StrainType type) const
       {
         return type == StrainType::normal ? normal : shear;
       }
     };
+
+    /** Both series of a material, with equally many terms. */
+    using SeriesPair = ByType<Series>;
 
     /**
      * History at a point: by strain the viscous strains of the terms, which are
@@ -64,6 +68,7 @@ namespace auxfem
      */
     struct TermStep
     {
+      double ratio; ///< stiffness over the instantaneous modulus
       double decay, by_increment, by_lead;
       double mean_decay = 0, mean_by_increment = 0;
     };
@@ -74,18 +79,19 @@ namespace auxfem
       switch (step.kind)
         {
           case SectionStep::Kind::relaxed:
-            return {0, 0, 0};
+            return {term.ratio, 0, 0, 0};
           case SectionStep::Kind::stage:
             {
               // The viscous strain a obeys a' = (E - a) / tau: the spring takes
               // up the increment and decays with it.
               const double decay = element.stage(step.dt).decay;
-              return {decay, decay, 0};
+              return {term.ratio, decay, decay, 0};
             }
           case SectionStep::Kind::mean:
             {
               const MaxwellElement::Mean mean = element.mean(step.dt);
-              return {element.at_constant_rate(1, 0, step.dt),
+              return {term.ratio,
+                      element.at_constant_rate(1, 0, step.dt),
                       element.at_constant_rate(0, 1, step.dt),
                       0,
                       mean.decay,
@@ -95,7 +101,7 @@ namespace auxfem
             {
               const MaxwellElement::Step end = element.step(step.dt);
               const double lead = step.dt > 0 ? end.damping / step.dt : 0;
-              return {end.decay, end.stiffness + lead, lead};
+              return {term.ratio, end.decay, end.stiffness + lead, lead};
             }
         }
     }
@@ -104,7 +110,6 @@ namespace auxfem
     struct SeriesStep
     {
       double                long_time;
-      std::vector<double>   ratios;
       std::vector<TermStep> terms;
       /** Derivative of the force by the strain at the end, over the
        * instantaneous modulus; doubled for mean forces. */
@@ -119,13 +124,21 @@ namespace auxfem
      */
     constexpr double lead_of_rate = 0.5;
 
+    /** Strain by which the rate at the end of a step exceeds the mean rate
+     * times
+     * @p dt (s), with the strain @p increment and the mean @p rate (1/s) of the
+     * last step. */
+    Lanes lead_of(const Lanes &increment, const Lanes &rate, const double dt)
+    {
+      return lead_of_rate * (increment - dt * rate);
+    }
+
     SeriesStep series_step(const Series &series, const SectionStep &step)
     {
-      SeriesStep result{series.long_time, {}, {}, series.long_time};
+      SeriesStep result{series.long_time, {}, series.long_time};
       for (const Term &term : series.terms)
         {
           const TermStep t = term_step(term, step);
-          result.ratios.push_back(term.ratio);
           result.terms.push_back(t);
           result.tangent += term.ratio *
             (step.kind == SectionStep::Kind::mean
@@ -141,8 +154,8 @@ namespace auxfem
       ViscoelasticUpdate(const SeriesPair &series, const SectionStep &step)
         : series(series)
         , step(step)
-        , normal(series_step(series.normal, step))
-        , shear(series_step(series.shear, step))
+        , series_in_step{series_step(series.normal, step),
+                         series_step(series.shear, step)}
       {}
 
       AUXFEM_FLATTEN void evaluate(const SectionPoint &point,
@@ -155,12 +168,11 @@ namespace auxfem
         response.stored = 0;
         for (unsigned int k = 0; k < point.n_strains; ++k)
           {
-            const SeriesStep &s =
-              point.types[k] == StrainType::normal ? normal : shear;
-            const Lanes &start     = committed[layout.strain(k)];
-            const Lanes  increment = strains[k] - start;
-            const Lanes  lead =
-              lead_of_rate * (increment - step.dt * committed[layout.rate(k)]);
+            const SeriesStep &s         = series_in_step[point.types[k]];
+            const Lanes      &start     = committed[layout.strain(k)];
+            const Lanes       increment = strains[k] - start;
+            const Lanes       lead =
+              lead_of(increment, committed[layout.rate(k)], step.dt);
             const bool is_mean = step.kind == SectionStep::Kind::mean;
             Lanes      force   = s.long_time *
               (is_mean ? Lanes((start + strains[k]) / 2) : strains[k]);
@@ -173,11 +185,11 @@ namespace auxfem
                             after         = t.decay * before +
                   t.by_increment * increment + t.by_lead * lead;
                 trial[at] = strains[k] - after;
-                force += s.ratios[i] *
+                force += t.ratio *
                   (is_mean ? Lanes(t.mean_decay * before +
                                    t.mean_by_increment * increment)
                            : after);
-                stored += s.ratios[i] * after * after;
+                stored += t.ratio * after * after;
               }
             trial[layout.strain(k)] = strains[k];
             trial[layout.rate(k)]   = rate_of(increment, committed, layout, k);
@@ -210,9 +222,9 @@ namespace auxfem
                            : committed[layout.rate(k)];
       }
 
-      const SeriesPair &series;
-      const SectionStep step;
-      const SeriesStep  normal, shear;
+      const SeriesPair        &series;
+      const SectionStep        step;
+      const ByType<SeriesStep> series_in_step;
     };
 
     /** Energy lost by a Maxwell element of unit stiffness: a quadratic form of
@@ -262,9 +274,9 @@ namespace auxfem
         , step(step)
       {
         for (const Term &term : series.normal.terms)
-          normal.emplace_back(term, step.dt);
+          forms.normal.emplace_back(term, step.dt);
         for (const Term &term : series.shear.terms)
-          shear.emplace_back(term, step.dt);
+          forms.shear.emplace_back(term, step.dt);
       }
 
       AUXFEM_FLATTEN Lanes lost(const SectionPoint &point,
@@ -272,31 +284,30 @@ namespace auxfem
                                 const Lanes        *accepted) const override
       {
         const Layout layout(point, series);
-        const double lead_factor =
-          step.kind == SectionStep::Kind::mean ? 0 : lead_of_rate;
-        Lanes sum = 0;
+        Lanes        sum = 0;
         for (unsigned int k = 0; k < point.n_strains; ++k)
           {
-            const bool   is_normal = point.types[k] == StrainType::normal;
-            const auto  &forms     = is_normal ? normal : shear;
-            const auto  &terms     = series.of(point.types[k]).terms;
-            const Lanes &start     = committed[layout.strain(k)];
-            const Lanes  increment = accepted[layout.strain(k)] - start;
-            const Lanes  lead =
-              lead_factor * (increment - step.dt * committed[layout.rate(k)]);
+            const Series &s         = series[point.types[k]];
+            const auto   &losses    = forms[point.types[k]];
+            const Lanes  &start     = committed[layout.strain(k)];
+            const Lanes   increment = accepted[layout.strain(k)] - start;
+            // Mean forces assume a constant rate.
+            const Lanes lead = step.kind == SectionStep::Kind::mean
+              ? Lanes(0)
+              : lead_of(increment, committed[layout.rate(k)], step.dt);
             for (unsigned int i = 0; i < layout.n_terms; ++i)
-              sum += point.stiffness[k] * terms[i].ratio *
-                forms[i](start - committed[layout.viscous(k, i)],
-                         increment,
-                         lead);
+              sum += point.stiffness[k] * s.terms[i].ratio *
+                losses[i](start - committed[layout.viscous(k, i)],
+                          increment,
+                          lead);
           }
         return sum;
       }
 
     private:
-      const SeriesPair     &series;
-      const SectionStep     step;
-      std::vector<LossForm> normal, shear;
+      const SeriesPair             &series;
+      const SectionStep             step;
+      ByType<std::vector<LossForm>> forms;
     };
 
     /** Generalized Maxwell material: Prony series of both moduli. */
@@ -351,7 +362,7 @@ namespace auxfem
         instant.stored = instant.relaxing_stored = instant.lost_power = 0;
         for (unsigned int k = 0; k < point.n_strains; ++k)
           {
-            const Series &s     = series.of(point.types[k]);
+            const Series &s     = series[point.types[k]];
             Lanes         force = 0, stored = 0, power = 0;
             for (unsigned int i = 0; i < layout.n_terms; ++i)
               {
@@ -377,20 +388,21 @@ namespace auxfem
 
       double long_time_ratio(const StrainType type) const override
       {
-        return series.of(type).long_time;
+        return series[type].long_time;
       }
 
       std::map<double, double>
       relaxing_ratios(const StrainType type) const override
       {
         std::map<double, double> ratios;
-        for (const Term &term : series.of(type).terms)
+        for (const Term &term : series[type].terms)
           ratios[term.time] += term.ratio;
         return ratios;
       }
 
     private:
-      /** Replaces the start of a run by what the material makes of it. */
+      /** Replaces Kind::start by the state of the material at the start of a
+       * run. */
       SectionStep resolved(SectionStep step) const
       {
         if (step.kind == SectionStep::Kind::start)

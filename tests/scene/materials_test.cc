@@ -74,7 +74,7 @@ TEST(Materials, RefuseWhatContradictsThem)
                {"Materials/polymer/Density must be given"});
 }
 
-TEST(Materials, OfWrongValuesAreOneMistake)
+TEST(Materials, WithWrongValuesAreOneMistake)
 {
   const std::string message = refusal_of(
     polymer_strut().set("Materials/polymer/Relaxing parts", "0.9, 0.2"));

@@ -27,7 +27,7 @@ namespace auxfem
       }
     };
 
-    double            long_time; ///< what does not relax
+    double            long_time; ///< part that does not relax
     std::vector<Term> terms;     ///< by ascending time
   };
 

@@ -4,7 +4,6 @@
 #include <auxfem/mathematics/lanes.h>
 #include <auxfem/parameters/registry.h>
 
-#include <array>
 #include <map>
 #include <memory>
 
@@ -51,7 +50,7 @@ namespace auxfem
     Lanes lost_power;
   };
 
-  /** How a law moves from the start of a step to its end. */
+  /** Kind and length of a step of a law. */
   struct SectionStep
   {
     enum class Kind

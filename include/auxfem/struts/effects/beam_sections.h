@@ -5,8 +5,8 @@
 
 /**
  * @file
- * What LawForces must know of the strains and stiffnesses of a beam: bases of
- * the Beam of BeamForces. Functions take elements at rest, BeamAtRest.
+ * Strains and stiffnesses of beams as LawForces needs them: bases of the Beam
+ * of BeamForces. Functions take elements at rest, BeamAtRest.
  */
 namespace auxfem
 {

@@ -37,14 +37,12 @@ namespace auxfem
       Base::account_step(step, results, account);
       if (!account.has_duration())
         return;
-      const auto losses = responses.law().losses(responses.step(step));
-      double     lost   = 0;
-      Scratch    scratch;
-      for_each_owned(
-        [&](const ElementBatch &batch, const auto &at_rest) {
+      const auto   losses = responses.law().losses(responses.step(step));
+      Scratch      scratch;
+      const double lost =
+        sum_over_owned([&](const ElementBatch &batch, const auto &at_rest) {
           return responses.lost(*losses, step, batch, at_rest, scratch);
-        },
-        lost);
+        });
       account.add_in_step(lost_entry, lost);
       // Mean forces do exactly the work of stored and lost energy.
       if (step.kind != Evaluation::Kind::discrete_gradient)
@@ -57,10 +55,9 @@ namespace auxfem
                        const EffectCache * /*results*/,
                        EnergyAccount &account) const override
     {
-      double  power = 0;
-      Scratch scratch;
-      for_each_owned(
-        [&](const ElementBatch &batch, const auto &at_rest) {
+      Scratch      scratch;
+      const double power =
+        sum_over_owned([&](const ElementBatch &batch, const auto &at_rest) {
           Lanes force[n];
           return integrate(
             batch,
@@ -71,8 +68,7 @@ namespace auxfem
             },
             force,
             scratch);
-        },
-        power);
+        });
       account.add_power(lost_entry, power);
     }
 
@@ -188,17 +184,19 @@ namespace auxfem
   private:
     using Scratch = typename LawSections<Beam>::Scratch;
 
-    /** Adds the values of @p value_of, a function of a batch and its elements at
-     * rest, of the elements owned by this rank to @p sum. */
+    /** Sum of @p value_of, a function of a batch and its elements at rest, over
+     * the elements owned by this rank. */
     template <class ValueOfBatch>
-    void for_each_owned(const ValueOfBatch &value_of, double &sum) const
+    double sum_over_owned(const ValueOfBatch &value_of) const
     {
+      double sum = 0;
       beams.for_each_batch([&](const ElementBatch &batch) {
         const Lanes values = value_of(batch, beams.at_rest(batch));
         for (unsigned int lane = 0; lane < batch.size; ++lane)
           if (beams[batch.elements[lane]].owned)
             sum += lane_value(values, lane);
       });
+      return sum;
     }
 
     /**
@@ -316,9 +314,8 @@ namespace auxfem
         std::copy_n(now.relaxing, Beam::n_strains, r.forces);
         r.stored = now.relaxing_stored;
       };
-      double  work = 0;
       Scratch scratch;
-      for_each_owned(
+      return sum_over_owned(
         [&](const ElementBatch &batch, const auto &at_rest) {
           const auto at = [&](const State &state, const double sign) {
             Lanes       force[n];
@@ -333,9 +330,7 @@ namespace auxfem
                          sign * stored);
           };
           return Lanes(at(step.from, -1) + at(step.to, 1));
-        },
-        work);
-      return work;
+        });
     }
 
     /** Sections without force, with a given tangent stiffness. */

@@ -12,9 +12,10 @@
 
 /**
  * @file
- * Where the sections of BeamForces take their forces from: ElasticSections from
- * the stiffness alone, LawSections from a SectionLaw with history. Both give
- * the kernels an object per batch of elements, see ElasticSection of Beam2D.
+ * Sources of the section forces of BeamForces: ElasticSections compute them
+ * from the stiffness alone, LawSections from a SectionLaw with history. Both
+ * give the kernels an object per batch of elements, see ElasticSection of
+ * Beam2D.
  */
 namespace auxfem
 {
@@ -123,8 +124,7 @@ namespace auxfem
 
       ForcesOf<Lanes> elastic_forces(const StrainsOf<Lanes> &strains) const
       {
-        return {section_force(stiffness, strains.gamma),
-                section_moment(stiffness, strains.kappa)};
+        return ElasticSection<Lanes>{stiffness}.elastic_forces(strains);
       }
 
     private:
@@ -259,27 +259,22 @@ namespace auxfem
           [&](const unsigned int e) { return state.history[index(e, g, i)]; });
     }
 
-    void write(const History       &history,
-               const ElementBatch  &batch,
-               const int            g,
-               std::vector<double> &values) const
+    /** Writes @p history to @p values, of the size of State::history. */
+    void write(const History      &history,
+               const ElementBatch &batch,
+               const int           g,
+               double             *values) const
     {
-      for (unsigned int i = 0; i < n_internal + n_kept; ++i)
-        for (unsigned int lane = 0; lane < batch.size; ++lane)
-          values[index(batch.elements[lane], g, i)] =
-            lane_value(history[i], lane);
+      write_first(n_internal + n_kept, history, batch, g, values);
     }
 
-    /** Writes the internal variables in @p history to @p values. */
+    /** As write(), the internal variables alone. */
     void write_internal(const History      &history,
                         const ElementBatch &batch,
                         const int           g,
                         double             *values) const
     {
-      for (unsigned int i = 0; i < n_internal; ++i)
-        for (unsigned int lane = 0; lane < batch.size; ++lane)
-          values[index(batch.elements[lane], g, i)] =
-            lane_value(history[i], lane);
+      write_first(n_internal, history, batch, g, values);
     }
 
     /** The sections of a batch at a Gauss point, the input of the law. */
@@ -343,7 +338,7 @@ namespace auxfem
         SectionResponse response;
         update.evaluate(point, ends, committed.data(), trial.data(), response);
         if (access == HistoryAccess::writes)
-          sections.write(trial, batch, g, evaluation.to.history);
+          sections.write(trial, batch, g, evaluation.to.history.data());
         return response;
       }
 
@@ -419,6 +414,18 @@ namespace auxfem
 
   private:
     static constexpr unsigned int n_strains = Beam::n_strains;
+
+    void write_first(const unsigned int  n,
+                     const History      &history,
+                     const ElementBatch &batch,
+                     const int           g,
+                     double             *values) const
+    {
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int lane = 0; lane < batch.size; ++lane)
+          values[index(batch.elements[lane], g, i)] =
+            lane_value(history[i], lane);
+    }
 
     /** Index in State::history of history value @p i at a Gauss point. */
     std::size_t
