@@ -36,8 +36,9 @@ namespace auxfem
       for (const SectionDefinition &definition : plan.scene.sections)
         if (relaxes(definition) && plan.time.static_start &&
             !definition.section.law->starts_relaxed())
-          largest =
-            1 - definition.section.law->long_time_ratio(StrainType::normal);
+          largest = std::max(
+            largest,
+            1 - definition.section.law->long_time_ratio(StrainType::normal));
       if (!(history.rate > 0))
         return EffectMeasure{largest, "the struts' stiffness"};
       for (const SectionDefinition &definition : plan.scene.sections)
