@@ -225,7 +225,8 @@ namespace auxfem
                          const EvaluationResults &results) const
   {
     clear_multiplier_rates(structure.numbering, evaluation.to);
-    const bool    is_stage = evaluation.kind == Evaluation::Kind::stage;
+    const bool is_stage = evaluation.kind == Evaluation::Kind::stage;
+    update_history(evaluation);
     EnergyAccount account(evaluation);
     for (unsigned int i = 0; i < effects.size(); ++i)
       {
@@ -238,6 +239,12 @@ namespace auxfem
       add_stage(evaluation, results, account);
     evaluation.to.energies.amounts() =
       structure.numbering.layout().sum(account.close());
+  }
+
+  void Equations::update_history(const Evaluation &solved) const
+  {
+    for (const auto &effect : effects)
+      effect->update_history(solved);
   }
 
   void Equations::account_stage(const Evaluation        &stage,

@@ -102,6 +102,7 @@ namespace auxfem
       connector_viscosity_effect(),
       strut_damping_effect(),
       strut_relaxation_effect(),
+      plasticity_effect(),
       gravity_effect(),
       hinges_effect(),
       contact_effect()};

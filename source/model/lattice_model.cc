@@ -67,9 +67,14 @@ namespace auxfem
     {
       std::vector<Section> sections;
       for (const SectionDefinition &definition : plan.scene.sections)
-        sections.push_back(plan.simulated.strut_relaxation
-                             ? definition.section
-                             : definition.section.relaxed());
+        {
+          const Section &section = definition.section;
+          sections.push_back((section.yields()
+                                ? plan.simulated.plasticity
+                                : plan.simulated.strut_relaxation)
+                               ? section
+                               : section.relaxed());
+        }
       return sections;
     }
 

@@ -206,6 +206,18 @@ namespace auxfem
         }
     }
 
+    void add_default_elements(const RunPlan            &plan,
+                              std::vector<std::string> &notes)
+    {
+      if (plan.simulated.plasticity && plan.scene.discretization.is_default &&
+          plan.analysis == Analysis::simulation)
+        notes.push_back(
+          "The struts have two elements of order 4 each, because the material "
+          "yields: hinges form at the Gauss points next to the joints, and "
+          "longer or lower elements overestimate the loads at which struts "
+          "collapse. Discretization/Order and Global refinements change it.");
+    }
+
     /** First pairs of struts and the number of further ones. */
     std::string
     pairs_text(const std::vector<std::array<unsigned int, 2>> &pairs)
@@ -258,6 +270,7 @@ namespace auxfem
     add_inputs_beside_results(scene.output.directory, notes);
     add_fixed_spins(model, notes);
     add_unknown_fibres(scene, notes);
+    add_default_elements(plan, notes);
     if (equations.reporting().strut_contact != nullptr)
       add_overlaps(*equations.reporting().strut_contact, notes);
     return notes;

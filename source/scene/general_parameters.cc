@@ -48,6 +48,11 @@ namespace auxfem
         &EffectSwitches::strut_relaxation,
         "Relaxation of viscoelastic struts; off: they are elastic with their "
         "long-time moduli."),
+      effect("Plasticity",
+             &EffectSwitches::plasticity,
+             "Yielding of elastic-plastic struts; off: they are elastic; auto: "
+             "left out while small displacements suffice and no fibre reaches "
+             "the yield stress."),
       effect("Gravity", &EffectSwitches::gravity, "Weight."),
       effect("Hinges",
              &EffectSwitches::hinges,

@@ -136,11 +136,12 @@ namespace auxfem
       scene.context.constants = read_constants(values);
     }
 
-    /** Needs the analysis, on which Order = default depends. */
+    /** Needs the analysis and the sections, on which defaults depend. */
     void set_discretization(ParameterValues &values, Scene &scene)
     {
-      scene.discretization =
-        read_discretization(values, is_linearized(scene.analysis));
+      scene.discretization = read_discretization(values,
+                                                 is_linearized(scene.analysis),
+                                                 yields(scene.sections));
     }
 
     /** A material that cannot be read keeps its name, so that sections that use
@@ -157,7 +158,8 @@ namespace auxfem
     /** Needs the materials. */
     void add_section(ParameterValues &values, Scene &scene)
     {
-      scene.sections.push_back(read_section(values, scene.materials));
+      scene.sections.push_back(
+        read_section(values, scene.materials, scene.sections));
     }
 
     void add_load(ParameterValues &values, Scene &scene)

@@ -71,6 +71,14 @@ namespace auxfem
             "energy lost by relaxation of the struts since the start"};
   }
 
+  EnergyEntry plastic_energy_entry()
+  {
+    return {EnergyKind::dissipated,
+            "plastic_dissipated",
+            "energy lost by yielding of the struts since the start, with the "
+            "work of isotropic hardening"};
+  }
+
   Energies::Energies() : entries(std::make_shared<const EnergyLedger>())
   {}
 

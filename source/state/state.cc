@@ -6,6 +6,7 @@ namespace auxfem
     : displacement(n_unknowns, 0.)
     , residual(n_unknowns, 0.)
     , rotations(layout.n_rotations)
+    , has_mean_work(layout.mean_work)
     , plane_rotations(
         std::make_shared<const std::vector<int>>(layout.plane_rotations))
     , space_rotations(std::make_shared<const std::vector<std::array<int, 3>>>(

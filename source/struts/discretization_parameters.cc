@@ -12,7 +12,7 @@ namespace auxfem
       largest_plane_order,
       "Polynomial order of the struts' elements; at most 4 with Dimension = 3. "
       "default: auto with Analysis = modes, buckling or frequency response, "
-      "else 3. auto: order and number of elements meet Tolerance, in "
+      "4 with materials that yield, else 3. auto: order and number of elements meet Tolerance, in "
       "simulations per strut after a coarse search run, else equal for all "
       "struts.",
       {"default", "auto"}};
@@ -27,11 +27,12 @@ namespace auxfem
       "Frequency response: each column, relative to its largest amplitude."};
     const Integer refinements = {
       "Global refinements",
-      0,
+      "default",
       0,
       10,
       "Number n of halvings: 2^n elements per strut; with Order = auto this "
-      "number or a multiple."};
+      "number or a multiple. default: 1 with materials that yield, else 0.",
+      {"default"}};
   } // namespace
 
   SubsectionSchema discretization_schema()
@@ -43,14 +44,19 @@ namespace auxfem
   }
 
   DiscretizationParameters read_discretization(const ParameterValues &values,
-                                               const bool is_chosen_by_default)
+                                               const bool is_chosen_by_default,
+                                               const bool yields)
   {
     DiscretizationParameters discretization;
     if (!values.is_word(order))
       discretization.order = values[order];
     else if (is_chosen_by_default || !values.is_default(order))
       discretization.tolerance = values[tolerance];
-    discretization.refinements = values[refinements];
+    else if (yields)
+      discretization.order = 4;
+    discretization.is_default =
+      values.is_default(order) && values.is_word(refinements);
+    discretization.refinements = values.value_or(refinements, yields ? 1 : 0);
     return discretization;
   }
 } // namespace auxfem

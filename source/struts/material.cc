@@ -64,6 +64,11 @@ namespace auxfem
             mass_damping};
   }
 
+  const Quantity &youngs_modulus_parameter()
+  {
+    return youngs_modulus;
+  }
+
   const Quantity &poissons_ratio_parameter()
   {
     return poissons_ratio;
@@ -119,12 +124,19 @@ namespace auxfem
     material.name = values.name();
     material.law =
       find_entry(section_law_registry(), values[law_choice()]).make(values);
+    if (material.law && material.law->yields() && material.yield_strain)
+      values.refuse(yield_strain,
+                    "Law = " + values[law_choice()] +
+                      " simulates yielding from Yield stress on. Remove it");
     if (material.law && material.stiffness_proportional_damping > 0)
       values.refuse(
         stiffness_damping,
-        "Law = " + values[law_choice()] +
-          " has losses of its own. Remove it, or add a relaxing part "
-          "with a short relaxation time");
+        "Law = " + values[law_choice()] + " has losses of its own. " +
+          (material.law->yields()
+             ? "Set Mass-proportional damping, or damp by the time scheme "
+               "(generalized-alpha)"
+             : "Remove it, or add a relaxing part with a short relaxation "
+               "time"));
     return material;
   }
 } // namespace auxfem

@@ -187,6 +187,7 @@ namespace auxfem
                         torsion_constant_of_rectangle(std::max(b, h),
                                                       std::min(b, h)));
       section.radius          = h / 2;
+      section.shape.kind      = SectionShape::Kind::rectangle;
       section.fibre_distances = section.half_thicknesses = {{b / 2, h / 2}};
       set_shear_areas(values, 5. / 6., section);
     }
@@ -196,6 +197,7 @@ namespace auxfem
       const double r          = values[radius];
       section.area            = PI * r * r;
       section.radius          = r;
+      section.shape.kind      = SectionShape::Kind::circle;
       section.fibre_distances = section.half_thicknesses = {{r, r}};
       set_axisymmetric_moments(PI / 4 * r * r * r * r, section);
       set_shear_areas(values, 0.9, section);
@@ -212,6 +214,7 @@ namespace auxfem
           "; reduce it, or set Shape = circle for a solid rod");
       section.area            = PI * (outer * outer - inner * inner);
       section.radius          = outer;
+      section.shape           = {SectionShape::Kind::tube, inner / outer};
       section.fibre_distances = section.half_thicknesses = {{outer, outer}};
       set_axisymmetric_moments(PI / 4 *
                                  (std::pow(outer, 4) - std::pow(inner, 4)),
@@ -274,8 +277,28 @@ namespace auxfem
       return *material;
     }
 
-    void set_material(const MaterialDefinition &material,
-                      SectionDefinition        &definition)
+    /** The law of @p material in sections of the shape of @p section, that of
+     * an equal one of @p others if possible: struts with one law are computed
+     * together. */
+    std::shared_ptr<const SectionLaw>
+    law_of(const MaterialDefinition             &material,
+           const SectionDefinition              &definition,
+           const std::vector<SectionDefinition> &others)
+    {
+      if (!material.law)
+        return nullptr;
+      const SectionShape &shape = definition.section.shape;
+      for (const SectionDefinition &other : others)
+        if (other.material_path == definition.material_path &&
+            !(other.section.shape < shape) && !(shape < other.section.shape))
+          return other.section.law;
+      const auto law = material.law->in_shape(shape);
+      return law ? law : material.law;
+    }
+
+    void set_material(const MaterialDefinition             &material,
+                      const std::vector<SectionDefinition> &others,
+                      SectionDefinition                    &definition)
     {
       Section &section       = definition.section;
       section.youngs_modulus = material.youngs_modulus;
@@ -284,13 +307,22 @@ namespace auxfem
       section.stiffness_proportional_damping =
         material.stiffness_proportional_damping;
       section.mass_proportional_damping = material.mass_proportional_damping;
-      section.law                       = material.law;
       definition.material_path =
         material.name.empty() ? definition.path : "Materials/" + material.name;
+      section.law            = law_of(material, definition, others);
       definition.has_density = material.density.has_value();
       section.density        = material.density.value_or(0);
     }
   } // namespace
+
+  bool yields(const std::vector<SectionDefinition> &sections)
+  {
+    return std::any_of(sections.begin(),
+                       sections.end(),
+                       [](const SectionDefinition &definition) {
+                         return definition.section.yields();
+                       });
+  }
 
   SubsectionSchema sections_schema()
   {
@@ -329,7 +361,8 @@ namespace auxfem
 
   SectionDefinition
   read_section(ParameterValues                       &values,
-               const std::vector<MaterialDefinition> &materials)
+               const std::vector<MaterialDefinition> &materials,
+               const std::vector<SectionDefinition>  &others)
   {
     SectionDefinition definition;
     definition.name              = values.name();
@@ -344,7 +377,14 @@ namespace auxfem
       read_tube(values, definition.section);
     else
       read_given(values, definition.section);
-    set_material(material_of(values, materials), definition);
+    const MaterialDefinition material = material_of(values, materials);
+    if (material.law && material.law->yields() && shape_name == "given")
+      values.refuse(
+        section_shape,
+        "Material = " + material.name +
+          " yields fibre by fibre, and area and moments do not tell "
+          "where fibres lie. Choose rectangle, circle or tube");
+    set_material(material, others, definition);
     if (!values.is_word(reference))
       definition.section.reference = unit_vector_of(values, reference);
     return definition;

@@ -11,7 +11,8 @@ namespace auxfem
        [](ParameterValues &) -> std::unique_ptr<SectionLaw> {
          return nullptr;
        }},
-      viscoelastic_entry()};
+      viscoelastic_entry(),
+      elastic_plastic_entry()};
     return registry;
   }
 } // namespace auxfem

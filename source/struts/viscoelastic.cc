@@ -30,9 +30,8 @@ namespace auxfem
     using SeriesPair = ByType<Series>;
 
     /**
-     * History at a point: by strain the viscous strains of the terms, which are
-     * the internal variables; then the strains and their mean rates (1/s) in
-     * the last step.
+     * History at a point. Internal variables: by strain the viscous strains of
+     * the terms. Kept: the strains and their mean rates (1/s) in the last step.
      */
     struct Layout
     {
@@ -49,12 +48,12 @@ namespace auxfem
 
       unsigned int strain(const unsigned int k) const
       {
-        return n_strains * n_terms + k;
+        return k;
       }
 
       unsigned int rate(const unsigned int k) const
       {
-        return n_strains * (n_terms + 1) + k;
+        return n_strains + k;
       }
 
       const unsigned int n_strains, n_terms;
@@ -158,68 +157,69 @@ namespace auxfem
                          series_step(series.shear, step)}
       {}
 
-      AUXFEM_FLATTEN void evaluate(const SectionPoint &point,
-                                   const Lanes        *strains,
-                                   const Lanes        *committed,
-                                   Lanes              *trial,
-                                   SectionResponse    &response) const override
+      AUXFEM_FLATTEN void evaluate(const SectionPoint         &point,
+                                   const Lanes                *strains,
+                                   const SectionHistory       &committed,
+                                   const SectionHistoryOutput *end,
+                                   SectionResponse &response) const override
       {
         const Layout layout(point, series);
         response.stored = 0;
         for (unsigned int k = 0; k < point.n_strains; ++k)
           {
-            const SeriesStep &s         = series_in_step[point.types[k]];
-            const Lanes      &start     = committed[layout.strain(k)];
-            const Lanes       increment = strains[k] - start;
-            const Lanes       lead =
-              lead_of(increment, committed[layout.rate(k)], step.dt);
-            const bool is_mean = step.kind == SectionStep::Kind::mean;
-            Lanes      force   = s.long_time *
+            const SeriesStep &s     = series_in_step[point.types[k]];
+            const Lanes       start = committed.kept(layout.strain(k)),
+                        rate        = committed.kept(layout.rate(k));
+            const Lanes increment   = strains[k] - start;
+            const Lanes lead        = lead_of(increment, rate, step.dt);
+            const bool  is_mean     = step.kind == SectionStep::Kind::mean;
+            Lanes       force       = s.long_time *
               (is_mean ? Lanes((start + strains[k]) / 2) : strains[k]);
             Lanes stored = s.long_time * strains[k] * strains[k];
             for (unsigned int i = 0; i < layout.n_terms; ++i)
               {
                 const TermStep    &t      = s.terms[i];
                 const unsigned int at     = layout.viscous(k, i);
-                const Lanes        before = start - committed[at],
+                const Lanes        before = start - committed.internal(at),
                             after         = t.decay * before +
                   t.by_increment * increment + t.by_lead * lead;
-                trial[at] = strains[k] - after;
+                if (end != nullptr)
+                  end->set_internal(at, strains[k] - after);
                 force += t.ratio *
                   (is_mean ? Lanes(t.mean_decay * before +
                                    t.mean_by_increment * increment)
                            : after);
                 stored += t.ratio * after * after;
               }
-            trial[layout.strain(k)] = strains[k];
-            trial[layout.rate(k)]   = rate_of(increment, committed, layout, k);
-            response.forces[k]      = point.stiffness[k] * force;
-            response.tangent[k]     = point.stiffness[k] * s.tangent;
+            if (end != nullptr)
+              {
+                end->set_kept(layout.strain(k), strains[k]);
+                end->set_kept(layout.rate(k), rate_of(increment, rate));
+              }
+            response.forces[k]  = point.stiffness[k] * force;
+            response.tangent[k] = point.stiffness[k] * s.tangent;
             response.stored += point.stiffness[k] / 2 * stored;
           }
       }
 
-      void start_strains(const SectionPoint &point,
-                         const Lanes        *committed,
-                         Lanes              *strains) const override
+      void start_strains(const SectionPoint   &point,
+                         const SectionHistory &committed,
+                         Lanes                *strains) const override
       {
         const Layout layout(point, series);
         for (unsigned int k = 0; k < point.n_strains; ++k)
-          strains[k] = committed[layout.strain(k)];
+          strains[k] = committed.kept(layout.strain(k));
       }
 
     private:
-      /** Mean rate of strain @p k to keep for the next step. */
-      Lanes rate_of(const Lanes       &increment,
-                    const Lanes       *committed,
-                    const Layout      &layout,
-                    const unsigned int k) const
+      /** Mean rate of a strain to keep for the next step, after @p rate in the
+       * last one. */
+      Lanes rate_of(const Lanes &increment, const Lanes &rate) const
       {
         if (step.kind == SectionStep::Kind::relaxed ||
             step.kind == SectionStep::Kind::stage)
           return 0;
-        return step.dt > 0 ? Lanes(increment / step.dt)
-                           : committed[layout.rate(k)];
+        return step.dt > 0 ? Lanes(increment / step.dt) : rate;
       }
 
       const SeriesPair        &series;
@@ -279,9 +279,9 @@ namespace auxfem
           forms.shear.emplace_back(term, step.dt);
       }
 
-      AUXFEM_FLATTEN Lanes lost(const SectionPoint &point,
-                                const Lanes        *committed,
-                                const Lanes        *accepted) const override
+      AUXFEM_FLATTEN Lanes lost(const SectionPoint   &point,
+                                const SectionHistory &committed,
+                                const SectionHistory &accepted) const override
       {
         const Layout layout(point, series);
         Lanes        sum = 0;
@@ -289,15 +289,15 @@ namespace auxfem
           {
             const Series &s         = series[point.types[k]];
             const auto   &losses    = forms[point.types[k]];
-            const Lanes  &start     = committed[layout.strain(k)];
-            const Lanes   increment = accepted[layout.strain(k)] - start;
+            const Lanes   start     = committed.kept(layout.strain(k));
+            const Lanes   increment = accepted.kept(layout.strain(k)) - start;
             // Mean forces assume a constant rate.
             const Lanes lead = step.kind == SectionStep::Kind::mean
               ? Lanes(0)
-              : lead_of(increment, committed[layout.rate(k)], step.dt);
+              : lead_of(increment, committed.kept(layout.rate(k)), step.dt);
             for (unsigned int i = 0; i < layout.n_terms; ++i)
               sum += point.stiffness[k] * s.terms[i].ratio *
-                losses[i](start - committed[layout.viscous(k, i)],
+                losses[i](start - committed.internal(layout.viscous(k, i)),
                           increment,
                           lead);
           }
@@ -352,11 +352,11 @@ namespace auxfem
         return std::make_unique<ViscoelasticLosses>(series, resolved(step));
       }
 
-      AUXFEM_FLATTEN void instant(const SectionPoint &point,
-                                  const Lanes        *strains,
-                                  const Lanes        *internal,
-                                  Lanes              *internal_rates,
-                                  SectionInstant     &instant) const override
+      AUXFEM_FLATTEN void instant(const SectionPoint         &point,
+                                  const Lanes                *strains,
+                                  const SectionHistory       &history,
+                                  const SectionHistoryOutput *rates,
+                                  SectionInstant &instant) const override
       {
         const Layout layout(point, series);
         instant.stored = instant.relaxing_stored = instant.lost_power = 0;
@@ -367,12 +367,13 @@ namespace auxfem
             for (unsigned int i = 0; i < layout.n_terms; ++i)
               {
                 const unsigned int at     = layout.viscous(k, i);
-                const Lanes        spring = strains[k] - internal[at];
+                const Lanes        spring = strains[k] - history.internal(at);
                 const auto [ratio, time]  = s.terms[i];
-                internal_rates[at]        = spring / time;
+                if (rates != nullptr)
+                  rates->set_internal(at, spring / time);
                 force += ratio * spring;
                 stored += ratio * spring * spring;
-                power += ratio * spring * internal_rates[at];
+                power += ratio * spring * spring / time;
               }
             const Lanes &stiffness = point.stiffness[k];
             instant.relaxing[k]    = stiffness * force;

@@ -102,6 +102,13 @@ namespace auxfem
     /** Largest number of halvings in a line search. */
     constexpr unsigned int max_halvings = 5;
 
+    bool has_yielding_struts(const LatticeModel &model)
+    {
+      return std::any_of(model.laws.begin(),
+                         model.laws.end(),
+                         [](const auto &law) { return law && law->yields(); });
+    }
+
     /** Largest rotation increment of the step (rad) over all ranks. */
     double largest_increment(const LatticeModel &model, const Evaluation &step)
     {
@@ -123,6 +130,7 @@ namespace auxfem
     , parameters(parameters)
     , rows(solver.equations(), parameters.tolerance)
     , is_linear(solver.equations().is_linear())
+    , yields(has_yielding_struts(solver.model()))
     , supports_rest(supports_are_at_rest(solver.model()))
     , estimates_stages(parameters.estimates_stages &&
                        solver.equations().stages_need_no_residual() &&
@@ -137,13 +145,13 @@ namespace auxfem
                                AddedEquation *const  added)
   {
     Result result;
-    exactness = is_linear || has_failed || !parameters.keep_factorization
+    exactness = is_linear || has_failed || !keeps_factorization(scheme)
       ? Exactness::exact
       : Exactness::approximate;
     is_slack  = allows_slack && evaluation.from.largest_force == 0;
     // Stays set unless the iteration converges.
-    has_failed             = true;
-    has_contact_candidates = solver.equations().has_contact_candidates();
+    has_failed = true;
+    has_kinks  = yields || solver.equations().has_contact_candidates();
     solver.residual(evaluation, results);
     double norm      = in_force_units(results);
     double reduction = std::numeric_limits<double>::infinity();
@@ -214,7 +222,9 @@ namespace auxfem
         result.reason = iterate(scheme, evaluation, added);
         if (!result.reason.empty())
           return result;
-        supports_in_place = true;
+        // A shorter increment would leave supports on their way.
+        const bool can_be_shortened = supports_in_place;
+        supports_in_place           = true;
         if (result.iterations == 0 && !scheme.is_dynamic())
           first_increment = last_increment;
         ++result.iterations;
@@ -229,8 +239,8 @@ namespace auxfem
         solver.residual(evaluation, results);
         norm                = in_force_units(results);
         const bool is_worse = !(norm < before);
-        if (is_worse &&
-            (has_contact_candidates || (has_grown && !scheme.is_dynamic())) &&
+        if (is_worse && can_be_shortened &&
+            (has_kinks || (has_grown && !scheme.is_dynamic())) &&
             before > stagnation_threshold * force)
           norm = backtrack(scheme, evaluation, results, added, before);
         has_grown = is_worse;
@@ -256,7 +266,7 @@ namespace auxfem
                                const Evaluation     &evaluation,
                                EvaluationResults    &results)
   {
-    if (is_linear || !parameters.keep_factorization)
+    if (is_linear || !keeps_factorization(scheme))
       return;
     exactness = Exactness::approximate;
     solver.residual(evaluation, results);
@@ -264,6 +274,11 @@ namespace auxfem
             evaluation,
             results,
             std::numeric_limits<double>::infinity());
+  }
+
+  bool Newton::keeps_factorization(const ImplicitScheme &scheme) const
+  {
+    return parameters.keep_factorization && (scheme.is_dynamic() || !yields);
   }
 
   bool Newton::prepare(const ImplicitScheme    &scheme,
@@ -280,7 +295,7 @@ namespace auxfem
     };
     if (stored && matches_step(*stored) &&
         (is_linear ||
-         (parameters.keep_factorization &&
+         (keeps_factorization(scheme) &&
           reduction >= parameters.jacobian_reuse_threshold)))
       {
         stored->is_fresh = false;
@@ -342,7 +357,7 @@ namespace auxfem
         else if (!(turn <= half_revolution))
           return "an iteration turned a section by more than half a turn";
       }
-    if (!scheme.is_dynamic() || has_contact_candidates)
+    if (!scheme.is_dynamic() || has_kinks)
       last_increment = increment;
     rotations.rotate(evaluation, increment);
     scheme.correct(evaluation.from, increment, evaluation.dt, evaluation.to);
@@ -407,7 +422,7 @@ namespace auxfem
                                  const double      norm,
                                  const double      scale) const
   {
-    return estimates_stages && !has_contact_candidates && stored->reduction &&
+    return estimates_stages && !has_kinks && stored->reduction &&
       evaluation.kind == Evaluation::Kind::stage && !evaluation.ends_step &&
       residual_safety_factor * norm <=
       *stored->reduction * parameters.tolerance * scale;

@@ -65,6 +65,7 @@ namespace auxfem
         reason +
         ". Start from rest, or increase the load in steps with "
         "`Scheme = static` to see where equilibrium is lost.");
+    equations.update_history(evaluation);
     if (state.velocity)
       {
         *trial.state.velocity = *state.velocity;

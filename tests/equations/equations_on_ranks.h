@@ -278,6 +278,22 @@ namespace auxfem
         .time(0.5, 0.05);
     }
 
+    /** Struts that yield at a stress of 0.05. Few fibres rarely begin to yield
+     * within a difference quotient. */
+    inline SceneText yielding_struts(const std::string &struts)
+    {
+      return SceneText()
+        .add("Materials/steel",
+             "Law = elastic-plastic | Young's modulus = 1 | Density = 1 | "
+             "Poisson's ratio = 0.3 | Yield stress = 0.05 | "
+             "Plastic strains = 100 | Flow stresses = 20 | "
+             "Kinematic hardening modulus = 0.1 | Grid = 2 | Layers = 2")
+        .add("Sections/steel",
+             "Struts = " + struts +
+               " | Material = steel | Shape = rectangle | Width = 1.2 | "
+               "Height = 1.7");
+    }
+
     /** 2 x 1 x 2 stars in space with the features of star_with_everything(), a
      * revolute hinge and loads that cause large rotations. */
     inline SceneText space_star_with_everything()

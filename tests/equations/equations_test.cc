@@ -15,8 +15,9 @@ namespace
   /** Equations with an irregular step to evaluate. */
   struct Trial
   {
-    explicit Trial(const std::vector<std::string> &overrides = {})
-      : setup(star_with_everything(1, 1), overrides, MPI_COMM_SELF)
+    explicit Trial(const std::vector<std::string> &overrides = {},
+                   const SceneText &text = star_with_everything(1, 1))
+      : setup(text, overrides, MPI_COMM_SELF)
       , from(setup.equations.initial_state())
       , to(from)
     {
@@ -55,9 +56,10 @@ namespace
 
   /** Compares the tangent at a trial with differences of residuals. */
   void check_tangent(const std::vector<std::string> &overrides,
-                     const TangentFactors           &factors)
+                     const TangentFactors           &factors,
+                     const SceneText &text = star_with_everything(1, 1))
   {
-    Trial               trial(overrides);
+    Trial               trial(overrides, text);
     EquationsOnRanks   &setup  = trial.setup;
     const DofNumbering &dofs   = setup.dofs();
     const auto          matrix = setup.make_tangent();
@@ -112,6 +114,15 @@ TEST(Equations, TangentInStaticsIsTheDerivativeOfTheResidual)
 TEST(Equations, TangentOfSmallDisplacementsIsTheDerivativeOfTheResidual)
 {
   check_tangent({"Effects/Large rotation=off"}, {1., 5., 25.});
+}
+
+TEST(Equations, TangentOfYieldingStrutsIsTheDerivativeOfTheResidual)
+{
+  const SceneText yielding =
+    star_with_everything(1, 1) + yielding_struts("0, 3, 4");
+  check_tangent({}, {1., 5., 25.}, yielding);
+  check_tangent({"Time/Scheme=static"}, {1., 2.5, 0.}, yielding);
+  check_tangent({"Effects/Large rotation=off"}, {1., 5., 25.}, yielding);
 }
 
 TEST(Equations, TangentHoldsForEveryOrder)

@@ -108,11 +108,13 @@ namespace
 TEST(Ranks, ResidualAndTangentAreThoseOfOneRank)
 {
   compare_evaluated(star_with_everything(3, 3));
+  compare_evaluated(star_with_everything(3, 3) + yielding_struts("3, 40"));
 }
 
 TEST(Ranks, ResidualAndTangentInSpaceAreThoseOfOneRank)
 {
   compare_evaluated(space_star_with_everything());
+  compare_evaluated(space_star_with_everything() + yielding_struts("3, 20"));
 }
 
 namespace
@@ -397,6 +399,7 @@ TEST(Ranks, HistoryIsNamedAlikeOnAnyNumberOfRanks)
   // Internal variables of two groups, dissipated energies of four, internal
   // variables and strains of struts.
   compare_history(star_with_everything(3, 3), {}, 8);
+  compare_history(star_with_everything(3, 3) + yielding_struts("3, 40"), {}, 9);
   // Rotational springs are included.
   compare_history(space_star_with_everything(),
                   {"Time/Scheme=generalized-alpha"},

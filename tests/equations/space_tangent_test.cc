@@ -32,6 +32,7 @@ namespace
            "Struts = 0, 2 | Material = rubber | Shape = given | Area = 3 | "
            "Shear area = 5 | Second moment of area = 0.7 | Shear area 3 = 4 | "
            "Second moment of area 2 = 0.4 | Torsion constant = 0.5")
+      .add(yielding_struts("5"))
       .add("Joints/spring",
            "Joints = 1 | Struts = 4 | Type = rotational spring | "
            "Stiffness = 0.8")
@@ -326,7 +327,11 @@ TEST(SpaceTangent, BetweenStatesIsTheDerivativeOfMeanForcesUpToTheTurn)
 {
   const std::vector<std::string> soft = {
     "Sections/band/Young's modulus=1e-9",
-    "Materials/rubber/Young's modulus=1e-9"};
+    "Materials/rubber/Young's modulus=1e-9",
+    "Materials/steel/Young's modulus=1e-9",
+    "Materials/steel/Yield stress=5e-11",
+    "Materials/steel/Flow stresses=2e-8",
+    "Materials/steel/Kinematic hardening modulus=1e-10"};
   const double coarse = SpaceMeanStep(soft, 1e-2).error_of_tangent(),
                fine   = SpaceMeanStep(soft, 1e-3).error_of_tangent();
   EXPECT_LT(coarse, 1e-3);

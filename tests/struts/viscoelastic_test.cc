@@ -1,5 +1,4 @@
 #include <auxfem/parameters/errors.h>
-#include <auxfem/struts/material.h>
 
 #include <gtest/gtest.h>
 
@@ -7,23 +6,18 @@
 #include <complex>
 #include <random>
 
+#include "section_on_trial.h"
+
 using namespace auxfem;
 
 namespace
 {
   using Complex = std::complex<double>;
 
-  /** The law of a material with these entries in `Materials/NAME`. */
   std::unique_ptr<SectionLaw>
   make_law(const std::map<std::string, std::string> &entries)
   {
-    Parameters parameters = material_parameters();
-    for (const Parameter &parameter : viscoelastic_entry().parameters)
-      parameters.push_back(parameter);
-    ParameterValues values(parameters);
-    for (const auto &[name, value] : entries)
-      values.set(name, value);
-    return viscoelastic_entry().make(values);
+    return auxfem::make_law(viscoelastic_entry(), entries);
   }
 
   const std::map<std::string, std::string> three_terms = {
@@ -38,56 +32,15 @@ namespace
     return entries;
   }
 
-  /** A Gauss point whose strains are all normal, with unlike stiffnesses. */
-  struct Point
+  /** A Gauss point in the plane, with unlike stiffnesses. */
+  struct Point : public SectionOnTrial<3>
   {
     explicit Point(const SectionLaw &law)
-      : law(law)
-      , committed(n_history(), 0.)
-      , trial(committed)
+      : SectionOnTrial(
+          law,
+          {{StrainType::normal, StrainType::shear, StrainType::normal}},
+          {{2., 3., 5.}})
     {}
-
-    unsigned int n_history() const
-    {
-      return law.n_internal(point) + law.n_kept(point);
-    }
-
-    /** Takes a step to @p strains and keeps its history. */
-    SectionResponse step(const SectionStep &step, const Lanes (&strains)[3])
-    {
-      const SectionResponse response = evaluate(step, strains);
-      lost      = law.losses(step)->lost(point, committed.data(), trial.data());
-      committed = trial;
-      return response;
-    }
-
-    SectionResponse evaluate(const SectionStep &step, const Lanes (&strains)[3])
-    {
-      SectionResponse response;
-      law.update(step)->evaluate(point,
-                                 strains,
-                                 committed.data(),
-                                 trial.data(),
-                                 response);
-      return response;
-    }
-
-    SectionInstant instant(const Lanes (&strains)[3]) const
-    {
-      std::vector<Lanes> rates(n_history());
-      SectionInstant     now;
-      law.instant(point, strains, committed.data(), rates.data(), now);
-      return now;
-    }
-
-    const SectionLaw  &law;
-    const StrainType   types[3]     = {StrainType::normal,
-                                       StrainType::shear,
-                                       StrainType::normal};
-    const Lanes        stiffness[3] = {2., 3., 5.};
-    const SectionPoint point        = {3, types, stiffness};
-    std::vector<Lanes> committed, trial;
-    Lanes              lost = 0;
   };
 
   double first(const Lanes &lanes)

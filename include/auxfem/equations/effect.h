@@ -106,6 +106,12 @@ namespace auxfem
                          EnergyAccount & /*account*/) const
     {}
 
+    /** Writes the history at the end of a solved step to solved.to, where
+     * residuals have not done so. Called before account_step(); the step may
+     * still be undone. */
+    virtual void update_history(const Evaluation & /*solved*/) const
+    {}
+
     /** Adds dissipation and work of a solved step or an impulse, and updates
      * dependent internal variables. */
     virtual void account_step(const Evaluation & /*step*/,

@@ -199,6 +199,9 @@ namespace auxfem
      * evaluation.to, by local unknown. */
     Vector load_derivative(const Evaluation &evaluation) const;
 
+    /** Completes the history of @p solved .to, as accept() does. */
+    void update_history(const Evaluation &solved) const;
+
     /**
      * Completes evaluation.to with history, work and energies. The step may
      * still be undone. Collective.

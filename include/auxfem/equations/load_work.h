@@ -45,8 +45,8 @@ namespace auxfem
    *
    * the integral of F du is the mean force times the increment plus
    * (a d - b c) / 6. In linear scenes the sum vanishes by Betti's theorem. Not
-   * applied after an event or with viscosity, which is accounted for with mean
-   * forces.
+   * applied after an event, nor with viscosity or struts that lose energy,
+   * which are accounted for with mean forces.
    */
   class PathWork
   {
@@ -54,7 +54,7 @@ namespace auxfem
     explicit PathWork(const Evaluation &step)
     {
       if (step.kind != Evaluation::Kind::static_step || step.to.velocity ||
-          !step.from.before)
+          step.to.has_mean_work || !step.from.before)
         return;
       before       = &*step.from.before;
       length_ratio = before->dt / step.dt;

@@ -69,6 +69,7 @@ namespace auxfem
   EffectDefinition connector_viscosity_effect();
   EffectDefinition strut_damping_effect();
   EffectDefinition strut_relaxation_effect();
+  EffectDefinition plasticity_effect();
   EffectDefinition gravity_effect();
   EffectDefinition hinges_effect();
   EffectDefinition contact_effect();

@@ -28,6 +28,7 @@ namespace auxfem
     Switch connector_viscosity = Switch::automatic;
     Switch strut_damping       = Switch::automatic;
     Switch strut_relaxation    = Switch::automatic;
+    Switch plasticity          = Switch::automatic;
     Switch gravity             = Switch::automatic;
     Switch hinges              = Switch::automatic;
     Switch contact             = Switch::automatic;

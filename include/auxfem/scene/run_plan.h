@@ -42,8 +42,8 @@ namespace auxfem
   struct SimulatedEffects
   {
     bool large_rotation, shear_flexibility, inertia, rotary_inertia,
-      connector_viscosity, strut_damping, strut_relaxation, gravity, hinges,
-      contact;
+      connector_viscosity, strut_damping, strut_relaxation, plasticity, gravity,
+      hinges, contact;
     /** Whether the program chose small displacements and must end the run where
      * they become wrong (analysis/small_displacement_limit.h). */
     bool small_displacements_are_limited = false;

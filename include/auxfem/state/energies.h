@@ -85,6 +85,7 @@ namespace auxfem
   EnergyEntry stored_energy_entry();
   EnergyEntry numerical_energy_entry();
   EnergyEntry relaxation_energy_entry();
+  EnergyEntry plastic_energy_entry();
   EnergyEntry contact_energy_entry();
   EnergyEntry friction_energy_entry();
   ///@}

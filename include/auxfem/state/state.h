@@ -49,6 +49,8 @@ namespace auxfem
     /** Alpha methods except Newmark. */
     bool algorithmic_acceleration = false;
     bool compensation             = false; ///< discrete-gradient schemes
+    /** Struts that lose energy: their ledger has the work of mean forces. */
+    bool mean_work = false;
     /**
      * Number of rotations in space stored as quaternions; 0 if they stay
      * small.
@@ -150,6 +152,9 @@ namespace auxfem
      * DofNumbering::rotations().
      */
     std::vector<Quaternion> rotations;
+
+    /** StateLayout::mean_work. */
+    bool has_mean_work;
 
     /** StateLayout::plane_rotations. */
     std::shared_ptr<const std::vector<int>> plane_rotations;

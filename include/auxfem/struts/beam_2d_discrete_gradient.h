@@ -2,7 +2,7 @@
 #define auxfem_struts_beam_2d_discrete_gradient_h
 
 #include <auxfem/mathematics/cayley_rotation.h>
-#include <auxfem/struts/beam_2d.h>
+#include <auxfem/struts/beam_2d_tangent.h>
 #include <auxfem/struts/beam_dispatch.h>
 
 /**
@@ -386,7 +386,7 @@ namespace auxfem
                                                 increments);
           const StepKinematicsOf<Number>  k =
             step_kinematics(start.points[g], point);
-          const LinearizedOf<Number> linearized =
+          const auto linearized =
             section.mean_linearized(g, k.start, k.increment);
           ForcesOf<Number> mean = linearized.forces;
           if (damped)
@@ -398,10 +398,10 @@ namespace auxfem
                                      const Number &elastic) {
             return stiffness_factor * mean_stiffness + added * elastic;
           };
-          const StiffnessOf<Number> &law = linearized.stiffness;
-          const Number EA = by_strain(law.axial, section.stiffness.axial),
-                       GA = by_strain(law.shear, section.stiffness.shear),
-                       EI = by_strain(law.bending, section.stiffness.bending);
+          const auto  &law = linearized.stiffness;
+          const Number EA  = by_strain(law.axial, section.stiffness.axial),
+                       GA  = by_strain(law.shear, section.stiffness.shear),
+                       EI  = by_strain(law.bending, section.stiffness.bending);
           // Derivatives of mean N and Q by x', y' and phi at the end.
           const Number c                = 2 * k.cosine - start.points[g].cosine,
                        s                = 2 * k.sine - start.points[g].sine;
@@ -459,6 +459,30 @@ namespace auxfem
                   bending * rotation.derivative[a] *
                     shape.rotation_derivative[g][b];
               }
+          if constexpr (std::decay_t<decltype(law)>::can_couple)
+            if (law.is_coupled)
+              add_couplings(law,
+                            Number(w * jacobian * stiffness_factor),
+                            StrainOperator<order, Number>(shape,
+                                                          g,
+                                                          jacobian,
+                                                          k.cosine,
+                                                          k.sine,
+                                                          k.stretch,
+                                                          k.slip,
+                                                          rotation.value,
+                                                          rotation.derivative),
+                            StrainOperator<order, Number>(
+                              shape,
+                              g,
+                              jacobian,
+                              c,
+                              s,
+                              Number(end.epsilon + frames[g].axial),
+                              Number(end.gamma + frames[g].shear),
+                              shape.value[g],
+                              shape.rotation_derivative[g]),
+                            matrix);
         }
     }
   } // namespace Beam2D

@@ -182,19 +182,81 @@ namespace auxfem
       TensorOf<Number> force_by_slope, force_by_spin;   ///< of n
       TensorOf<Number> couple_by_slope, couple_by_spin; ///< of n x rbar'
       TensorOf<Number> moment_by_spin, moment_by_spin_slope;
+      /** @name Zero unless the section couples gamma and kappa. */
+      ///@{
+      TensorOf<Number> force_by_spin_slope, couple_by_spin_slope,
+        moment_by_slope;
+      ///@}
     };
+
+    /** Derivatives of mean section forces and moments by the strains at the end
+     * of a step, in fixed axes times section axes. */
+    template <class Number>
+    struct MeanByStrainsOf
+    {
+      /** @param axes, cofactor fixed axes of forces and moments as columns */
+      MeanByStrainsOf(const TensorOf<Number>    &axes,
+                      const TensorOf<Number>    &cofactor,
+                      const StiffnessOf<Number> &stiffness)
+      {
+        const VectorOf<Number> ones({1, 1, 1});
+        const VectorOf<Number> by_gamma = section_force(stiffness, ones);
+        const VectorOf<Number> by_kappa = section_moment(stiffness, ones);
+        for (int i = 0; i < 3; ++i)
+          for (int j = 0; j < 3; ++j)
+            {
+              force_by_gamma[i][j]  = axes[i][j] * by_gamma[j];
+              moment_by_kappa[i][j] = cofactor[i][j] * by_kappa[j];
+            }
+      }
+
+      MeanByStrainsOf(const TensorOf<Number>           &axes,
+                      const TensorOf<Number>           &cofactor,
+                      const CoupledStiffnessOf<Number> &stiffness)
+        : MeanByStrainsOf(axes,
+                          cofactor,
+                          static_cast<const StiffnessOf<Number> &>(stiffness))
+      {
+        if (!stiffness.is_coupled)
+          return;
+        force_by_gamma  = axes * stiffness.by_gamma;
+        moment_by_kappa = cofactor * stiffness.by_kappa;
+      }
+
+      TensorOf<Number> force_by_gamma, moment_by_kappa;
+    };
+
+    /** Adds the stiffness by which forces depend on kappa and moments on
+     * gamma. */
+    template <class Number>
+    inline void add_couplings(const StepPointOf<Number>        &point,
+                              const CoupledStiffnessOf<Number> &stiffness,
+                              const TensorOf<Number>           &axes,
+                              const TensorOf<Number>           &cofactor,
+                              const TensorOf<Number>           &end_axes,
+                              MeanStiffnessOf<Number>          &k)
+    {
+      k.force_by_spin_slope =
+        axes * stiffness.gamma_by_kappa * transpose(end_axes);
+      k.couple_by_spin_slope =
+        -1. * cross_product_tensor(point.slope) * k.force_by_spin_slope;
+      k.moment_by_slope =
+        cofactor * transpose(stiffness.gamma_by_kappa) * transpose(end_axes);
+      k.moment_by_spin +=
+        k.moment_by_slope * cross_product_tensor(point.end.slope);
+    }
 
     /**
      * @param stiffness derivatives of the mean section forces by the strains at
      *   the end
      * @param stiffness_factor derivative of mean strains by strains at the end
      */
-    template <class Number>
+    template <class Number, class Stiffness>
     inline MeanStiffnessOf<Number>
     mean_stiffness(const StepPointOf<Number> &point,
                    const FrameOf<Number>     &frame,
                    const ForcesOf<Number>    &mean,
-                   const StiffnessOf<Number> &stiffness,
+                   const Stiffness           &stiffness,
                    const double               stiffness_factor)
     {
       const TensorOf<Number> start_axes =
@@ -204,32 +266,26 @@ namespace auxfem
                              cofactor = point.determinant *
         plus_identity(0.5 * cross_product_tensor(point.turn), Number(1)) *
         start_axes;
-      const VectorOf<Number> ones({1, 1, 1});
-      const VectorOf<Number> by_gamma = section_force(stiffness, ones),
-                             by_kappa = section_moment(stiffness, ones);
-      TensorOf<Number> force_by_gamma, moment_by_kappa;
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
-          {
-            force_by_gamma[i][j]  = axes[i][j] * by_gamma[j];
-            moment_by_kappa[i][j] = cofactor[i][j] * by_kappa[j];
-          }
+      const MeanByStrainsOf<Number> by_strains(axes, cofactor, stiffness);
       const VectorOf<Number>  n = axes * mean.force, m = cofactor * mean.moment;
       const TensorOf<Number>  slope_cross = cross_product_tensor(point.slope);
       MeanStiffnessOf<Number> k;
-      k.force_by_slope = force_by_gamma * transpose(end_axes);
+      k.force_by_slope = by_strains.force_by_gamma * transpose(end_axes);
       k.force_by_spin =
         k.force_by_slope * cross_product_tensor(point.end.slope) -
         stiffness_factor * cross_product_tensor(end_axes * mean.force);
       k.couple_by_slope = stiffness_factor * cross_product_tensor(n) -
         slope_cross * k.force_by_slope;
       k.couple_by_spin       = -1. * slope_cross * k.force_by_spin;
-      k.moment_by_spin_slope = moment_by_kappa * transpose(end_axes);
+      k.moment_by_spin_slope = by_strains.moment_by_kappa * transpose(end_axes);
       const TensorOf<Number> turn_by_spin =
         cayley_spin_derivative(-1. * point.turn);
       k.moment_by_spin = -stiffness_factor * point.determinant *
         (cross_product_tensor(start_axes * mean.moment) + dyad(m, point.turn)) *
         turn_by_spin;
+      if constexpr (Stiffness::can_couple)
+        if (stiffness.is_coupled)
+          add_couplings(point, stiffness, axes, cofactor, end_axes, k);
       return k;
     }
 
@@ -284,29 +340,35 @@ namespace auxfem
             1 / jacobian,
             RelativePointOf<Number>(shape, g, 1 / jacobian, element.end),
             at_end);
-          StrainsOf<Number>          by_damping;
-          const LinearizedOf<Number> linearized = section.mean_linearized(
+          StrainsOf<Number> by_damping;
+          const auto        linearized = section.mean_linearized(
             g,
             point.start.strains,
             point.end.strains,
             added_strains(point, damping_rate, damping, g, by_damping));
-          const MeanStiffnessOf<Number> k =
-            mean_stiffness(point,
-                           frames[g],
-                           linearized.forces,
-                           combined(stiffness_factor,
-                                    linearized.stiffness,
-                                    added_factor,
-                                    section.stiffness),
-                           stiffness_factor);
-          const Number weight = shape.weight[g] * jacobian;
+          const auto stiffness            = combined(stiffness_factor,
+                                          linearized.stiffness,
+                                          added_factor,
+                                          section.stiffness);
+          using Stiffness                 = std::decay_t<decltype(stiffness)>;
+          const MeanStiffnessOf<Number> k = mean_stiffness(point,
+                                                           frames[g],
+                                                           linearized.forces,
+                                                           stiffness,
+                                                           stiffness_factor);
+          const Number                  weight = shape.weight[g] * jacobian;
           for (int b = 0; b <= order; ++b)
             {
-              const Number           Db     = shape.derivative[g][b] / jacobian;
-              const TensorOf<Number> force  = k.force_by_spin * end.value[b],
-                                     couple = k.couple_by_spin * end.value[b],
-                                     moment = k.moment_by_spin * end.value[b] +
+              const Number     Db           = shape.derivative[g][b] / jacobian;
+              TensorOf<Number> force        = k.force_by_spin * end.value[b],
+                               couple       = k.couple_by_spin * end.value[b];
+              const TensorOf<Number> moment = k.moment_by_spin * end.value[b] +
                 k.moment_by_spin_slope * end.slope[b];
+              if constexpr (Stiffness::can_couple)
+                {
+                  force += k.force_by_spin_slope * end.slope[b];
+                  couple += k.couple_by_spin_slope * end.slope[b];
+                }
               for (int a = 0; a <= order; ++a)
                 {
                   const double Da = shape.weight[g] * shape.derivative[g][a];
@@ -318,6 +380,10 @@ namespace auxfem
                   add_block(weight * Db * A * k.couple_by_slope,
                             n,
                             block + 3 * n);
+                  if constexpr (Stiffness::can_couple)
+                    add_block(weight * Db * B * k.moment_by_slope,
+                              n,
+                              block + 3 * n);
                   add_block(weight * (A * couple + B * moment),
                             n,
                             block + 3 * n + 3);

@@ -64,10 +64,27 @@ namespace auxfem
     template <class Number>
     struct StiffnessOf
     {
+      /** Whether the type has stiffnesses between unlike strains. */
+      static constexpr bool can_couple = false;
+
       Number axial, shear_2, shear_3;
       Number torsion, bending_2, bending_3;
     };
     using Stiffness = StiffnessOf<double>;
+
+    /** Section stiffness of a law. */
+    template <class Number>
+    struct CoupledStiffnessOf : public StiffnessOf<Number>
+    {
+      static constexpr bool can_couple = true;
+
+      /** Whether forces depend on other strains than their own; the tensors
+       * then hold all derivatives, else they are unset. */
+      bool is_coupled = false;
+      /** Derivatives of forces by gamma (N) and by kappa (N m), and of moments
+       * by kappa (N m2). */
+      TensorOf<Number> by_gamma, gamma_by_kappa, by_kappa;
+    };
 
     /** Motion of a node since rest. */
     template <class Number>
@@ -282,12 +299,12 @@ namespace auxfem
       Number           stored;
     };
 
-    /** Section forces and their derivatives by the conjugate strains. */
-    template <class Number>
+    /** Section forces and their derivatives by the strains. */
+    template <class Number, class Stiffness = StiffnessOf<Number>>
     struct LinearizedOf
     {
-      ForcesOf<Number>    forces;
-      StiffnessOf<Number> stiffness;
+      ForcesOf<Number> forces;
+      Stiffness        stiffness;
     };
 
     /**
@@ -365,6 +382,36 @@ namespace auxfem
               sum(&S::torsion),
               sum(&S::bending_2),
               sum(&S::bending_3)};
+    }
+
+    /** @copydoc combined */
+    template <class Number, class Factor>
+    inline CoupledStiffnessOf<Number>
+    combined(const Factor                     &factor,
+             const CoupledStiffnessOf<Number> &one,
+             const Number                     &other_factor,
+             const StiffnessOf<Number>        &other)
+    {
+      CoupledStiffnessOf<Number> result;
+      static_cast<StiffnessOf<Number> &>(result) =
+        combined(factor,
+                 static_cast<const StiffnessOf<Number> &>(one),
+                 other_factor,
+                 other);
+      result.is_coupled = one.is_coupled;
+      if (!one.is_coupled)
+        return result;
+      const VectorOf<Number> ones({1, 1, 1});
+      result.gamma_by_kappa = factor * one.gamma_by_kappa;
+      result.by_gamma       = factor * one.by_gamma;
+      result.by_kappa       = factor * one.by_kappa;
+      for (int i = 0; i < 3; ++i)
+        {
+          result.by_gamma[i][i] += other_factor * section_force(other, ones)[i];
+          result.by_kappa[i][i] +=
+            other_factor * section_moment(other, ones)[i];
+        }
+      return result;
     }
   } // namespace Beam3D
 } // namespace auxfem

@@ -14,25 +14,93 @@ namespace auxfem
     {
       TensorOf<Number> slope_slope, slope_psi, psi_psi, psi_gradient,
         gradient_gradient;
+      /** Zero unless the section couples gamma and kappa. */
+      TensorOf<Number> slope_gradient;
     };
     using Hessian = HessianOf<double>;
 
+    /** Derivatives of section forces by gamma, in components along the columns
+     * of @p axes turned to the fixed ones. */
     template <class Number>
-    inline HessianOf<Number>
-    energy_hessian(const KinematicsOf<Number> &point,
-                   const StiffnessOf<Number>  &stiffness,
-                   const GradientOf<Number>   &d)
+    inline TensorOf<Number> force_by_gamma(const TensorOf<Number>    &axes,
+                                           const StiffnessOf<Number> &stiffness)
+    {
+      return with_principal_values(
+        axes,
+        section_force(stiffness, VectorOf<Number>({1., 1., 1.})));
+    }
+
+    /** @copydoc force_by_gamma */
+    template <class Number>
+    inline TensorOf<Number>
+    force_by_gamma(const TensorOf<Number>           &axes,
+                   const CoupledStiffnessOf<Number> &stiffness)
+    {
+      using Uncoupled = StiffnessOf<Number>;
+      return stiffness.is_coupled
+        ? TensorOf<Number>(axes * stiffness.by_gamma * transpose(axes))
+        : force_by_gamma(axes, static_cast<const Uncoupled &>(stiffness));
+    }
+
+    /** As force_by_gamma(), of section moments by kappa. */
+    template <class Number>
+    inline TensorOf<Number>
+    moment_by_kappa(const TensorOf<Number>    &axes,
+                    const StiffnessOf<Number> &stiffness)
+    {
+      return with_principal_values(
+        axes,
+        section_moment(stiffness, VectorOf<Number>({1., 1., 1.})));
+    }
+
+    /** @copydoc moment_by_kappa */
+    template <class Number>
+    inline TensorOf<Number>
+    moment_by_kappa(const TensorOf<Number>           &axes,
+                    const CoupledStiffnessOf<Number> &stiffness)
+    {
+      using Uncoupled = StiffnessOf<Number>;
+      return stiffness.is_coupled
+        ? TensorOf<Number>(axes * stiffness.by_kappa * transpose(axes))
+        : moment_by_kappa(axes, static_cast<const Uncoupled &>(stiffness));
+    }
+
+    /**
+     * Adds the second derivatives by which forces depend on kappa and moments
+     * on gamma.
+     * @param gamma_by_psi, kappa_by_psi derivatives of strains in the frame
+     *   @p middle_axes
+     * @param T derivative of kappa by psi'
+     */
+    template <class Number>
+    inline void add_couplings(const KinematicsOf<Number>       &point,
+                              const CoupledStiffnessOf<Number> &stiffness,
+                              const TensorOf<Number>           &turn,
+                              const TensorOf<Number>           &gamma_by_psi,
+                              const TensorOf<Number>           &kappa_by_psi,
+                              const TensorOf<Number>           &T,
+                              HessianOf<Number>                &h)
+    {
+      const TensorOf<Number> force_by_kappa = point.middle_axes *
+        stiffness.gamma_by_kappa * transpose(point.middle_axes);
+      const TensorOf<Number> force_by_psi = force_by_kappa * kappa_by_psi,
+                             psi_psi = transpose(gamma_by_psi) * force_by_psi;
+      h.slope_psi += turn * force_by_psi;
+      h.slope_gradient = turn * force_by_kappa * T;
+      h.psi_psi += psi_psi + transpose(psi_psi);
+      h.psi_gradient += transpose(gamma_by_psi) * force_by_kappa * T;
+    }
+
+    template <class Number, class Stiffness>
+    inline HessianOf<Number> energy_hessian(const KinematicsOf<Number> &point,
+                                            const Stiffness          &stiffness,
+                                            const GradientOf<Number> &d)
     {
       const RotationCoefficientsOf<Number> &c = point.coefficients;
-      const VectorOf<Number>                ones({1., 1., 1.});
       const TensorOf<Number>                by_gamma =
-                               with_principal_values(point.middle_axes,
-                                                     section_force(stiffness,
-                                                                   ones)),
+                               force_by_gamma(point.middle_axes, stiffness),
                              by_kappa =
-                               with_principal_values(point.middle_axes,
-                                                     section_moment(stiffness,
-                                                                    ones));
+                               moment_by_kappa(point.middle_axes, stiffness);
       const TensorOf<Number> slope_cross = cross_product_tensor(d.middle_slope),
                              force_cross = cross_product_tensor(d.middle_force);
       const TensorOf<Number> &T          = d.tangent;
@@ -43,10 +111,9 @@ namespace auxfem
         by_gamma * slope_cross - force_cross;
 
       HessianOf<Number> h;
-      h.slope_slope =
-        with_principal_values(point.axes, section_force(stiffness, ones));
-      h.slope_psi = turn * force_by_spin * T;
-      h.psi_psi   = transpose(T) *
+      h.slope_slope = force_by_gamma(point.axes, stiffness);
+      h.slope_psi   = turn * force_by_spin * T;
+      h.psi_psi     = transpose(T) *
           (force_cross * slope_cross - slope_cross * by_gamma * slope_cross) *
           T +
         left_tangent_derivative(c,
@@ -61,6 +128,15 @@ namespace auxfem
       h.psi_gradient = transpose(kappa_by_psi) * by_kappa * T +
         transpose(left_tangent_derivative(c, point.psi, d.middle_moment));
       h.gradient_gradient = transpose(T) * by_kappa * T;
+      if constexpr (Stiffness::can_couple)
+        if (stiffness.is_coupled)
+          add_couplings(point,
+                        stiffness,
+                        turn,
+                        slope_cross * T,
+                        kappa_by_psi,
+                        T,
+                        h);
       return h;
     }
 
@@ -77,7 +153,8 @@ namespace auxfem
       TensorOf<Number>     force_middle[n], psi_middle[n], middle_force[n],
         middle_psi[n], middle_middle;
 
-      /** Adds a Gauss point. */
+      /** Adds a Gauss point; @p couples as HessianOf::slope_gradient. */
+      template <bool couples>
       void add(const BeamShape<order>     &shape,
                const int                   g,
                const Number                jacobian,
@@ -103,6 +180,12 @@ namespace auxfem
             psi_middle[a] += weight * Na * psi_by_middle;
             middle_force[a] += weight * Da * couple_by_slope;
             middle_psi[a] += weight * Na * couple_by_psi;
+            if constexpr (couples)
+              {
+                psi_middle[a] +=
+                  weight * Ra * transpose(h.slope_gradient) * slope_cross;
+                middle_psi[a] -= weight * Ra * slope_cross * h.slope_gradient;
+              }
             for (int b = 0; b < n; ++b)
               {
                 const Number Db = shape.derivative[g][b] / jacobian,
@@ -110,6 +193,8 @@ namespace auxfem
                 const double Nb = shape.value[g][b];
                 force_force[a][b] += weight * Da * Db * h.slope_slope;
                 force_psi[a][b] += weight * Da * Nb * h.slope_psi;
+                if constexpr (couples)
+                  force_psi[a][b] += weight * Da * Rb * h.slope_gradient;
                 // Fill the upper half; complete() transposes it.
                 if (b >= a)
                   psi_psi[a][b] += weight *
@@ -270,14 +355,14 @@ namespace auxfem
      * @param sections section forces at the Gauss points and their derivatives
      *   by strains
      */
-    template <int order, class Number>
-    inline void
-    tangent_with_forces(const BeamShape<order>                 &shape,
-                        const ElementKinematics<order, Number> &element,
-                        const Number                            jacobian,
-                        const LinearizedOf<Number> (&sections)[order],
-                        const Number factor,
-                        Number      *matrix)
+    template <int order, class Number, class Stiffness>
+    inline void tangent_with_forces(
+      const BeamShape<order>                 &shape,
+      const ElementKinematics<order, Number> &element,
+      const Number                            jacobian,
+      const LinearizedOf<Number, Stiffness> (&sections)[order],
+      const Number factor,
+      Number      *matrix)
     {
       constexpr int                  n = n_components * (order + 1);
       ElementGradient<order, Number> gradient;
@@ -290,12 +375,13 @@ namespace auxfem
                             sections[g].forces.force,
                             sections[g].forces.moment);
           gradient.add(shape, g, jacobian, at_point);
-          hessian.add(shape,
-                      g,
-                      jacobian,
-                      point,
-                      at_point,
-                      energy_hessian(point, sections[g].stiffness, at_point));
+          hessian.template add<Stiffness::can_couple>(
+            shape,
+            g,
+            jacobian,
+            point,
+            at_point,
+            energy_hessian(point, sections[g].stiffness, at_point));
         }
       hessian.complete();
       const NodeOperators<order, Number> operators(element.relative);
@@ -337,7 +423,7 @@ namespace auxfem
                         const Number                            factor,
                         Number                                 *matrix)
     {
-      LinearizedOf<Number> sections[order];
+      decltype(section.linearized(0, StrainsOf<Number>())) sections[order];
       for (int g = 0; g < order; ++g)
         sections[g] = section.linearized(g, element.points[g].strains);
       tangent_with_forces(shape, element, jacobian, sections, factor, matrix);
@@ -382,15 +468,14 @@ namespace auxfem
                                            Number                 *matrix)
     {
       const NodeOf<Number> at_rest[order + 1] = {};
-      LinearizedOf<Number> sections[order];
+      decltype(section.linearized(0, StrainsOf<Number>())) sections[order];
       for (int g = 0; g < order; ++g)
-        sections[g] = {
-          {},
-          section
-            .linearized(
-              g,
-              small_displacement_strains(shape, g, frames, jacobian, u))
-            .stiffness};
+        {
+          sections[g] = section.linearized(
+            g,
+            small_displacement_strains(shape, g, frames, jacobian, u));
+          sections[g].forces = {};
+        }
       tangent_with_forces(
         shape,
         ElementKinematics<order, Number>(shape, frames, jacobian, at_rest),

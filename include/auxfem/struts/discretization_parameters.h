@@ -17,6 +17,8 @@ namespace auxfem
     /** Allowed discretization error (1) for the choice of elements; nothing:
      * use the elements given here. */
     std::optional<double> tolerance = {};
+    /** Whether the scene leaves the elements to the program. */
+    bool is_default = true;
 
     StrutDivision common_division() const
     {
@@ -31,9 +33,11 @@ namespace auxfem
    * Reads the values of that subsection.
    * @param is_chosen_by_default whether `Order = default` means `auto` in the
    *   analysis of the scene
+   * @param yields whether a material of the scene yields
    */
   DiscretizationParameters read_discretization(const ParameterValues &values,
-                                               bool is_chosen_by_default);
+                                               bool is_chosen_by_default,
+                                               bool yields);
 } // namespace auxfem
 
 #endif

@@ -30,8 +30,11 @@ namespace auxfem
   /** Parameters of the material constants, for materials and for sections. */
   Parameters material_parameters();
 
-  /** Poisson's ratio among material_parameters(). */
+  /** @name Young's modulus and Poisson's ratio among material_parameters(). */
+  ///@{
+  const Quantity &youngs_modulus_parameter();
   const Quantity &poissons_ratio_parameter();
+  ///@}
 
   /**
    * Reads material_parameters(); the law is left empty. Throws InputError

@@ -43,6 +43,8 @@ namespace auxfem
     std::array<double, 2> half_thicknesses = {{0., 0.}};
     /** Outer-fibre strain at which the material yields; empty: not given. */
     std::optional<double> yield_strain;
+    /** Shape, for laws that need it. */
+    SectionShape shape;
     /** Radius of the tube drawn in ParaView (m). */
     double radius = 0;
     /** The time beta in stress = E (strain + beta strain rate) (s). */
@@ -51,6 +53,12 @@ namespace auxfem
     double mass_proportional_damping = 0;
     /** Law of the material; empty: linear elastic. */
     std::shared_ptr<const SectionLaw> law;
+
+    /** Whether the material yields. */
+    bool yields() const
+    {
+      return law && law->yields();
+    }
 
     /** This section after complete relaxation, linear elastic. */
     Section relaxed() const
@@ -132,14 +140,21 @@ namespace auxfem
     bool has_density = true;
   };
 
+  /** Whether a section has a material that yields. */
+  bool yields(const std::vector<SectionDefinition> &sections);
+
   /** `Sections`. */
   SubsectionSchema sections_schema();
 
-  /** Reads the values of one such subsection. Throws InputError if they are
-   * inconsistent or name none of the @p materials. */
+  /**
+   * Reads the values of one such subsection. Throws InputError if they are
+   * inconsistent or name none of the @p materials.
+   * @param others sections before, whose laws serve equal ones
+   */
   SectionDefinition
   read_section(ParameterValues                       &values,
-               const std::vector<MaterialDefinition> &materials);
+               const std::vector<MaterialDefinition> &materials,
+               const std::vector<SectionDefinition>  &others);
 } // namespace auxfem
 
 #endif

@@ -3,6 +3,7 @@
 
 #include <auxfem/mathematics/lanes.h>
 #include <auxfem/parameters/registry.h>
+#include <auxfem/struts/fibres.h>
 
 #include <map>
 #include <memory>
@@ -35,8 +36,50 @@ namespace auxfem
     Lanes forces[max_section_strains];
     /** Derivative of each force by its strain. */
     Lanes tangent[max_section_strains];
+    /** Derivative of each force by the other strains, symmetric; set only if
+     * SectionLaw::couples_strains(). */
+    Lanes coupling[max_section_strains][max_section_strains];
     /** Energy stored per length (J/m). */
     Lanes stored;
+  };
+
+  /**
+   * History of a Gauss point of several elements: internal variables, which
+   * obey differential equations, and other values kept from step to step. Read
+   * one by one, since most laws need few of them.
+   */
+  struct SectionHistory
+  {
+    LaneArray<const double *> internal_values, kept_values;
+
+    Lanes internal(const unsigned int i) const
+    {
+      return make_lanes(
+        [&](const auto lane) { return internal_values[lane][i]; });
+    }
+
+    Lanes kept(const unsigned int i) const
+    {
+      return make_lanes([&](const auto lane) { return kept_values[lane][i]; });
+    }
+  };
+
+  /** Receives the history of a Gauss point. */
+  struct SectionHistoryOutput
+  {
+    LaneArray<double *> internal_values, kept_values;
+
+    void set_internal(const unsigned int i, const Lanes &value) const
+    {
+      for (std::size_t lane = 0; lane < n_lanes; ++lane)
+        internal_values[lane][i] = lane_value(value, lane);
+    }
+
+    void set_kept(const unsigned int i, const Lanes &value) const
+    {
+      for (std::size_t lane = 0; lane < n_lanes; ++lane)
+        kept_values[lane][i] = lane_value(value, lane);
+    }
   };
 
   /** Section forces at an instant, without history. */
@@ -73,11 +116,8 @@ namespace auxfem
     double dt; ///< length (s), 0 if no time passes
   };
 
-  /**
-   * A law over steps of one kind and length. Holds coefficients that all Gauss
-   * points share. History arrays have the internal variables of the law first,
-   * then its kept values.
-   */
+  /** A law over steps of one kind and length. Holds coefficients that all Gauss
+   * points share. */
   class SectionUpdate
   {
   public:
@@ -87,18 +127,18 @@ namespace auxfem
      * Computes section forces and tangents.
      * @param strains at the end of the step
      * @param committed history at its start
-     * @param trial receives the history at the end
+     * @param end receives the history at the end, unless nullptr
      */
-    virtual void evaluate(const SectionPoint &point,
-                          const Lanes        *strains,
-                          const Lanes        *committed,
-                          Lanes              *trial,
-                          SectionResponse    &response) const = 0;
+    virtual void evaluate(const SectionPoint         &point,
+                          const Lanes                *strains,
+                          const SectionHistory       &committed,
+                          const SectionHistoryOutput *end,
+                          SectionResponse            &response) const = 0;
 
     /** Strains at the start of the step, from its history. */
-    virtual void start_strains(const SectionPoint &point,
-                               const Lanes        *committed,
-                               Lanes              *strains) const = 0;
+    virtual void start_strains(const SectionPoint   &point,
+                               const SectionHistory &committed,
+                               Lanes                *strains) const = 0;
   };
 
   /** Energies lost by a law in steps of one kind and length. */
@@ -111,24 +151,44 @@ namespace auxfem
      * Energy lost per length in an accepted step (J/m), >= 0.
      * @param committed, accepted history at the start and the end
      */
-    virtual Lanes lost(const SectionPoint &point,
-                       const Lanes        *committed,
-                       const Lanes        *accepted) const = 0;
+    virtual Lanes lost(const SectionPoint   &point,
+                       const SectionHistory &committed,
+                       const SectionHistory &accepted) const = 0;
   };
 
   /**
    * The law of a material in the sections of struts: strain history at a Gauss
-   * point to section forces. One object serves all struts of a material and
-   * holds parameters only. All history is zero at rest. Elastic struts have no
-   * such law: ElasticSection in the kernels is theirs.
+   * point to section forces. One object serves all struts of a material, or
+   * those with sections of one shape, and holds parameters only. All history is
+   * zero at rest. Elastic struts have no such law: ElasticSection in the
+   * kernels is theirs.
    */
   class SectionLaw
   {
   public:
     virtual ~SectionLaw() = default;
 
+    /** The law in sections of a shape; nullptr: this one, which serves all. */
+    virtual std::shared_ptr<const SectionLaw>
+    in_shape(const SectionShape & /*shape*/) const
+    {
+      return nullptr;
+    }
+
     /** Whether forces are linear in strains and history. */
     virtual bool is_linear() const = 0;
+
+    /** Whether a force depends on strains besides its own. */
+    virtual bool couples_strains() const
+    {
+      return false;
+    }
+
+    /** Whether the material yields: tangents jump where it begins to. */
+    virtual bool yields() const
+    {
+      return false;
+    }
 
     /** Whether the equilibrium at the start of a run is the relaxed one. */
     virtual bool starts_relaxed() const = 0;
@@ -150,13 +210,14 @@ namespace auxfem
 
     /**
      * The law as ordinary differential equations at an instant.
-     * @param internal_rates receives the rates of the internal variables (1/s)
+     * @param rates receives the rates of the internal variables (1/s), unless
+     *   nullptr
      */
-    virtual void instant(const SectionPoint &point,
-                         const Lanes        *strains,
-                         const Lanes        *internal,
-                         Lanes              *internal_rates,
-                         SectionInstant     &instant) const = 0;
+    virtual void instant(const SectionPoint         &point,
+                         const Lanes                *strains,
+                         const SectionHistory       &history,
+                         const SectionHistoryOutput *rates,
+                         SectionInstant             &instant) const = 0;
 
     /** Stiffness after complete relaxation over the instantaneous one. */
     virtual double long_time_ratio(StrainType type) const = 0;
@@ -175,6 +236,7 @@ namespace auxfem
    */
   ///@{
   RegistryEntry<SectionLaw> viscoelastic_entry();
+  RegistryEntry<SectionLaw> elastic_plastic_entry();
   ///@}
 } // namespace auxfem
 

@@ -181,6 +181,10 @@ namespace auxfem
       std::optional<double> reduction = {};
     };
 
+    /** Whether factorizations serve later iterations. Not in statics with
+     * struts that yield: without inertia their tangents change too much. */
+    bool keeps_factorization(const ImplicitScheme &scheme) const;
+
     /**
      * Factorizes unless the stored factorization can be reused; false if
      * singular.
@@ -238,7 +242,7 @@ namespace auxfem
     TangentSolver         &solver;
     const NewtonParameters parameters;
     const RowCriterion     rows;
-    const bool             is_linear, supports_rest;
+    const bool             is_linear, yields, supports_rest;
     /** Whether residuals of stages can be predicted. */
     const bool          estimates_stages;
     const NodeRotations rotations;
@@ -252,8 +256,9 @@ namespace auxfem
      * Whether the last attempt failed; the next one then uses exact tangents.
      */
     bool has_failed = false;
-    /** Whether contact may begin in the step. */
-    bool has_contact_candidates = false;
+    /** Whether forces may change abruptly in the step: contact may begin, or
+     * struts may yield. */
+    bool has_kinks = false;
     /**
      * Whether rotations of increments are limited, in general and in this
      * step.

@@ -10,7 +10,7 @@ namespace auxfem
   {
     bool relaxes(const SectionDefinition &definition)
     {
-      return definition.section.law != nullptr;
+      return definition.section.law != nullptr && !definition.section.yields();
     }
 
     /**

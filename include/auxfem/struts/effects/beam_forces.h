@@ -89,7 +89,7 @@ namespace auxfem
           });
       else
         {
-          const auto section = responses.in(evaluation, HistoryAccess::writes);
+          const auto section = responses.in(evaluation, SectionPurpose::forces);
           beams.for_each_batch([&](const ElementBatch &batch) {
             Lanes       force[n];
             const auto &at_rest = beams.at_rest(batch);
@@ -122,7 +122,7 @@ namespace auxfem
             matrix);
       add_tangent_at_end(evaluation,
                          factors,
-                         responses.in(evaluation, HistoryAccess::reads),
+                         responses.in(evaluation, SectionPurpose::tangent),
                          matrix);
       if (evaluation.kind == Evaluation::Kind::discrete_gradient &&
           mean_forces.damps_high_frequencies())

@@ -125,7 +125,7 @@ namespace auxfem
     {
       if constexpr (!Beam::is_linear)
         find_starts(step.from, starts);
-      const auto sections_in_step = sections.in(step, HistoryAccess::writes);
+      const auto sections_in_step = sections.in(step, SectionPurpose::forces);
       for_each_batch(step, [&](const ElementBatch &batch, const auto &damping) {
         Lanes       force[n];
         const auto &at_rest = beams.at_rest(batch);
@@ -159,7 +159,7 @@ namespace auxfem
                      const TangentFactors &factors,
                      TangentMatrix        &matrix) const
     {
-      const auto sections_in_step = sections.in(step, HistoryAccess::reads);
+      const auto sections_in_step = sections.in(step, SectionPurpose::tangent);
       for_each_batch(step, [&](const ElementBatch &batch, const auto &damping) {
         Lanes       block[n * n];
         const auto &at_rest = beams.at_rest(batch);

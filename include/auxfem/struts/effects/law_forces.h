@@ -26,8 +26,30 @@ namespace auxfem
     {
       Base::register_in(layout);
       responses.register_in(layout);
-      lost_entry      = layout.energies.enter(relaxation_energy_entry());
-      numerical_entry = layout.energies.enter(numerical_energy_entry());
+      layout.mean_work = true;
+      lost_entry       = layout.energies.enter(responses.law().yields()
+                                           ? plastic_energy_entry()
+                                           : relaxation_energy_entry());
+      if (!responses.finds_history_after_step())
+        numerical_entry = layout.energies.enter(numerical_energy_entry());
+    }
+
+    void update_history(const Evaluation &solved) const override
+    {
+      if (!responses.finds_history_after_step())
+        return;
+      const auto section = responses.in(solved, SectionPurpose::history);
+      beams.for_each_batch([&](const ElementBatch &batch) {
+        const auto &at_rest = beams.at_rest(batch);
+        Lanes       force[n];
+        Beam::internal_force(beams.shape,
+                             at_rest,
+                             section(batch, at_rest),
+                             Beam::motion(beams.numbering,
+                                          beams.unknowns(batch),
+                                          solved.to),
+                             force);
+      });
     }
 
     void account_step(const Evaluation  &step,
@@ -38,14 +60,14 @@ namespace auxfem
       if (!account.has_duration())
         return;
       const auto   losses = responses.law().losses(responses.step(step));
-      Scratch      scratch;
       const double lost =
         sum_over_owned([&](const ElementBatch &batch, const auto &at_rest) {
-          return responses.lost(*losses, step, batch, at_rest, scratch);
+          return responses.lost(*losses, step, batch, at_rest);
         });
       account.add_in_step(lost_entry, lost);
       // Mean forces do exactly the work of stored and lost energy.
-      if (step.kind != Evaluation::Kind::discrete_gradient)
+      if (step.kind != Evaluation::Kind::discrete_gradient &&
+          !responses.finds_history_after_step())
         account.add_in_step(numerical_entry,
                             work_of_relaxing_forces(step, account.motion()) -
                               lost);
@@ -55,7 +77,6 @@ namespace auxfem
                        const EffectCache * /*results*/,
                        EnergyAccount &account) const override
     {
-      Scratch      scratch;
       const double power =
         sum_over_owned([&](const ElementBatch &batch, const auto &at_rest) {
           Lanes force[n];
@@ -66,8 +87,7 @@ namespace auxfem
             [](const SectionInstant &now, SectionResponse &r) {
               r.stored = now.lost_power;
             },
-            force,
-            scratch);
+            force);
         });
       account.add_power(lost_entry, power);
     }
@@ -76,7 +96,6 @@ namespace auxfem
                              const EffectCache * /*results*/,
                              double *rates) const override
     {
-      Scratch scratch;
       beams.for_each_batch([&](const ElementBatch &batch) {
         const auto &at_rest = beams.at_rest(batch);
         Lanes       force[n];
@@ -86,7 +105,6 @@ namespace auxfem
           state,
           [](const SectionInstant &, SectionResponse &) {},
           force,
-          scratch,
           rates);
       });
     }
@@ -182,8 +200,6 @@ namespace auxfem
     }
 
   private:
-    using Scratch = typename LawSections<Beam>::Scratch;
-
     /** Sum of @p value_of, a function of a batch and its elements at rest, over
      * the elements owned by this rank. */
     template <class ValueOfBatch>
@@ -214,31 +230,37 @@ namespace auxfem
                  const ElementBatch      &batch,
                  const AtRest            &at_rest,
                  const Respond           &make_response,
-                 double                  *rates,
-                 Scratch                 &scratch)
+                 double                  *rates)
         : sections(sections)
         , state(state)
         , batch(batch)
         , points(sections, at_rest)
         , make_response(make_response)
         , rates(rates)
-        , scratch(scratch)
       {}
 
       SectionResponse respond(const int g,
                               const Lanes (&strains)[Beam::n_strains]) const
       {
-        auto &[history, internal_rates] = scratch;
-        sections.read(state, batch, g, history);
-        internal_rates.resize(history.size());
+        const SectionHistory history =
+          sections.history(state.history, batch, g);
         SectionInstant now;
-        sections.law().instant(points.point(),
-                               strains,
-                               history.data(),
-                               internal_rates.data(),
-                               now);
-        if (rates != nullptr)
-          sections.write_internal(internal_rates, batch, g, rates);
+        if (rates == nullptr)
+          sections.law().instant(points.point(),
+                                 strains,
+                                 history,
+                                 nullptr,
+                                 now);
+        else
+          {
+            const SectionHistoryOutput output =
+              sections.history_output(rates, batch, g);
+            sections.law().instant(points.point(),
+                                   strains,
+                                   history,
+                                   &output,
+                                   now);
+          }
         SectionResponse response = {};
         make_response(now, response);
         return response;
@@ -251,7 +273,6 @@ namespace auxfem
       const typename LawSections<Beam>::PointsOf points;
       const Respond                             &make_response;
       double                                    *rates;
-      Scratch                                   &scratch;
     };
 
     /**
@@ -265,8 +286,7 @@ namespace auxfem
                     const State        &state,
                     const Respond      &make_response,
                     Lanes (&force)[n],
-                    Scratch &scratch,
-                    double  *rates = nullptr) const
+                    double *rates = nullptr) const
     {
       return Beam::internal_force(
                beams.shape,
@@ -277,8 +297,7 @@ namespace auxfem
                                                      batch,
                                                      at_rest,
                                                      make_response,
-                                                     rates,
-                                                     scratch)),
+                                                     rates)),
                Beam::motion(beams.numbering, beams.unknowns(batch), state),
                force)
         .strain;
@@ -293,16 +312,14 @@ namespace auxfem
       ElementBatch batch;
       batch.elements.fill(e);
       batch.size = 1;
-      int     g  = 0;
-      Lanes   force[n];
-      Scratch scratch;
+      int   g    = 0;
+      Lanes force[n];
       integrate(
         batch,
         beams.at_rest(batch),
         state,
         [&](const SectionInstant &now, SectionResponse &) { action(g++, now); },
-        force,
-        scratch);
+        force);
     }
 
     /** Work of the mean relaxing forces of both ends of a step minus the growth
@@ -314,13 +331,12 @@ namespace auxfem
         std::copy_n(now.relaxing, Beam::n_strains, r.forces);
         r.stored = now.relaxing_stored;
       };
-      Scratch scratch;
       return sum_over_owned(
         [&](const ElementBatch &batch, const auto &at_rest) {
           const auto at = [&](const State &state, const double sign) {
             Lanes       force[n];
             const Lanes stored =
-              integrate(batch, at_rest, state, relaxing, force, scratch);
+              integrate(batch, at_rest, state, relaxing, force);
             return Lanes(motion.dt / 2 *
                            Beam::power(beams.numbering,
                                        beams.unknowns(batch),

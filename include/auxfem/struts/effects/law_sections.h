@@ -34,11 +34,23 @@ namespace auxfem
         return {forces(r), r.stored};
       }
 
-      LinearizedOf<Lanes> linearized(const int               g,
-                                     const StrainsOf<Lanes> &e) const
+      using Linearized = LinearizedOf<Lanes, CoupledStiffnessOf<Lanes>>;
+
+      Linearized linearized(const int g, const StrainsOf<Lanes> &e) const
       {
         const SectionResponse r = respond(g, e);
-        return {forces(r), {r.tangent[0], r.tangent[1], r.tangent[2], 0}};
+        Linearized            result;
+        result.forces = forces(r);
+        static_cast<StiffnessOf<Lanes> &>(
+          result.stiffness) = {r.tangent[0], r.tangent[1], r.tangent[2], 0};
+        result.stiffness.is_coupled = law.couples_strains();
+        if (result.stiffness.is_coupled)
+          {
+            result.stiffness.axial_shear   = r.coupling[0][1];
+            result.stiffness.axial_bending = r.coupling[0][2];
+            result.stiffness.shear_bending = r.coupling[1][2];
+          }
+        return result;
       }
 
       ResponseOf<Lanes> mean(const int               g,
@@ -48,10 +60,9 @@ namespace auxfem
         return response(g, end(start, increment));
       }
 
-      LinearizedOf<Lanes>
-      mean_linearized(const int               g,
-                      const StrainsOf<Lanes> &start,
-                      const StrainsOf<Lanes> &increment) const
+      Linearized mean_linearized(const int               g,
+                                 const StrainsOf<Lanes> &start,
+                                 const StrainsOf<Lanes> &increment) const
       {
         return linearized(g, end(start, increment));
       }
@@ -94,12 +105,30 @@ namespace auxfem
         return {forces(r), r.stored};
       }
 
-      LinearizedOf<Lanes> linearized(const int               g,
-                                     const StrainsOf<Lanes> &strains) const
+      using Linearized = LinearizedOf<Lanes, CoupledStiffnessOf<Lanes>>;
+
+      Linearized linearized(const int g, const StrainsOf<Lanes> &strains) const
       {
         const SectionResponse r = respond(g, strains);
         const Lanes          *t = r.tangent;
-        return {forces(r), {t[0], t[1], t[2], t[3], t[4], t[5]}};
+        Linearized            result;
+        result.forces = forces(r);
+        static_cast<StiffnessOf<Lanes> &>(
+          result.stiffness)         = {t[0], t[1], t[2], t[3], t[4], t[5]};
+        result.stiffness.is_coupled = law.couples_strains();
+        if (result.stiffness.is_coupled)
+          for (unsigned int i = 0; i < 3; ++i)
+            for (unsigned int j = 0; j < 3; ++j)
+              {
+                const auto entry = [&](const unsigned int k,
+                                       const unsigned int l) {
+                  return k == l ? t[k] : r.coupling[k][l];
+                };
+                result.stiffness.by_gamma[i][j]       = entry(i, j);
+                result.stiffness.gamma_by_kappa[i][j] = entry(i, 3 + j);
+                result.stiffness.by_kappa[i][j]       = entry(3 + i, 3 + j);
+              }
+        return result;
       }
 
       ResponseOf<Lanes> mean(const int g,
@@ -112,12 +141,12 @@ namespace auxfem
         return r;
       }
 
-      LinearizedOf<Lanes> mean_linearized(const int g,
-                                          const StrainsOf<Lanes> & /*start*/,
-                                          const StrainsOf<Lanes> &end,
-                                          const StrainsOf<Lanes> &added) const
+      Linearized mean_linearized(const int g,
+                                 const StrainsOf<Lanes> & /*start*/,
+                                 const StrainsOf<Lanes> &end,
+                                 const StrainsOf<Lanes> &added) const
       {
-        LinearizedOf<Lanes> r = linearized(g, end);
+        Linearized r = linearized(g, end);
         add(added, r.forces);
         return r;
       }
@@ -155,11 +184,16 @@ namespace auxfem
     };
   } // namespace Beam3D
 
-  /** How BeamForces uses the history of its sections in an evaluation. */
-  enum class HistoryAccess
+  /** What an evaluation of sections is for. */
+  enum class SectionPurpose
   {
-    reads, ///< for tangents
-    writes ///< for forces: the trial state gets its history
+    tangent, ///< linearization at the strains of the end
+    /** Section forces. The internal variables and the kept values of laws that
+     * have internal variables enter the trial state: a stage of a Runge-Kutta
+     * step needs them before the step is accepted. */
+    forces,
+    /** History at the strains of the end, of a solved step. */
+    history
   };
 
   /** Linear elastic sections. */
@@ -180,7 +214,7 @@ namespace auxfem
 
     /** Returns a function of a batch and its elements at rest: the section. */
     auto in(const Evaluation & /*evaluation*/,
-            const HistoryAccess /*access*/) const
+            const SectionPurpose /*purpose*/) const
     {
       return [](const ElementBatch & /*batch*/, const auto &at_rest) {
         return Beam::elastic_section(at_rest);
@@ -239,42 +273,36 @@ namespace auxfem
                                          Beam::order * n_kept);
     }
 
-    /** History of a Gauss point of a batch, internal variables first. */
-    using History = std::vector<Lanes>;
-
-    /** Memory for the history of a point at both ends of a step. */
-    struct Scratch
+    /** Whether residuals leave the history to be found after a step. */
+    bool finds_history_after_step() const
     {
-      History start, end;
-    };
-
-    void read(const State        &state,
-              const ElementBatch &batch,
-              const int           g,
-              History            &history) const
-    {
-      history.resize(n_internal + n_kept);
-      for (unsigned int i = 0; i < history.size(); ++i)
-        history[i] = batch.numbers(
-          [&](const unsigned int e) { return state.history[index(e, g, i)]; });
+      return n_internal == 0;
     }
 
-    /** Writes @p history to @p values, of the size of State::history. */
-    void write(const History      &history,
-               const ElementBatch &batch,
-               const int           g,
-               double             *values) const
+    /** History at a Gauss point of a batch in @p values, of the size of
+     * State::history. */
+    SectionHistory history(const std::vector<double> &values,
+                           const ElementBatch        &batch,
+                           const int                  g) const
     {
-      write_first(n_internal + n_kept, history, batch, g, values);
+      const auto first = [&](const std::size_t at, const unsigned int n) {
+        return batch.each([&](const unsigned int e) {
+          return values.data() + at + (std::size_t(e) * Beam::order + g) * n;
+        });
+      };
+      return {first(first_internal, n_internal), first(first_kept, n_kept)};
     }
 
-    /** As write(), the internal variables alone. */
-    void write_internal(const History      &history,
-                        const ElementBatch &batch,
-                        const int           g,
-                        double             *values) const
+    /** As history(), to be written. */
+    SectionHistoryOutput
+    history_output(double *values, const ElementBatch &batch, const int g) const
     {
-      write_first(n_internal, history, batch, g, values);
+      const auto first = [&](const std::size_t at, const unsigned int n) {
+        return batch.each([&](const unsigned int e) {
+          return values + at + (std::size_t(e) * Beam::order + g) * n;
+        });
+      };
+      return {first(first_internal, n_internal), first(first_kept, n_kept)};
     }
 
     /** The sections of a batch at a Gauss point, the input of the law. */
@@ -303,73 +331,79 @@ namespace auxfem
       PointLaw(const LawSections   &sections,
                const SectionUpdate &update,
                const Evaluation    &evaluation,
-               const HistoryAccess  access,
+               const SectionPurpose purpose,
                const ElementBatch  &batch,
-               const AtRest        &at_rest,
-               Scratch             &scratch)
+               const AtRest        &at_rest)
         : sections(sections)
         , update(update)
         , evaluation(evaluation)
-        , access(access)
+        , purpose(purpose)
         , batch(batch)
         , points(sections, at_rest)
-        , committed(scratch.start)
-        , trial(scratch.end)
       {}
+
+      bool couples_strains() const
+      {
+        return sections.law().couples_strains();
+      }
 
       /** Response at Gauss point @p g to @p strains at the end of the step; the
        * linear kernel computes forces of mean strains. */
       SectionResponse respond(const int g,
                               const Lanes (&strains)[Beam::n_strains]) const
       {
-        sections.read(evaluation.from, batch, g, committed);
-        trial.resize(committed.size());
+        const SectionHistory committed =
+          sections.history(evaluation.from.history, batch, g);
         const SectionPoint point = points.point();
         Lanes              ends[Beam::n_strains];
         std::copy_n(strains, n_strains, ends);
-        if (Beam::is_linear && access == HistoryAccess::writes &&
+        if (Beam::is_linear && purpose == SectionPurpose::forces &&
             evaluation.kind == Evaluation::Kind::discrete_gradient)
           {
             Lanes starts[Beam::n_strains];
-            update.start_strains(point, committed.data(), starts);
+            update.start_strains(point, committed, starts);
             for (unsigned int k = 0; k < n_strains; ++k)
               ends[k] = 2 * strains[k] - starts[k];
           }
         SectionResponse response;
-        update.evaluate(point, ends, committed.data(), trial.data(), response);
-        if (access == HistoryAccess::writes)
-          sections.write(trial, batch, g, evaluation.to.history.data());
+        if (!writes_history())
+          update.evaluate(point, ends, committed, nullptr, response);
+        else
+          {
+            const SectionHistoryOutput end =
+              sections.history_output(evaluation.to.history.data(), batch, g);
+            update.evaluate(point, ends, committed, &end, response);
+          }
         return response;
       }
 
     private:
+      bool writes_history() const
+      {
+        return purpose == SectionPurpose::history ||
+          (purpose == SectionPurpose::forces &&
+           !sections.finds_history_after_step());
+      }
+
       const LawSections   &sections;
       const SectionUpdate &update;
       const Evaluation    &evaluation;
-      const HistoryAccess  access;
+      const SectionPurpose purpose;
       const ElementBatch  &batch;
       const PointsOf       points;
-      History             &committed, &trial;
     };
 
     /** As ElasticSections::in(). */
-    auto in(const Evaluation &evaluation, const HistoryAccess access) const
+    auto in(const Evaluation &evaluation, const SectionPurpose purpose) const
     {
       const std::shared_ptr<const SectionUpdate> update =
         section_law->update(step(evaluation));
-      const auto scratch = std::make_shared<Scratch>();
-      return
-        [this, &evaluation, access, update, scratch](const ElementBatch &batch,
-                                                     const auto &at_rest) {
-          return Beam::law_section(at_rest,
-                                   PointLaw(*this,
-                                            *update,
-                                            evaluation,
-                                            access,
-                                            batch,
-                                            at_rest,
-                                            *scratch));
-        };
+      return [this, &evaluation, purpose, update](const ElementBatch &batch,
+                                                  const auto         &at_rest) {
+        return Beam::law_section(
+          at_rest,
+          PointLaw(*this, *update, evaluation, purpose, batch, at_rest));
+      };
     }
 
     /** Energy lost in an accepted step by a batch (J). */
@@ -377,20 +411,15 @@ namespace auxfem
     Lanes lost(const SectionLosses &losses,
                const Evaluation    &evaluation,
                const ElementBatch  &batch,
-               const AtRest        &at_rest,
-               Scratch             &scratch) const
+               const AtRest        &at_rest) const
     {
       const PointsOf points(*this, at_rest);
       Lanes          sum = 0;
       for (int g = 0; g < Beam::order; ++g)
-        {
-          read(evaluation.from, batch, g, scratch.start);
-          read(evaluation.to, batch, g, scratch.end);
-          sum += beams.shape.weight[g] * at_rest.jacobian *
-            losses.lost(points.point(),
-                        scratch.start.data(),
-                        scratch.end.data());
-        }
+        sum += beams.shape.weight[g] * at_rest.jacobian *
+          losses.lost(points.point(),
+                      history(evaluation.from.history, batch, g),
+                      history(evaluation.to.history, batch, g));
       return sum;
     }
 
@@ -414,27 +443,6 @@ namespace auxfem
 
   private:
     static constexpr unsigned int n_strains = Beam::n_strains;
-
-    void write_first(const unsigned int  n,
-                     const History      &history,
-                     const ElementBatch &batch,
-                     const int           g,
-                     double             *values) const
-    {
-      for (unsigned int i = 0; i < n; ++i)
-        for (unsigned int lane = 0; lane < batch.size; ++lane)
-          values[index(batch.elements[lane], g, i)] =
-            lane_value(history[i], lane);
-    }
-
-    /** Index in State::history of history value @p i at a Gauss point. */
-    std::size_t
-    index(const unsigned int e, const int g, const unsigned int i) const
-    {
-      const std::size_t point = std::size_t(e) * Beam::order + g;
-      return i < n_internal ? first_internal + point * n_internal + i
-                            : first_kept + point * n_kept + i - n_internal;
-    }
 
     const BeamElements<typename Beam::Undamped> &beams;
     const std::shared_ptr<const SectionLaw>      section_law;

@@ -1,0 +1,109 @@
+#ifndef auxfem_struts_yield_curve_h
+#define auxfem_struts_yield_curve_h
+
+#include <auxfem/mathematics/lanes.h>
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace auxfem
+{
+  /**
+   * Uniaxial yielding of a material with isotropic hardening by a table, linear
+   * kinematic hardening (Prager) and the rate dependence of Cowper & Symonds
+   * (1957): yield stress k(alpha) (1 + (rate / D)^(1/n)), back stress h times
+   * the plastic strain. All stresses are over Young's modulus.
+   */
+  class YieldCurve
+  {
+  public:
+    /** A point of the table. */
+    struct Point
+    {
+      double plastic_strain; ///< accumulated
+      double stress;         ///< over Young's modulus
+    };
+
+    /** Parameters of Cowper & Symonds. */
+    struct Rate
+    {
+      double reference; ///< D (1/s)
+      double exponent;  ///< n
+    };
+
+    /**
+     * @param points the first at plastic strain 0, strains rising, stresses not
+     *   falling; beyond the last one the stress is constant
+     * @param kinematic hardening modulus h over Young's modulus
+     */
+    YieldCurve(const std::vector<Point> &points,
+               double                    kinematic,
+               std::optional<Rate>       rate);
+
+    /** Yield stress of the material at rest. */
+    double initial() const
+    {
+      return segments.front().stress;
+    }
+
+    /** h. */
+    double kinematic() const
+    {
+      return kinematic_modulus;
+    }
+
+    bool depends_on_rate() const
+    {
+      return rate.has_value();
+    }
+
+    /** Plastic strain at the end of the table; empty if it has one point. */
+    std::optional<double> end_of_table() const;
+
+    /** Static yield stress at an accumulated plastic strain. */
+    Lanes stress(const Lanes &plastic_strain) const;
+
+    /** An increment of plastic strain, >= 0, and the derivative of yield stress
+     * plus back stress by it. */
+    template <class Number>
+    struct FlowOf
+    {
+      Number increment, slope;
+    };
+    using Flow = FlowOf<Lanes>;
+
+    /**
+     * Increment d with @p stress = (1 + h) d + yield stress at the end, or 0
+     * where the stress does not exceed the yield stress.
+     * @param stress elastic stress minus back stress, >= 0
+     * @param plastic_strain accumulated, at the start of the step
+     * @param dt length of the step (s); 0: yielding without rate dependence
+     */
+    Flow
+    flow(const Lanes &stress, const Lanes &plastic_strain, double dt) const;
+
+  private:
+    /** A linear piece, from the plastic strain `begin` on. */
+    struct Segment
+    {
+      double begin, stress, slope;
+    };
+
+    /** Yield stress over Young's modulus and its slope at a plastic strain. */
+    std::pair<double, double> at(double plastic_strain) const;
+
+    /** As flow(), in a step of @p dt (s) > 0; without rate dependence the
+     * increment would be @p static_increment > 0. */
+    FlowOf<double> flow_at_rate(double stress,
+                                double plastic_strain,
+                                double static_increment,
+                                double dt) const;
+
+    std::vector<Segment> segments;
+    double               kinematic_modulus;
+    std::optional<Rate>  rate;
+  };
+} // namespace auxfem
+
+#endif

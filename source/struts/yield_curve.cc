@@ -1,0 +1,131 @@
+#include <auxfem/parameters/numerical_limits.h>
+#include <auxfem/struts/yield_curve.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace auxfem
+{
+  namespace
+  {
+    /** Bisection alone would need about 60. */
+    constexpr unsigned int max_iterations = 100;
+  } // namespace
+
+  YieldCurve::YieldCurve(const std::vector<Point> &points,
+                         const double              kinematic,
+                         const std::optional<Rate> rate)
+    : kinematic_modulus(kinematic)
+    , rate(rate)
+  {
+    for (std::size_t i = 0; i < points.size(); ++i)
+      segments.push_back(
+        {points[i].plastic_strain,
+         points[i].stress,
+         i + 1 < points.size() ? (points[i + 1].stress - points[i].stress) /
+             (points[i + 1].plastic_strain - points[i].plastic_strain)
+                               : 0.});
+  }
+
+  std::optional<double> YieldCurve::end_of_table() const
+  {
+    if (segments.size() == 1)
+      return std::nullopt;
+    return segments.back().begin;
+  }
+
+  Lanes YieldCurve::stress(const Lanes &plastic_strain) const
+  {
+    Lanes stress = segments.front().stress;
+    for (const Segment &segment : segments)
+      where(plastic_strain >= segment.begin, stress) =
+        segment.stress + segment.slope * (plastic_strain - segment.begin);
+    return stress;
+  }
+
+  YieldCurve::Flow YieldCurve::flow(const Lanes &stress,
+                                    const Lanes &plastic_strain,
+                                    const double dt) const
+  {
+    // The static increment lies in the last segment that the line of its own
+    // resistance reaches.
+    Flow flow{0, 0};
+    for (const Segment &segment : segments)
+      {
+        const double resistance = 1 + kinematic_modulus + segment.slope;
+        const Lanes  increment =
+          (stress - segment.stress -
+           segment.slope * (plastic_strain - segment.begin)) /
+          resistance;
+        const auto is_reached = plastic_strain + increment >= segment.begin;
+        where(is_reached, flow.increment) = increment;
+        where(is_reached, flow.slope)     = segment.slope + kinematic_modulus;
+      }
+    where(!(flow.increment > 0), flow.increment) = 0;
+    if (!rate || !(dt > 0) || !any_of(flow.increment > 0))
+      return flow;
+    LaneArray<FlowOf<double>> flows;
+    for (std::size_t lane = 0; lane < n_lanes; ++lane)
+      {
+        const double increment = lane_value(flow.increment, lane);
+        flows[lane]            = increment > 0
+                     ? flow_at_rate(lane_value(stress, lane),
+                         lane_value(plastic_strain, lane),
+                         increment,
+                         dt)
+                     : FlowOf<double>{0, lane_value(flow.slope, lane)};
+      }
+    return {make_lanes([&](const auto lane) { return flows[lane].increment; }),
+            make_lanes([&](const auto lane) { return flows[lane].slope; })};
+  }
+
+  std::pair<double, double> YieldCurve::at(const double plastic_strain) const
+  {
+    const auto next =
+      std::upper_bound(segments.begin() + 1,
+                       segments.end(),
+                       plastic_strain,
+                       [](const double strain, const Segment &segment) {
+                         return strain < segment.begin;
+                       });
+    const Segment &segment = *(next - 1);
+    return {segment.stress + segment.slope * (plastic_strain - segment.begin),
+            segment.slope};
+  }
+
+  YieldCurve::FlowOf<double>
+  YieldCurve::flow_at_rate(const double stress,
+                           const double plastic_strain,
+                           const double static_increment,
+                           const double dt) const
+  {
+    // The unknown is x = (increment / scale)^(1/n): by the increment itself the
+    // slope would be infinite at 0. The excess of stress falls with x and is
+    // concave but for kinks of the table, so that Newton's method from above
+    // its root is monotone; a bracket catches the kinks.
+    const double n = rate->exponent, scale = rate->reference * dt;
+    const double elastic = 1 + kinematic_modulus;
+    double low = 0, high = std::pow(static_increment / scale, 1 / n), x = high;
+    for (unsigned int i = 0; i < max_iterations; ++i)
+      {
+        const double d            = scale * std::pow(x, n);
+        const auto [yield, slope] = at(plastic_strain + d);
+        const double excess       = stress - elastic * d - yield * (1 + x);
+        const double excess_by_x =
+          -yield - (elastic + slope * (1 + x)) * n * scale * std::pow(x, n - 1);
+        (excess > 0 ? low : high) = x;
+        double next               = x - excess / excess_by_x;
+        if (!(next >= low && next <= high))
+          next = (low + high) / 2;
+        const bool is_solved = std::abs(next - x) <= few_round_offs * x;
+        x                    = next;
+        if (is_solved)
+          break;
+      }
+    const double d            = scale * std::pow(x, n);
+    const auto [yield, slope] = at(plastic_strain + d);
+    return {d,
+            kinematic_modulus + slope * (1 + x) +
+              (d > 0 ? yield * x / (n * d) : 0.)};
+  }
+} // namespace auxfem

@@ -1,0 +1,444 @@
+#include <auxfem/parameters/errors.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "section_on_trial.h"
+
+using namespace auxfem;
+
+namespace
+{
+  using Entries = std::map<std::string, std::string>;
+
+  std::unique_ptr<SectionLaw> make_law(const Entries &entries)
+  {
+    return auxfem::make_law(elastic_plastic_entry(), entries);
+  }
+
+  /** A section in the plane with EA = 2 and EI = 0.005: a radius of gyration of
+   * 0.05. */
+  struct PlanePoint : public SectionOnTrial<3>
+  {
+    explicit PlanePoint(const SectionLaw &law)
+      : SectionOnTrial(
+          law,
+          {{StrainType::normal, StrainType::shear, StrainType::normal}},
+          {{2., 0.7, 0.005}})
+    {}
+  };
+
+  /** A section in space with radii of gyration of 0.05 and 0.03. */
+  struct SpacePoint : public SectionOnTrial<6>
+  {
+    explicit SpacePoint(const SectionLaw &law)
+      : SectionOnTrial(law,
+                       {{StrainType::normal,
+                         StrainType::shear,
+                         StrainType::shear,
+                         StrainType::shear,
+                         StrainType::normal,
+                         StrainType::normal}},
+                       {{2., 0.7, 0.6, 0.003, 0.005, 0.0018}})
+    {}
+  };
+
+  double first(const Lanes &lanes)
+  {
+    return lane_value(lanes, 0);
+  }
+
+  constexpr SectionStep::Kind at_end = SectionStep::Kind::end,
+                              mean   = SectionStep::Kind::mean;
+
+  const Entries unit_material = {{"Young's modulus", "1"},
+                                 {"Yield stress", "1e-3"}};
+
+  Entries with(Entries entries, const Entries &more)
+  {
+    for (const auto &[name, value] : more)
+      entries[name] = value;
+    return entries;
+  }
+
+  const Entries hardening = with(unit_material,
+                                 {{"Plastic strains", "0.001, 0.01"},
+                                  {"Flow stresses", "0.0013, 0.002"},
+                                  {"Kinematic hardening modulus", "0.03"}});
+
+  /** Stress of a bar of the material @p entries, in GPa with E = 200 GPa, at
+   * each of the @p strains. */
+  std::vector<double> stresses(const Entries             &entries,
+                               const std::vector<double> &strains,
+                               const double               dt = 0)
+  {
+    const auto law = make_law(
+      with({{"Young's modulus", "200"}, {"Yield stress", "0.25"}}, entries));
+    PlanePoint          bar(*law);
+    std::vector<double> result;
+    for (const double strain : strains)
+      {
+        const Lanes now[] = {strain, 0., 0.};
+        result.push_back(100 * first(bar.step({at_end, dt}, now).forces[0]));
+      }
+    return result;
+  }
+
+  /** Random walk of strains; @p size of its steps relative to the yield
+   * strain. */
+  template <unsigned int n>
+  struct Walk
+  {
+    void next(const double size)
+    {
+      for (unsigned int k = 0; k < n; ++k)
+        strains[k] += 1e-3 * size * noise(generator) *
+          (k == 0 || k == 1 || (n == 6 && k == 2) ? 1 : 20);
+    }
+
+    std::mt19937                           generator;
+    std::uniform_real_distribution<double> noise{-1, 1};
+    Lanes                                  strains[n] = {};
+  };
+} // namespace
+
+// Return mapping has no error in time for linear hardening: closed forms of the
+// cycle strain .005, -.005, .005, 0 with E 200, yield stress .25, kinematic
+// modulus 5, isotropic modulus 2 (GPa).
+TEST(ElasticPlastic, CyclesOfABarHaveTheirClosedForm)
+{
+  const auto   found   = stresses({{"Kinematic hardening modulus", "5"},
+                                   {"Plastic strains", "1"},
+                                   {"Flow stresses", "2.25"}},
+                              {.005, -.005, .005, 0});
+  const double exact[] = {.2753623188405797,
+                          -.2893649793461111,
+                          .3030970570,
+                          -.2827473555};
+  for (int i = 0; i < 4; ++i)
+    EXPECT_NEAR(found[i], exact[i], 1e-10);
+}
+
+// The same with Voce's hardening 0.1 (1 - exp(-20 a)), from a table.
+TEST(ElasticPlastic, TablesApproachCurvedHardening)
+{
+  std::string strains, flow;
+  for (int i = 1; i <= 300; ++i)
+    {
+      const double a = 1e-4 * i;
+      strains += std::to_string(a) + ", ";
+      char text[40];
+      std::snprintf(text, 40, "%.15g, ", .25 + .1 * (1 - std::exp(-20 * a)));
+      flow += text;
+    }
+  const auto   found   = stresses({{"Kinematic hardening modulus", "5"},
+                                   {"Plastic strains", strains + "1"},
+                                   {"Flow stresses", flow + "0.35"}},
+                              {.005, -.005, .005, 0});
+  const double exact[] = {.2751144980, -.2872650330, .2976350768, -.2760917001};
+  // Chords of the curve are off by up to .1 (20 1e-4)^2 / 8.
+  for (int i = 0; i < 4; ++i)
+    EXPECT_NEAR(found[i], exact[i], 1e-7);
+}
+
+// Cowper & Symonds with D = 40.4 / s, n = 5: the stress at a steady strain rate
+// satisfies s = .25 (1 + (rate / D)^(1/5)).
+TEST(ElasticPlastic, StressGrowsWithTheStrainRate)
+{
+  const double exact[] = {.27996841, .36930640, .54968412, .72496733};
+  int          i       = 0;
+  for (const double rate : {.001, 1., 100., 1000.})
+    {
+      std::vector<double> strains;
+      for (int k = 1; k <= 200; ++k)
+        strains.push_back(.01 * k / 200);
+      EXPECT_NEAR(stresses({{"Reference strain rate", "40.4"}},
+                           strains,
+                           .01 / 200 / rate)
+                    .back(),
+                  exact[i++],
+                  1e-6);
+    }
+}
+
+TEST(ElasticPlastic, NoTimeLeavesNoTimeToFlow)
+{
+  const auto found = stresses({{"Reference strain rate", "40.4"}},
+                              {.002, .002},
+                              /*dt=*/0);
+  EXPECT_DOUBLE_EQ(found[0], .4);
+  EXPECT_DOUBLE_EQ(found[1], .4);
+}
+
+// Interaction of force and moment of a rectangle, fully plastic: m = 1 - n^2.
+TEST(ElasticPlastic, PlasticRectanglesHaveTheirInteraction)
+{
+  const auto   law = make_law(unit_material);
+  const double h = 0.05 * std::sqrt(12.), force = 2e-3, moment = force * h / 4;
+  for (const double ratio : {0., 0.1, 0.3, 0.5, 0.8})
+    {
+      PlanePoint   point(*law);
+      const Lanes  far[]  = {ratio * h / 2, 0., 1.};
+      const auto   r      = point.step({at_end, 0}, far);
+      const double normal = first(r.forces[0]) / force;
+      EXPECT_NEAR(first(r.forces[2]) / moment, 1 - normal * normal, 5e-3)
+        << ratio;
+    }
+}
+
+TEST(ElasticPlastic, SpacesAndPlanesBendAlike)
+{
+  // Rectangles divided alike across the height.
+  const auto law = make_law(with(hardening, {{"Layers", "8"}, {"Grid", "8"}}));
+  PlanePoint plane(*law);
+  SpacePoint space(*law);
+  for (const double curvature : {0.01, 0.1, 0.3, -0.2, 0.})
+    {
+      const Lanes in_plane[] = {1e-4, 0., curvature},
+                  in_space[] = {1e-4, 0., 0., 0., curvature, 0.};
+      const auto one         = plane.step({at_end, 0}, in_plane),
+                 other       = space.step({at_end, 0}, in_space);
+      EXPECT_NEAR(first(one.forces[2]), first(other.forces[4]), 1e-15);
+      EXPECT_NEAR(first(one.forces[0]), first(other.forces[0]), 1e-15);
+    }
+}
+
+namespace
+{
+  /** Fibres by textbook return mapping, without the elastic check. */
+  struct PlainFibres
+  {
+    explicit PlainFibres(const std::vector<Fibre> &fibres)
+      : fibres(fibres)
+      , plastic(fibres.size(), 0.)
+      , accumulated(plastic)
+    {}
+
+    /** Yield stress of the material `hardening` and its slope. */
+    static std::pair<double, double> yield(const double a)
+    {
+      if (a >= .01)
+        return {2e-3, 0};
+      if (a >= .001)
+        return {1.3e-3 + .7e-3 / .009 * (a - .001), .7e-3 / .009};
+      return {1e-3 + .3 * a, .3};
+    }
+
+    /** Force and moment of EA = 2 and the radius of gyration 0.05. */
+    std::pair<double, double> step(const double epsilon, const double kappa)
+    {
+      const double h = .03;
+      double       N = 0, M = 0;
+      for (std::size_t i = 0; i < fibres.size(); ++i)
+        {
+          const double strain = epsilon + .05 * fibres[i].arm_3 * kappa;
+          const double xi     = strain - (1 + h) * plastic[i];
+          if (std::abs(xi) > yield(accumulated[i]).first)
+            {
+              double low = 0, high = std::abs(xi);
+              for (int k = 0; k < 200; ++k)
+                {
+                  const double d = (low + high) / 2;
+                  (std::abs(xi) - (1 + h) * d > yield(accumulated[i] + d).first
+                     ? low
+                     : high)     = d;
+                }
+              plastic[i] += std::copysign(low, xi);
+              accumulated[i] += low;
+            }
+          const double stress = strain - plastic[i];
+          N += 2 * fibres[i].weight * stress;
+          M += 2 * .05 * fibres[i].arm_3 * fibres[i].weight * stress;
+        }
+      return {N, M};
+    }
+
+    const std::vector<Fibre> fibres;
+    std::vector<double>      plastic, accumulated;
+  };
+} // namespace
+
+TEST(ElasticPlastic, ElasticCheckChangesNothing)
+{
+  const auto  law = make_law(hardening);
+  PlanePoint  point(*law);
+  PlainFibres plain(
+    plane_fibres({SectionShape::Kind::rectangle, 0}, {16, 4, 16, 8}));
+  Walk<3> walk;
+  for (int i = 0; i < 2000; ++i)
+    {
+      // Long elastic stretches between plastic ones.
+      walk.next(i / 100 % 2 == 0 ? 0.02 : 0.7);
+      const auto response = point.step({at_end, 0}, walk.strains);
+      const auto [N, M] =
+        plain.step(first(walk.strains[0]), first(walk.strains[2]));
+      ASSERT_NEAR(first(response.forces[0]), N, 1e-15) << i;
+      ASSERT_NEAR(first(response.forces[2]), M, 1e-16) << i;
+      ASSERT_NEAR(first(point.instant(walk.strains).forces[2]), M, 1e-16) << i;
+    }
+}
+
+namespace
+{
+  template <class Point, unsigned int n>
+  void check_tangent(const SectionLaw &law, const SectionStep &step)
+  {
+    Point   point(law);
+    Walk<n> walk;
+    for (int i = 0; i < 100; ++i)
+      {
+        walk.next(0.8);
+        const SectionResponse response = point.evaluate(step, walk.strains);
+        for (unsigned int l = 0; l < n; ++l)
+          {
+            const double h = 1e-9;
+            Lanes        moved[n];
+            std::copy_n(walk.strains, n, moved);
+            moved[l] += h;
+            const SectionResponse right = point.evaluate(step, moved);
+            moved[l] -= 2 * h;
+            const SectionResponse left = point.evaluate(step, moved);
+            for (unsigned int k = 0; k < n; ++k)
+              {
+                const double difference =
+                  first(right.forces[k] - left.forces[k]) / (2 * h) *
+                  (step.kind == mean ? 2 : 1);
+                const double size =
+                  std::sqrt(first(point.stiffness[k] * point.stiffness[l]));
+                // A fibre may begin to yield between both sides.
+                EXPECT_NEAR(first(k == l ? response.tangent[k]
+                                         : response.coupling[k][l]),
+                            difference,
+                            1e-6 * size)
+                  << i << ": " << k << ", " << l;
+              }
+          }
+        point.step(step, walk.strains);
+      }
+  }
+} // namespace
+
+TEST(ElasticPlastic, TangentsAreDerivativesOfForces)
+{
+  const auto law     = make_law(hardening);
+  const auto viscous = make_law(
+    with(hardening, {{"Reference strain rate", "2"}, {"Rate exponent", "3"}}));
+  for (const SectionStep::Kind kind : {at_end, mean})
+    for (const SectionLaw *any : {law.get(), viscous.get()})
+      {
+        check_tangent<PlanePoint, 3>(*any, {kind, 1e-3});
+        check_tangent<SpacePoint, 6>(*any, {kind, 1e-3});
+      }
+}
+
+TEST(ElasticPlastic, MeanForcesDoTheWorkOfStoredAndLostEnergy)
+{
+  const auto law = make_law(hardening);
+  SpacePoint point(*law);
+  Walk<6>    walk;
+  double     stored = 0;
+  for (int i = 0; i < 2000; ++i)
+    {
+      Lanes before[6];
+      std::copy_n(walk.strains, 6, before);
+      walk.next(i / 50 % 3);
+      const SectionResponse response = point.step({mean, 1}, walk.strains);
+      Lanes                 work     = 0;
+      for (int k = 0; k < 6; ++k)
+        work += response.forces[k] * (walk.strains[k] - before[k]);
+      ASSERT_NEAR(first(work),
+                  first(response.stored) - stored + first(point.lost),
+                  1e-17)
+        << i;
+      ASSERT_GE(first(point.lost), 0) << i;
+      stored = first(response.stored);
+      ASSERT_NEAR(first(point.instant(walk.strains).stored), stored, 1e-17);
+    }
+}
+
+TEST(ElasticPlastic, FibresKeepAreaAndMoments)
+{
+  using Kind                 = SectionShape::Kind;
+  const FibreNumbers numbers = {7, 3, 8, 5};
+  for (const SectionShape &shape : {SectionShape{Kind::rectangle, 0},
+                                    SectionShape{Kind::circle, 0},
+                                    SectionShape{Kind::tube, 0.8}})
+    for (const bool in_space : {false, true})
+      {
+        double area = 0, moment = 0, other = 0, mixed = 0, static_moment = 0;
+        for (const Fibre &fibre : in_space ? space_fibres(shape, numbers)
+                                           : plane_fibres(shape, numbers))
+          {
+            EXPECT_GT(fibre.weight, 0);
+            area += fibre.weight;
+            moment += fibre.weight * fibre.arm_3 * fibre.arm_3;
+            other += fibre.weight * fibre.arm_2 * fibre.arm_2;
+            mixed += fibre.weight * fibre.arm_2 * fibre.arm_3;
+            static_moment += fibre.weight * (fibre.arm_3 + fibre.arm_2);
+          }
+        EXPECT_NEAR(area, 1, 1e-15);
+        EXPECT_NEAR(moment, 1, 1e-15);
+        EXPECT_NEAR(other, in_space ? 1 : 0, 1e-15);
+        EXPECT_NEAR(mixed, 0, 1e-15);
+        EXPECT_NEAR(static_moment, 0, 1e-15);
+      }
+}
+
+// Plastic moments over those of the outermost fibre at yield: 1.5 of
+// rectangles, 16 / (3 pi) of circles, 4 / pi of thin tubes.
+TEST(ElasticPlastic, FibresHavePlasticMoments)
+{
+  using Kind                 = SectionShape::Kind;
+  const double       pi      = std::acos(-1.);
+  const FibreNumbers numbers = {16, 4, 16, 8};
+  const auto         moment  = [](const std::vector<Fibre> &fibres) {
+    double sum = 0;
+    for (const Fibre &fibre : fibres)
+      sum += fibre.weight * std::abs(fibre.arm_3);
+    return sum;
+  };
+  const SectionShape tube = {Kind::tube, 0.99};
+  const double thin = 4 / (3 * pi) * (1 - std::pow(.99, 3)) / (1 - .99 * .99) /
+    std::sqrt((1 + .99 * .99) / 4);
+  EXPECT_NEAR(moment(plane_fibres({Kind::rectangle, 0}, numbers)),
+              std::sqrt(3.) / 2,
+              0.003);
+  EXPECT_NEAR(moment(plane_fibres({Kind::circle, 0}, numbers)),
+              8 / (3 * pi),
+              0.004);
+  EXPECT_NEAR(moment(plane_fibres(tube, numbers)), thin, 0.003);
+  EXPECT_NEAR(moment(space_fibres({Kind::rectangle, 0}, numbers)),
+              std::sqrt(3.) / 2,
+              0.012);
+  EXPECT_NEAR(moment(space_fibres({Kind::circle, 0}, numbers)),
+              8 / (3 * pi),
+              0.013);
+  EXPECT_NEAR(moment(space_fibres(tube, numbers)), thin, 0.013);
+}
+
+TEST(ElasticPlastic, RefusesWhatIsNoMaterial)
+{
+  const auto message = [](const Entries &entries) {
+    try
+      {
+        make_law(with(unit_material, entries));
+      }
+    catch (const InputError &error)
+      {
+        return std::string(error.what());
+      }
+    return std::string();
+  };
+  EXPECT_EQ(message({}), "");
+  EXPECT_NE(message({{"Plastic strains", "0.1"}, {"Flow stresses", "0.9e-3"}})
+              .find("must not fall"),
+            std::string::npos);
+  EXPECT_NE(message({{"Plastic strains", "0.2, 0.1"},
+                     {"Flow stresses", "2e-3, 3e-3"}})
+              .find("must rise"),
+            std::string::npos);
+  EXPECT_NE(message({{"Plastic strains", "0.2"}}).find("equal length"),
+            std::string::npos);
+}
