@@ -89,6 +89,20 @@ namespace auxfem
       return laws;
     }
 
+    /** @p laws with the elastic one in place of those that are not
+     * simulated. */
+    std::vector<std::shared_ptr<const SectionLaw>>
+    simulated_laws(std::vector<std::shared_ptr<const SectionLaw>> laws,
+                   const SimulatedEffects                        &simulated)
+    {
+      for (auto &law : laws)
+        if (law &&
+            !(law->yields() ? simulated.plasticity
+                            : simulated.strut_relaxation))
+          law = nullptr;
+      return laws;
+    }
+
     /** Number in @p laws by section. */
     std::vector<unsigned int>
     law_numbers(const std::vector<Section>                           &sections,
@@ -171,8 +185,8 @@ namespace auxfem
                              SimulatedEffects    simulated)
     : plan(with_effects(other.plan, std::move(simulated)))
     , lattice(other.lattice)
-    , sections(other.sections)
-    , laws(other.laws)
+    , sections(sections_of(plan))
+    , laws(simulated_laws(other.laws, plan.simulated))
     , mean_strut_length(other.mean_strut_length)
     , releases(other.releases)
     , free_spins(other.free_spins)

@@ -270,6 +270,10 @@ namespace auxfem
     add_inputs_beside_results(scene.output.directory, notes);
     add_fixed_spins(model, notes);
     add_unknown_fibres(scene, notes);
+    for (const MaterialDefinition &material : scene.materials)
+      if (const std::string note = material.law ? material.law->note() : "";
+          !note.empty())
+        notes.push_back("Materials/" + material.name + ": " + note + ".");
     add_default_elements(plan, notes);
     if (equations.reporting().strut_contact != nullptr)
       add_overlaps(*equations.reporting().strut_contact, notes);

@@ -115,6 +115,20 @@ namespace auxfem
     return names;
   }
 
+  std::vector<GraphicsField> VtuWriter::law_fields() const
+  {
+    const SimulatedEffects    &simulated = equations.model().plan.simulated;
+    std::vector<GraphicsField> fields;
+    if (simulated.strut_relaxation || simulated.plasticity)
+      fields.push_back({"dissipated_energy_density", 1, "J/m"});
+    if (simulated.plasticity)
+      {
+        fields.push_back({"plastic_strain", 1, ""});
+        fields.push_back({"utilisation", 1, ""});
+      }
+    return fields;
+  }
+
   std::vector<GraphicsField> VtuWriter::strut_fields() const
   {
     std::vector<GraphicsField> fields = {{"displacement", 3, "m"}};
@@ -124,9 +138,11 @@ namespace auxfem
            ? section_force_fields_in_plane
            : section_force_fields_in_space)
       fields.push_back(field);
+    fields.push_back({"strain_energy_density", 1, "J/m"});
+    for (const GraphicsField &field : law_fields())
+      fields.push_back(field);
     for (const GraphicsField &field :
-         std::vector<GraphicsField>{{"strain_energy_density", 1, "J/m"},
-                                    {"radius", 1, "m"},
+         std::vector<GraphicsField>{{"radius", 1, "m"},
                                     {"strut", 1, ""},
                                     {"cell", 1, ""},
                                     {"section", 1, ""},
@@ -148,6 +164,12 @@ namespace auxfem
     else
       append_in_space(values, point);
     values.push_back(point.energy_density);
+    const SimulatedEffects &simulated = equations.model().plan.simulated;
+    if (simulated.strut_relaxation || simulated.plasticity)
+      values.push_back(point.dissipated_density);
+    if (simulated.plasticity)
+      for (const double value : {point.plastic_strain, point.utilisation})
+        values.push_back(value);
   }
 
   void VtuWriter::add_struts(const StrutForces &struts,

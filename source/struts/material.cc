@@ -74,13 +74,19 @@ namespace auxfem
     return poissons_ratio;
   }
 
-  MaterialDefinition read_material_constants(const ParameterValues &values,
-                                             const std::string     &remedy)
+  double read_youngs_modulus(const ParameterValues &values,
+                             const std::string     &remedy)
   {
     if (values.is_word(youngs_modulus))
       values.refuse(youngs_modulus, "it must be given. " + remedy);
+    return values[youngs_modulus];
+  }
+
+  MaterialDefinition read_material_constants(const ParameterValues &values,
+                                             const double           modulus)
+  {
     MaterialDefinition material;
-    material.youngs_modulus = values[youngs_modulus];
+    material.youngs_modulus = modulus;
     material.shear_modulus =
       material.youngs_modulus / (2 * (1 + values[poissons_ratio]));
     if (!values.is_word(density))
@@ -118,12 +124,16 @@ namespace auxfem
 
   MaterialDefinition read_material(ParameterValues &values)
   {
-    MaterialDefinition material =
-      read_material_constants(values,
-                              "For instance set Young's modulus = 70 GPa");
-    material.name = values.name();
-    material.law =
+    std::shared_ptr<const SectionLaw> law =
       find_entry(section_law_registry(), values[law_choice()]).make(values);
+    const std::optional<double> of_law =
+      law ? law->youngs_modulus() : std::nullopt;
+    MaterialDefinition material = read_material_constants(
+      values,
+      of_law ? *of_law
+             : read_youngs_modulus(values, example_of_youngs_modulus));
+    material.name = values.name();
+    material.law  = law;
     if (material.law && material.law->yields() && material.yield_strain)
       values.refuse(yield_strain,
                     "Law = " + values[law_choice()] +

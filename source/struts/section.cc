@@ -259,7 +259,8 @@ namespace auxfem
       if (name == "none")
         return read_material_constants(
           values,
-          "Set it, or name a material: Material = NAME");
+          read_youngs_modulus(values,
+                              "Set it, or name a material: Material = NAME"));
       const MaterialDefinition *material = find_by_name(materials, name);
       if (material == nullptr)
         {

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <utility>
 
@@ -222,6 +223,7 @@ namespace auxfem
   SmallDisplacementLimit::SmallDisplacementLimit(const Equations &small,
                                                  const Equations &exact)
     : plan(exact.model().plan)
+    , small(small)
     , layout(small.unknowns().layout)
     , has_inertia(small.model().plan.simulated.inertia)
     , estimator(small, exact, plan.effects.tolerance)
@@ -230,6 +232,13 @@ namespace auxfem
     envelope.compressions.resize(estimate.struts().size());
     if (const auto *const contact = exact.reporting().strut_contact)
       detector = contact->first_contact_detector();
+    if (small.model().plan.simulated.plasticity)
+      return;
+    for (const Section &section : exact.model().sections)
+      yield_limits.push_back({section.yields()
+                                ? *section.law->yield_strain()
+                                : std::numeric_limits<double>::infinity(),
+                              section.fibre_distances});
   }
 
   LargeRotationError SmallDisplacementLimit::check_static_answer()
@@ -278,7 +287,34 @@ namespace auxfem
       compression *= factor;
   }
 
-  void SmallDisplacementLimit::check(const Evaluation &step)
+  std::string
+  SmallDisplacementLimit::yielding(const State             &state,
+                                   const EvaluationResults &results) const
+  {
+    if (yield_limits.empty())
+      return "";
+    double largest = 1;
+    for (const StrutGroup &group : small.reporting().struts)
+      largest =
+        std::max(largest,
+                 group.forces
+                   ->largest_strain(state,
+                                    *results.effect_caches[group.effect],
+                                    yield_limits,
+                                    largest)
+                   .ratio);
+    largest = layout.largest(largest);
+    if (!(largest > 1))
+      return "";
+    std::ostringstream text;
+    text.precision(3);
+    text << "a strut yields: its strain is " << largest
+         << " times that at yield";
+    return text.str();
+  }
+
+  void SmallDisplacementLimit::check(const Evaluation        &step,
+                                     const EvaluationResults &results)
   {
     const State &state = step.to;
     std::string  reason_text;
@@ -292,6 +328,8 @@ namespace auxfem
         n_steps     = 0;
         reason_text = reason(state);
       }
+    if (reason_text.empty())
+      reason_text = yielding(state, results);
     if (reason_text.empty())
       return;
     std::ostringstream text;

@@ -366,7 +366,7 @@ namespace auxfem
     if (jumps && jumps->is_jump())
       scene_watches.expect_jump();
     if (limit != nullptr)
-      limit->check(step);
+      limit->check(step, trial.results);
     scene_watches.step(step, trial.results, solvers->tangent);
     trial.state.step = solution.state.step;
     std::swap(solution, trial);

@@ -195,6 +195,7 @@ namespace auxfem
     add_if(simulated.shear_flexibility, make_bending_watch);
     add_if(has_struts && has_inertia, make_wave_watch);
     add_if(has_struts && has_yield_strain(scene), make_yield_watch);
+    add_if(simulated.plasticity, make_plasticity_watch);
     // Linear responses are judged relative to the loads, not by their size.
     add_if(has_struts && (!is_linear || is_limited), make_strain_watch);
     add_if(has_struts && !is_linear, make_local_buckling_watch);

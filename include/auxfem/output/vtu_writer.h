@@ -75,6 +75,8 @@ namespace auxfem
   private:
     using SetMembers = std::vector<bool>; ///< by strut
 
+    /** Fields of struts with a law. */
+    std::vector<GraphicsField> law_fields() const;
     std::vector<GraphicsField> strut_fields() const;
     /** Appends the values of strut_fields() at @p point. */
     void                       append_point(const StrutPoint   &point,

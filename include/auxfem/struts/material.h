@@ -36,12 +36,19 @@ namespace auxfem
   const Quantity &poissons_ratio_parameter();
   ///@}
 
-  /**
-   * Reads material_parameters(); the law is left empty. Throws InputError
-   * without Young's modulus, with @p remedy.
-   */
+  /** Advice to users who give a law no Young's modulus. */
+  inline const std::string example_of_youngs_modulus =
+    "For instance set Young's modulus = 70 GPa";
+
+  /** Young's modulus among @p values (Pa). Throws InputError without, with @p
+   * remedy. */
+  double read_youngs_modulus(const ParameterValues &values,
+                             const std::string     &remedy);
+
+  /** Reads material_parameters() other than @p youngs_modulus (Pa); the law is
+   * left empty. */
   MaterialDefinition read_material_constants(const ParameterValues &values,
-                                             const std::string     &remedy);
+                                             double youngs_modulus);
 
   /** Refuses material_parameters() that are given beside @p material. */
   void refuse_material_parameters(const ParameterValues &values,

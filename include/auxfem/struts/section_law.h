@@ -7,6 +7,8 @@
 
 #include <map>
 #include <memory>
+#include <optional>
+#include <string>
 
 namespace auxfem
 {
@@ -91,6 +93,16 @@ namespace auxfem
     Lanes stored, relaxing_stored;
     /** Power lost per length (W/m), >= 0. */
     Lanes lost_power;
+  };
+
+  /** How far a section has yielded. */
+  struct SectionYielding
+  {
+    /** Largest accumulated plastic strain of its fibres. */
+    Lanes plastic_strain = 0;
+    /** Largest stress minus back stress of its fibres, over the yield stress
+     * there. */
+    Lanes utilisation = 0;
   };
 
   /** Kind and length of a step of a law. */
@@ -185,9 +197,28 @@ namespace auxfem
     }
 
     /** Whether the material yields: tangents jump where it begins to. */
-    virtual bool yields() const
+    bool yields() const
     {
-      return false;
+      return yield_strain().has_value();
+    }
+
+    /** Strain of a fibre at which it begins to yield, if it does. */
+    virtual std::optional<double> yield_strain() const
+    {
+      return std::nullopt;
+    }
+
+    /** Instantaneous Young's modulus (Pa), if the data of the law include it.
+     */
+    virtual std::optional<double> youngs_modulus() const
+    {
+      return std::nullopt;
+    }
+
+    /** What users should know about the data of the law; empty: nothing. */
+    virtual std::string note() const
+    {
+      return "";
     }
 
     /** Whether the equilibrium at the start of a run is the relaxed one. */
@@ -218,6 +249,20 @@ namespace auxfem
                          const SectionHistory       &history,
                          const SectionHistoryOutput *rates,
                          SectionInstant             &instant) const = 0;
+
+    /** How far a section has yielded at an instant. */
+    virtual SectionYielding yielding(const SectionPoint & /*point*/,
+                                     const Lanes * /*strains*/,
+                                     const SectionHistory & /*history*/) const
+    {
+      return {};
+    }
+
+    /** Accumulated plastic strain at which the law's data end; empty: none. */
+    virtual std::optional<double> largest_plastic_strain() const
+    {
+      return std::nullopt;
+    }
 
     /** Stiffness after complete relaxation over the instantaneous one. */
     virtual double long_time_ratio(StrainType type) const = 0;

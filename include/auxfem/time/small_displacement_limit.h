@@ -88,7 +88,7 @@ namespace auxfem
 
   /**
    * Ends a run by small displacements when their error exceeds
-   * `Effects/Tolerance`, the structure becomes unstable, or struts touch.
+   * `Effects/Tolerance`, the structure becomes unstable, struts touch or yield.
    * Samples every step, with inertia every twentieth. Used by
    * run_with_chosen_kinematics(); all checks are collective.
    */
@@ -107,8 +107,9 @@ namespace auxfem
      */
     LargeRotationError check_static_answer();
 
-    /** Checks an accepted step. Throws SmallDisplacementLimitExceeded. */
-    void check(const Evaluation &step);
+    /** Checks an accepted step with its @p results. Throws
+     * SmallDisplacementLimitExceeded. */
+    void check(const Evaluation &step, const EvaluationResults &results);
 
     /**
      * Largest error so far over the largest displacement. With inertia adds
@@ -148,6 +149,9 @@ namespace auxfem
                 double                        size,
                 const SmallDisplacementError &motion,
                 double                        error);
+    /** Which strut yields; empty if none does. */
+    std::string yielding(const State             &state,
+                         const EvaluationResults &results) const;
     /** Why the motion exceeds the limit; empty if it does not. */
     std::string reason(const State &state);
     /**
@@ -158,12 +162,15 @@ namespace auxfem
                         double                        size,
                         const SmallDisplacementError &motion);
 
-    const RunPlan                        &plan;
-    const UnknownLayout                  &layout;
-    const bool                            has_inertia;
-    LargeRotationErrorEstimator           estimator;
-    const SmallDisplacementEstimate       estimate;
-    Envelope                              envelope;
+    const RunPlan                  &plan;
+    const Equations                &small;
+    const UnknownLayout            &layout;
+    const bool                      has_inertia;
+    LargeRotationErrorEstimator     estimator;
+    const SmallDisplacementEstimate estimate;
+    Envelope                        envelope;
+    /** Strains at which sections yield; empty without plasticity. */
+    std::vector<StrainLimit>              yield_limits;
     std::unique_ptr<FirstContactDetector> detector; ///< nullptr without contact
     double       largest_error = 0, largest_size = 0; ///< so far (m)
     double       path_length     = 0; ///< length of the motion's path (m)

@@ -342,6 +342,9 @@ namespace auxfem
   MakeWatch make_strain_watch;
   /** Strains beyond yield; if a section has a yield strain. */
   MakeWatch make_yield_watch;
+  /** Plastic strains beyond the data of the material, hinges in coarse
+   * elements; with plasticity. */
+  MakeWatch make_plasticity_watch;
   /**
    * Struts that buckle between joints, which their elements cannot represent;
    * with elastic struts.

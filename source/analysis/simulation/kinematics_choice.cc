@@ -29,9 +29,13 @@ namespace auxfem
                      });
     }
 
-    /** The same effects with small displacements and without contact. */
-    SimulatedEffects with_small_displacements(SimulatedEffects simulated)
+    /** The same effects with small displacements, without contact and, unless
+     * the user asks for it, plasticity. */
+    SimulatedEffects with_small_displacements(const RunPlan &plan)
     {
+      SimulatedEffects simulated = plan.simulated;
+      if (plan.effects.plasticity == Switch::automatic)
+        simulated.plasticity = false;
       simulated.large_rotation = simulated.contact = false;
       simulated.small_displacements_are_limited    = true;
       return simulated;
@@ -44,7 +48,7 @@ namespace auxfem
     struct SmallRun
     {
       explicit SmallRun(const LatticeRun &exact)
-        : run(exact, with_small_displacements(exact.model.plan.simulated))
+        : run(exact, with_small_displacements(exact.model.plan))
         , limit(run.equations, exact.equations)
       {}
 
@@ -71,7 +75,7 @@ namespace auxfem
 
     /**
      * Lists the decision for small displacements in @p model, and its
-     * consequence for contact.
+     * consequences for contact and plasticity.
      */
     void explain_small_displacements(const EffectDecision &decision,
                                      LatticeModel         &model)
@@ -80,6 +84,13 @@ namespace auxfem
       const std::string contact = contact_effect().name;
       if (model.plan.simulated.decision(contact).on)
         model.explain({contact, false, struts_hardly_move});
+      const std::string plasticity = plasticity_effect().name;
+      if (model.plan.simulated.decision(plasticity).on &&
+          !model.plan.simulated.plasticity)
+        model.explain(
+          {plasticity,
+           false,
+           "no fibre reaches the yield stress, checked in the run"});
     }
 
     /** Empty if @p exact must run; it then has the reason. */

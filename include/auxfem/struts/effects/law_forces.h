@@ -2,6 +2,7 @@
 #define auxfem_struts_effects_law_forces_h
 
 #include <auxfem/struts/effects/beam_forces.h>
+#include <auxfem/struts/effects/law_instants.h>
 
 #include <algorithm>
 
@@ -26,12 +27,49 @@ namespace auxfem
     {
       Base::register_in(layout);
       responses.register_in(layout);
+      first_lost = layout.history.keep(beams.record_name() + ": lost energy",
+                                       beams.numbers_in_lattice(),
+                                       /*values_per_item=*/1);
       layout.mean_work = true;
       lost_entry       = layout.energies.enter(responses.law().yields()
                                            ? plastic_energy_entry()
                                            : relaxation_energy_entry());
       if (!responses.finds_history_after_step())
         numerical_entry = layout.energies.enter(numerical_energy_entry());
+    }
+
+    std::vector<StrutPoint> sample(const State       &state,
+                                   const unsigned int element,
+                                   const unsigned int n_points) const override
+    {
+      std::vector<StrutPoint> points = Base::sample(state, element, n_points);
+      const unsigned int      e      = element - beams.group.begin;
+      const std::array<SectionYielding, order> yielding = yielding_in(e, state);
+      for (unsigned int i = 0; i < n_points; ++i)
+        {
+          // Interpolation would give negative values beside plastic hinges.
+          const unsigned int g = nearest_point(-1 + 2. * i / (n_points - 1));
+          points[i].plastic_strain = lane_value(yielding[g].plastic_strain, 0);
+          points[i].utilisation    = lane_value(yielding[g].utilisation, 0);
+          points[i].dissipated_density =
+            state.history[first_lost + e] / (2 * beams.at_rest(e).jacobian);
+        }
+      return points;
+    }
+
+    StrutStrain largest_plastic_strain(const State &state,
+                                       const double least) const override
+    {
+      StrutStrain largest{least, invalid_index};
+      if (!responses.law().yields())
+        return largest;
+      for (unsigned int e = 0; e < beams.size(); ++e)
+        if (beams[e].owned)
+          for (const SectionYielding &point : yielding_in(e, state))
+            if (const double strain = lane_value(point.plastic_strain, 0);
+                strain > largest.ratio)
+              largest = {strain, beams.interval(e).strut};
+      return largest;
     }
 
     void update_history(const Evaluation &solved) const override
@@ -61,7 +99,7 @@ namespace auxfem
         return;
       const auto   losses = responses.law().losses(responses.step(step));
       const double lost =
-        sum_over_owned([&](const ElementBatch &batch, const auto &at_rest) {
+        lose(step, 1, [&](const ElementBatch &batch, const auto &at_rest) {
           return responses.lost(*losses, step, batch, at_rest);
         });
       account.add_in_step(lost_entry, lost);
@@ -78,17 +116,19 @@ namespace auxfem
                        EnergyAccount &account) const override
     {
       const double power =
-        sum_over_owned([&](const ElementBatch &batch, const auto &at_rest) {
-          Lanes force[n];
-          return integrate(
-            batch,
-            at_rest,
-            stage.to,
-            [](const SectionInstant &now, SectionResponse &r) {
-              r.stored = now.lost_power;
-            },
-            force);
-        });
+        lose(stage,
+             stage.weight,
+             [&](const ElementBatch &batch, const auto &at_rest) {
+               Lanes force[n];
+               return integrate(
+                 batch,
+                 at_rest,
+                 stage.to,
+                 [](const SectionInstant &now, SectionResponse &r) {
+                   r.stored = now.lost_power;
+                 },
+                 force);
+             });
       account.add_power(lost_entry, power);
     }
 
@@ -216,64 +256,71 @@ namespace auxfem
     }
 
     /**
-     * Sections at an instant whose response @p Respond makes from the
-     * SectionInstant; the law writes the rates of the internal variables to @p
-     * rates if not nullptr.
+     * Sum of @p value_of as of sum_over_owned(); adds the values of all
+     * elements, times @p factor, to the energies (J) that they have lost.
      */
-    template <class Respond>
-    class InstantLaw
+    template <class ValueOfBatch>
+    double lose(const Evaluation   &evaluation,
+                const double        factor,
+                const ValueOfBatch &value_of) const
     {
-    public:
-      template <class AtRest>
-      InstantLaw(const LawSections<Beam> &sections,
-                 const State             &state,
-                 const ElementBatch      &batch,
-                 const AtRest            &at_rest,
-                 const Respond           &make_response,
-                 double                  *rates)
-        : sections(sections)
-        , state(state)
-        , batch(batch)
-        , points(sections, at_rest)
-        , make_response(make_response)
-        , rates(rates)
-      {}
+      const double *before = evaluation.from.history.data() + first_lost;
+      double       *now    = evaluation.to.history.data() + first_lost;
+      return sum_over_owned(
+        [&](const ElementBatch &batch, const auto &at_rest) {
+          const Lanes values = value_of(batch, at_rest);
+          for (unsigned int lane = 0; lane < batch.size; ++lane)
+            {
+              const unsigned int e = batch.elements[lane];
+              now[e] = before[e] + factor * lane_value(values, lane);
+            }
+          return values;
+        });
+    }
 
-      SectionResponse respond(const int g,
-                              const Lanes (&strains)[Beam::n_strains]) const
-      {
-        const SectionHistory history =
-          sections.history(state.history, batch, g);
-        SectionInstant now;
-        if (rates == nullptr)
-          sections.law().instant(points.point(),
-                                 strains,
-                                 history,
-                                 nullptr,
-                                 now);
-        else
-          {
-            const SectionHistoryOutput output =
-              sections.history_output(rates, batch, g);
-            sections.law().instant(points.point(),
-                                   strains,
-                                   history,
-                                   &output,
-                                   now);
-          }
-        SectionResponse response = {};
-        make_response(now, response);
-        return response;
-      }
+    /** How far element @p e has yielded at its Gauss points. */
+    std::array<SectionYielding, order> yielding_in(const unsigned int e,
+                                                   const State &state) const
+    {
+      const ElementBatch                 batch   = batch_of(e);
+      const auto                        &at_rest = beams.at_rest(batch);
+      std::array<SectionYielding, order> reports;
+      Lanes                              force[n];
+      Beam::internal_force(
+        beams.shape,
+        at_rest,
+        Beam::law_section(at_rest,
+                          YieldingLaw<Beam>{responses,
+                                            state,
+                                            batch,
+                                            {responses, at_rest},
+                                            reports}),
+        Beam::motion(beams.numbering, beams.unknowns(batch), state),
+        force);
+      return reports;
+    }
 
-    private:
-      const LawSections<Beam>                   &sections;
-      const State                               &state;
-      const ElementBatch                        &batch;
-      const typename LawSections<Beam>::PointsOf points;
-      const Respond                             &make_response;
-      double                                    *rates;
-    };
+    /** Gauss point nearest to @p xi in [-1, 1]. */
+    unsigned int nearest_point(const double xi) const
+    {
+      const double *const points = beams.shape.point;
+      return std::min_element(points,
+                              points + order,
+                              [xi](const double one, const double other) {
+                                return std::abs(one - xi) <
+                                  std::abs(other - xi);
+                              }) -
+        points;
+    }
+
+    /** Element @p e alone, in all lanes. */
+    static ElementBatch batch_of(const unsigned int e)
+    {
+      ElementBatch batch;
+      batch.elements.fill(e);
+      batch.size = 1;
+      return batch;
+    }
 
     /**
      * Integral over each element of a batch of the `stored` that @p
@@ -292,12 +339,12 @@ namespace auxfem
                beams.shape,
                at_rest,
                Beam::law_section(at_rest,
-                                 InstantLaw<Respond>(responses,
-                                                     state,
-                                                     batch,
-                                                     at_rest,
-                                                     make_response,
-                                                     rates)),
+                                 InstantLaw<Beam, Respond>(responses,
+                                                           state,
+                                                           batch,
+                                                           at_rest,
+                                                           make_response,
+                                                           rates)),
                Beam::motion(beams.numbering, beams.unknowns(batch), state),
                force)
         .strain;
@@ -309,11 +356,9 @@ namespace auxfem
                         const State       &state,
                         const Action      &action) const
     {
-      ElementBatch batch;
-      batch.elements.fill(e);
-      batch.size = 1;
-      int   g    = 0;
-      Lanes force[n];
+      const ElementBatch batch = batch_of(e);
+      int                g     = 0;
+      Lanes              force[n];
       integrate(
         batch,
         beams.at_rest(batch),
@@ -385,6 +430,7 @@ namespace auxfem
     }
 
     unsigned int lost_entry = 0, numerical_entry = 0;
+    std::size_t  first_lost = 0; ///< in State::history
   };
   /** The variant of @p Beam <order, large_rotation, damped> that @p model asks for. */
   template <template <int, bool, bool> class Beam, int order>

@@ -30,6 +30,12 @@ namespace auxfem
     /** Torque and bending moments about axes 2, 3 (N m). */
     dealii::Tensor<1, 3> moment;
     double               energy_density; ///< strain energy per length (J/m)
+    /** @name Of struts with a law, else zero. */
+    ///@{
+    double dissipated_density = 0; ///< energy lost per length so far (J/m)
+    double plastic_strain     = 0; ///< SectionYielding::plastic_strain
+    double utilisation        = 0; ///< SectionYielding::utilisation
+    ///@}
   };
 
   /**
@@ -120,6 +126,14 @@ namespace auxfem
     /** Mean elastic axial force (N) in element @p e of the numbering at @p
      * state; positive in tension. */
     virtual double axial_force(const State &state, unsigned int e) const = 0;
+
+    /** Largest accumulated plastic strain of a fibre, of the struts owned by
+     * this rank, if above @p least; else no strut. */
+    virtual StrutStrain largest_plastic_strain(const State & /*state*/,
+                                               const double least) const
+    {
+      return {least, invalid_index};
+    }
 
     /**
      * Largest ratio of strain to allowed strain among the struts owned by this
