@@ -15,19 +15,34 @@ namespace auxfem
     class ElasticPlastic : public SectionLaw
     {
     public:
+      /** @param shear_modulus over Young's modulus; 0: shear and torsion stay
+       * elastic */
       ElasticPlastic(const SectionShape &shape,
                      const FibreNumbers &numbers,
-                     const YieldCurve   &curve)
+                     const YieldCurve   &curve,
+                     const double        shear_modulus)
         : numbers(numbers)
-        , sections{{plane_fibres(shape, numbers), {0, 2}},
-                   {space_fibres(shape, numbers), {0, 4, 5}},
+        , shear_modulus(shear_modulus)
+        , sections{{plane_fibres(shape, numbers), 3, shear_modulus},
+                   {space_fibres(shape, numbers), 6, shear_modulus},
                    curve}
       {}
+
+      SectionShape needed_shape(const SectionShape &shape) const override
+      {
+        // Proportions of rectangles matter in torsion only.
+        const bool needs_ratio =
+          shape.kind == SectionShape::Kind::tube || shear_modulus > 0;
+        return {shape.kind, needs_ratio ? shape.ratio : 0};
+      }
 
       std::shared_ptr<const SectionLaw>
       in_shape(const SectionShape &shape) const override
       {
-        return std::make_shared<ElasticPlastic>(shape, numbers, sections.curve);
+        return std::make_shared<ElasticPlastic>(shape,
+                                                numbers,
+                                                sections.curve,
+                                                shear_modulus);
       }
 
       bool is_linear() const override
@@ -57,8 +72,7 @@ namespace auxfem
 
       unsigned int n_kept(const SectionPoint &point) const override
       {
-        return FibreHistory(point.n_strains, sections.of(point).n_fibres())
-          .size();
+        return FibreHistory(sections.of(point)).size();
       }
 
       std::unique_ptr<SectionUpdate>
@@ -97,24 +111,7 @@ namespace auxfem
                                const Lanes          *strains,
                                const SectionHistory &history) const override
       {
-        using std::abs, std::max;
-        const FibreSection &section = sections.of(point);
-        const FibrePoint    fibres(point, section);
-        const NormalStrains now  = fibres.normal(strains);
-        const double        back = 1 + sections.curve.kinematic();
-        SectionYielding     largest;
-        for (unsigned int i = 0; i < section.n_fibres(); ++i)
-          {
-            const Lanes plastic = history.kept(fibres.layout.fibre_plastic(i)),
-                        accumulated =
-                          history.kept(fibres.layout.fibre_accumulated(i));
-            largest.plastic_strain = max(largest.plastic_strain, accumulated);
-            largest.utilisation =
-              max(largest.utilisation,
-                  Lanes(abs(fibres.fibre_strain(i, now) - back * plastic) /
-                        sections.curve.stress(accumulated)));
-          }
-        return largest;
+        return yielding_of_fibres(sections, point, strains, history);
       }
 
       std::optional<double> largest_plastic_strain() const override
@@ -135,6 +132,7 @@ namespace auxfem
 
     private:
       const FibreNumbers  numbers;
+      const double        shear_modulus;
       const FibreSections sections;
     };
 
@@ -179,17 +177,24 @@ namespace auxfem
       "multiplied by 1 + (plastic strain rate / D)^(1/n); none: no dependence "
       "on the rate.",
       {"none"}};
-    const Quantity rate_exponent = {"Rate exponent",
-                                    "5",
-                                    "1",
-                                    {1, 100, true, true},
-                                    "Exponent n of Cowper and Symonds."};
-    const Integer  layers        = {
-              "Layers",
-              16,
-              2,
-              200,
-              "Number of layers across the height, in the plane."};
+    const Quantity rate_exponent     = {"Rate exponent",
+                                        "5",
+                                        "1",
+                                        {1, 100, true, true},
+                                        "Exponent n of Cowper and Symonds."};
+    const Choice   shear_and_torsion = {
+        "Shear and torsion",
+        "elastic",
+        {"elastic", "yield"},
+        "elastic: fibres yield by their axial stress alone, as in slender struts "
+          "that bend; yield: by von Mises' stress of axial, shear and torsional "
+          "stresses, at three times the time."};
+    const Integer layers = {
+      "Layers",
+      16,
+      2,
+      200,
+      "Number of layers across the height, in the plane."};
     const Integer section_rings = {
       "Rings",
       4,
@@ -250,7 +255,10 @@ namespace auxfem
                      values[section_rings],
                      values[section_angles],
                      values[section_grid]},
-        read_yield_curve(values));
+        read_yield_curve(values),
+        values[shear_and_torsion] == "yield"
+          ? 1 / (2 * (1 + values[poissons_ratio_parameter()]))
+          : 0.);
     }
   } // namespace
 
@@ -266,6 +274,7 @@ namespace auxfem
        kinematic_modulus,
        reference_rate,
        rate_exponent,
+       shear_and_torsion,
        layers,
        section_rings,
        section_angles,

@@ -10,6 +10,7 @@ namespace auxfem
   namespace
   {
     using dealii::numbers::PI;
+    using Shear = std::array<double, 2>;
 
     /** A layer or a ring: its position and its part of the whole. */
     struct Part
@@ -38,25 +39,81 @@ namespace auxfem
       return parts;
     }
 
-    /** Scales arms and weights so that the moments hold to round-off. */
+    /**
+     * Shear strains of a rectangle by Saint-Venant's torsion at y, z from its
+     * centre: derivatives of Prandtl's stress function.
+     * @param h, b sides along y and z
+     */
+    Shear twist_of_rectangle(const double y,
+                             const double z,
+                             const double h,
+                             const double b)
+    {
+      // Terms fall with n^-2, and exponentially away from the sides z = +- b/2.
+      Shear shear = {{0, 0}};
+      for (int n = 1, sign = 1; n < 200; n += 2, sign = -sign)
+        {
+          const double a = n * PI / h;
+          const double decay =
+            std::exp(a * (std::abs(z) - b / 2)) / (1 + std::exp(-a * b));
+          const double cosh = decay * (1 + std::exp(-2 * a * std::abs(z))),
+                       sinh =
+                         std::copysign(decay *
+                                         (1 - std::exp(-2 * a * std::abs(z))),
+                                       z);
+          const double factor = sign * 8 * h / (PI * PI * n * n);
+          shear[0] -= factor * sinh * std::cos(a * y);
+          shear[1] += factor * (1 - cosh) * std::sin(a * y);
+        }
+      return shear;
+    }
+
+    /** Scales values at the fibres to a mean square of one. */
+    template <class Value>
+    void normalize(std::vector<Fibre> &fibres, const Value &value_of)
+    {
+      double sum = 0;
+      for (Fibre &fibre : fibres)
+        for (const double value : value_of(fibre))
+          sum += fibre.weight * value * value;
+      if (sum > 0)
+        for (Fibre &fibre : fibres)
+          for (double &value : value_of(fibre))
+            value /= std::sqrt(sum);
+    }
+
+    /** Scales weights and strains so that the moments hold to round-off. */
     std::vector<Fibre> normalized(std::vector<Fibre> fibres)
     {
-      double weight = 0, moment_2 = 0, moment_3 = 0;
+      double weight = 0;
       for (const Fibre &fibre : fibres)
         weight += fibre.weight;
       for (Fibre &fibre : fibres)
+        fibre.weight /= weight;
+      struct Span
+      {
+        double *begin() const
         {
-          fibre.weight /= weight;
-          moment_2 += fibre.weight * fibre.arm_2 * fibre.arm_2;
-          moment_3 += fibre.weight * fibre.arm_3 * fibre.arm_3;
+          return value;
         }
-      for (Fibre &fibre : fibres)
+        double *end() const
         {
-          if (moment_2 > 0)
-            fibre.arm_2 /= std::sqrt(moment_2);
-          fibre.arm_3 /= std::sqrt(moment_3);
+          return value + 1;
         }
+        double *value;
+      };
+      normalize(fibres, [](Fibre &f) { return Span{&f.arm_2}; });
+      normalize(fibres, [](Fibre &f) { return Span{&f.arm_3}; });
+      normalize(fibres, [](Fibre &f) -> Shear & { return f.shear_2; });
+      normalize(fibres, [](Fibre &f) -> Shear & { return f.shear_3; });
+      normalize(fibres, [](Fibre &f) -> Shear & { return f.twist; });
       return fibres;
+    }
+
+    /** Layer at the height @p y in [-1, 1]. */
+    Fibre layer(const double weight, const double y)
+    {
+      return {weight, 0, -y, {{1 - y * y, 0}}, {}, {}};
     }
   } // namespace
 
@@ -71,43 +128,79 @@ namespace auxfem
           for (unsigned int i = 1; i <= n; ++i)
             {
               const double angle = i * PI / (n + 1), sine = std::sin(angle);
-              fibres.push_back({sine * sine, 0, std::cos(angle)});
+              fibres.push_back(layer(sine * sine, std::cos(angle)));
             }
           break;
         case SectionShape::Kind::tube:
-          for (const Part &ring : rings(shape.bore, numbers.rings))
+          for (const Part &ring : rings(shape.ratio, numbers.rings))
             for (unsigned int i = 0; i < n; ++i)
-              fibres.push_back(
-                {ring.weight, 0, ring.position * std::cos((i + 0.5) * PI / n)});
+              {
+                const double angle = (i + 0.5) * PI / n;
+                fibres.push_back({ring.weight,
+                                  0,
+                                  -ring.position * std::cos(angle),
+                                  {{std::sin(angle), 0}},
+                                  {},
+                                  {}});
+              }
           break;
         default:
-          for (const Part &layer : gauss_parts(n))
-            fibres.push_back({layer.weight, 0, layer.position});
+          for (const Part &part : gauss_parts(n))
+            fibres.push_back(layer(part.weight, part.position));
       }
     return normalized(std::move(fibres));
   }
 
-  std::vector<Fibre> space_fibres(const SectionShape &shape,
-                                  const FibreNumbers &numbers)
+  namespace
   {
-    std::vector<Fibre> fibres;
-    if (shape.kind == SectionShape::Kind::rectangle)
-      {
-        const std::vector<Part> parts = gauss_parts(numbers.grid);
-        for (const Part &across : parts)
-          for (const Part &along : parts)
-            fibres.push_back(
-              {across.weight * along.weight, along.position, across.position});
-      }
-    else
-      for (const Part &ring : rings(shape.bore, numbers.rings))
+    std::vector<Fibre> rectangle_in_space(const double       ratio,
+                                          const unsigned int n)
+    {
+      const double            b     = ratio > 0 ? ratio : 1;
+      const std::vector<Part> parts = gauss_parts(n);
+      std::vector<Fibre>      fibres;
+      for (const Part &along_2 : parts)
+        for (const Part &along_3 : parts)
+          {
+            const double y = along_2.position, z = along_3.position;
+            fibres.push_back({along_2.weight * along_3.weight,
+                              z,
+                              -y,
+                              {{1 - y * y, 0}},
+                              {{0, 1 - z * z}},
+                              twist_of_rectangle(y / 2, z * b / 2, 1, b)});
+          }
+      return fibres;
+    }
+
+    std::vector<Fibre> round_in_space(const SectionShape &shape,
+                                      const FibreNumbers &numbers)
+    {
+      const bool         is_tube = shape.kind == SectionShape::Kind::tube;
+      std::vector<Fibre> fibres;
+      for (const Part &ring : rings(shape.ratio, numbers.rings))
         for (unsigned int i = 0; i < numbers.angles; ++i)
           {
             const double angle = (i + 0.5) * 2 * PI / numbers.angles;
-            fibres.push_back({ring.weight,
-                              ring.position * std::sin(angle),
-                              ring.position * std::cos(angle)});
+            const double c = std::cos(angle), s = std::sin(angle);
+            const double y = ring.position * c, z = ring.position * s;
+            fibres.push_back(
+              {ring.weight,
+               z,
+               -y,
+               is_tube ? Shear{{s * s, -s * c}} : Shear{{1 - y * y, 0}},
+               is_tube ? Shear{{-s * c, c * c}} : Shear{{0, 1 - z * z}},
+               {{-z, y}}});
           }
-    return normalized(std::move(fibres));
+      return fibres;
+    }
+  } // namespace
+
+  std::vector<Fibre> space_fibres(const SectionShape &shape,
+                                  const FibreNumbers &numbers)
+  {
+    return normalized(shape.kind == SectionShape::Kind::rectangle
+                        ? rectangle_in_space(shape.ratio, numbers.grid)
+                        : round_in_space(shape, numbers));
   }
 } // namespace auxfem

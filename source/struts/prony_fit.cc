@@ -18,7 +18,7 @@ namespace auxfem
 
     /** Relaxation times that cover the frequencies of @p measured (s). */
     std::vector<double>
-    relaxation_times(const std::vector<MeasuredModulus> &measured)
+    covering_times(const std::vector<MeasuredModulus> &measured)
     {
       const auto [lowest, highest] =
         std::minmax_element(measured.begin(),
@@ -47,7 +47,7 @@ namespace auxfem
 
   PronyFit fit_prony_series(const std::vector<MeasuredModulus> &measured)
   {
-    const std::vector<double> times = relaxation_times(measured);
+    const std::vector<double> times = covering_times(measured);
     // The first column is that of the modulus that does not relax.
     std::vector<std::vector<double>> columns(times.size() + 1);
     std::vector<double>              right_side;

@@ -187,7 +187,7 @@ namespace auxfem
                         torsion_constant_of_rectangle(std::max(b, h),
                                                       std::min(b, h)));
       section.radius          = h / 2;
-      section.shape.kind      = SectionShape::Kind::rectangle;
+      section.shape           = {SectionShape::Kind::rectangle, b / h};
       section.fibre_distances = section.half_thicknesses = {{b / 2, h / 2}};
       set_shear_areas(values, 5. / 6., section);
     }
@@ -288,10 +288,13 @@ namespace auxfem
     {
       if (!material.law)
         return nullptr;
-      const SectionShape &shape = definition.section.shape;
+      const auto needed = [&](const SectionDefinition &section) {
+        return material.law->needed_shape(section.section.shape);
+      };
+      const SectionShape shape = needed(definition);
       for (const SectionDefinition &other : others)
         if (other.material_path == definition.material_path &&
-            !(other.section.shape < shape) && !(shape < other.section.shape))
+            !(needed(other) < shape) && !(shape < needed(other)))
           return other.section.law;
       const auto law = material.law->in_shape(shape);
       return law ? law : material.law;

@@ -128,4 +128,80 @@ namespace auxfem
             kinematic_modulus + slope * (1 + x) +
               (d > 0 ? yield * x / (n * d) : 0.)};
   }
+
+  std::pair<double, double> YieldCurve::rate_factor(const double increment,
+                                                    const double dt) const
+  {
+    if (!rate || !(dt > 0))
+      return {1, 0};
+    const double x =
+      std::pow(increment / (rate->reference * dt), 1 / rate->exponent);
+    return {1 + x, increment > 0 ? x / (rate->exponent * increment) : 0};
+  }
+
+  YieldCurve::ShearFlow YieldCurve::shear_flow(const Lanes &normal,
+                                               const Lanes &shear,
+                                               const Lanes &plastic_strain,
+                                               const double shear_ratio,
+                                               const double dt) const
+  {
+    using std::sqrt;
+    const auto yields =
+      sqrt(Lanes(normal * normal + shear * shear)) > stress(plastic_strain);
+    if (!any_of(yields))
+      return {0, 0, 0};
+    LaneArray<ShearFlowOf<double>> flows;
+    for (std::size_t lane = 0; lane < n_lanes; ++lane)
+      flows[lane] = shear_flow_at(lane_value(normal, lane),
+                                  lane_value(shear, lane),
+                                  lane_value(plastic_strain, lane),
+                                  shear_ratio,
+                                  dt);
+    return {make_lanes([&](const auto lane) { return flows[lane].increment; }),
+            make_lanes([&](const auto lane) { return flows[lane].multiplier; }),
+            make_lanes([&](const auto lane) { return flows[lane].slope; })};
+  }
+
+  YieldCurve::ShearFlowOf<double>
+  YieldCurve::shear_flow_at(const double normal,
+                            const double shear,
+                            const double plastic_strain,
+                            const double shear_ratio,
+                            const double dt) const
+  {
+    // The stress of each component is its elastic one over 1 + m times its
+    // resistance, with the multiplier m; the equivalent stress falls with m,
+    // the increment m times it grows.
+    const double by_normal = 1 + kinematic_modulus,
+                 by_shear  = shear_ratio + kinematic_modulus;
+    const double elastic   = std::hypot(normal, shear),
+                 initial   = at(plastic_strain).first;
+    if (!(elastic > initial))
+      return {0, 0, 0};
+    double low  = 0,
+           high = (elastic / initial - 1) / std::min(by_normal, by_shear);
+    double m    = high;
+    for (unsigned int i = 0;; ++i)
+      {
+        const double n = normal / (1 + by_normal * m),
+                     t = shear / (1 + by_shear * m), size = std::hypot(n, t);
+        const double size_slope = -(by_normal * n * n / (1 + by_normal * m) +
+                                    by_shear * t * t / (1 + by_shear * m)) /
+          size;
+        const double increment            = m * size;
+        const auto [yield, slope]         = at(plastic_strain + increment);
+        const auto [factor, factor_slope] = rate_factor(increment, dt);
+        const double resistance   = slope * factor + yield * factor_slope;
+        const double excess       = size - yield * factor;
+        (excess > 0 ? low : high) = m;
+        const double excess_slope =
+          size_slope - resistance * (size + m * size_slope);
+        double next = m - excess / excess_slope;
+        if (!(next >= low && next <= high))
+          next = (low + high) / 2;
+        if (std::abs(next - m) <= few_round_offs * m || i == max_iterations)
+          return {increment, m, resistance};
+        m = next;
+      }
+  }
 } // namespace auxfem

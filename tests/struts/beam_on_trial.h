@@ -1,7 +1,7 @@
 #ifndef auxfem_tests_elements_beam_on_trial_h
 #define auxfem_tests_elements_beam_on_trial_h
 
-#include <auxfem/struts/beam_2d.h>
+#include <auxfem/struts/beam_2d_tangent.h>
 #include <auxfem/struts/beam_dispatch.h>
 
 #include <gtest/gtest.h>

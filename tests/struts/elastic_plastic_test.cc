@@ -333,28 +333,165 @@ TEST(ElasticPlastic, TangentsAreDerivativesOfForces)
       }
 }
 
+namespace
+{
+  const Entries with_shear =
+    with(hardening, {{"Shear and torsion", "yield"}, {"Grid", "4"}});
+} // namespace
+
+TEST(ElasticPlastic, TangentsInShearAreDerivativesOfForces)
+{
+  const auto law     = make_law(with_shear);
+  const auto viscous = make_law(
+    with(with_shear, {{"Reference strain rate", "2"}, {"Rate exponent", "3"}}));
+  for (const SectionStep::Kind kind : {at_end, mean})
+    for (const SectionLaw *any : {law.get(), viscous.get()})
+      {
+        check_tangent<PlanePoint, 3>(*any, {kind, 1e-3});
+        check_tangent<SpacePoint, 6>(*any, {kind, 1e-3});
+      }
+}
+
+namespace
+{
+  /** A round section with EA = 1 and the outer radius 1, of nu = 0.3. */
+  SectionOnTrial<6> round_section(const SectionLaw &law, const double bore)
+  {
+    const double g = 1 / 2.6, gyration = (1 + bore * bore) / 4;
+    return {law,
+            {{StrainType::normal,
+              StrainType::shear,
+              StrainType::shear,
+              StrainType::shear,
+              StrainType::normal,
+              StrainType::normal}},
+            {{1., 0.9 * g, 0.9 * g, 2 * g * gyration, gyration, gyration}}};
+  }
+} // namespace
+
+// T / T_Y = 4/3 (1 - (phi_Y / phi)^3 / 4) of a perfectly plastic circle.
+TEST(ElasticPlastic, CirclesYieldInTorsion)
+{
+  const auto material = make_law(
+    with(unit_material,
+         {{"Shear and torsion", "yield"}, {"Rings", "24"}, {"Angles", "8"}}));
+  const auto   law    = material->in_shape({SectionShape::Kind::circle, 0});
+  auto         point  = round_section(*law, 0);
+  const double limit  = 1e-3 / std::sqrt(3.) * 2.6;
+  const double torque = limit * first(point.stiffness[3]);
+  for (const double ratio : {0.9, 1.5, 2., 5.})
+    {
+      const Lanes strains[] = {0., 0., 0., ratio * limit, 0., 0.};
+      EXPECT_NEAR(first(point.step({at_end, 0}, strains).forces[3]) / torque,
+                  ratio < 1 ? ratio : 4. / 3 * (1 - std::pow(ratio, -3.) / 4),
+                  4e-4)
+        << ratio;
+    }
+}
+
+// A thin tube twisted to yield and then stretched to 2 Y / E: its axial stress
+// s Y satisfies E eps / Y = (1 - E/3G) s + E/3G artanh(s).
+TEST(ElasticPlastic, StretchedTubesGiveUpTheirTorque)
+{
+  const auto material = make_law(
+    with(unit_material, {{"Shear and torsion", "yield"}, {"Rings", "1"}}));
+  const auto law   = material->in_shape({SectionShape::Kind::tube, 0.9999});
+  const auto after = [&](const int n) {
+    auto            point = round_section(*law, 0.9999);
+    const double    twist = 1e-3 / std::sqrt(3.) * 2.6;
+    SectionResponse response;
+    for (int i = 0; i <= n; ++i)
+      {
+        const Lanes strains[] = {2e-3 * i / n, 0., 0., twist, 0., 0.};
+        response              = point.step({at_end, 0}, strains);
+      }
+    const double s = first(response.forces[0]) / 1e-3,
+                 t = first(response.forces[3]) /
+      first(point.stiffness[3] * Lanes(twist));
+    EXPECT_NEAR(s * s + t * t, 1, 2e-4);
+    return s;
+  };
+  const double exact = 0.97364041;
+  EXPECT_NEAR(after(1000), exact, 1e-4);
+  EXPECT_NEAR((after(500) - exact) / (after(1000) - exact), 2, 0.1);
+}
+
+TEST(ElasticPlastic, ShearAndTorsionHaveTheirElasticStiffness)
+{
+  using Kind = SectionShape::Kind;
+  const auto material =
+    make_law(with(unit_material, {{"Shear and torsion", "yield"}}));
+  for (const SectionShape &shape : {SectionShape{Kind::rectangle, 3},
+                                    SectionShape{Kind::circle, 0},
+                                    SectionShape{Kind::tube, 0.7}})
+    {
+      const auto law = material->in_shape(shape);
+      SpacePoint at_yield(*law);
+      // One fibre beyond yield lets all be summed.
+      const Lanes far[] = {1e-3 * (1 + 1e-12), 0., 0., 0., 0., 0.};
+      at_yield.step({at_end, 0}, far);
+      const Lanes back[] = {-0.5e-3, 1e-7, -2e-7, 1e-6, 1e-6, 2e-6};
+      const auto  r      = at_yield.evaluate({at_end, 0}, back);
+      for (int k = 1; k < 6; ++k)
+        EXPECT_NEAR(first(r.forces[k] / (at_yield.stiffness[k] * back[k])),
+                    1,
+                    1e-8)
+          << k;
+    }
+}
+
+// Fully plastic torque of a rectangle against the sand hill's. The directions
+// of stress stay those of Saint-Venant's solution, which makes it an upper
+// bound.
+TEST(ElasticPlastic, RectanglesYieldInTorsion)
+{
+  const auto material =
+    make_law(with(unit_material, {{"Shear and torsion", "yield"}}));
+  const double b = 2, g = 1 / 2.6;
+  const auto   law = material->in_shape({SectionShape::Kind::rectangle, b});
+  // J of a 1 x 2 rectangle (Timoshenko & Goodier) over its area.
+  const double      torsion = 0.2287 * b / b;
+  SectionOnTrial<6> point(*law,
+                          {{StrainType::normal,
+                            StrainType::shear,
+                            StrainType::shear,
+                            StrainType::shear,
+                            StrainType::normal,
+                            StrainType::normal}},
+                          {{1., g, g, g * torsion, b * b / 12, 1. / 12}});
+  const Lanes       far[] = {0., 0., 0., 1., 0., 0.};
+  // Sand hill: tau (h^2 (3 b - h) / 6) over the area.
+  const double sand_hill = 1e-3 / std::sqrt(3.) * (3 * b - 1) / 6 / b;
+  EXPECT_NEAR(first(point.step({at_end, 0}, far).forces[3]) / sand_hill,
+              1,
+              0.05);
+}
+
 TEST(ElasticPlastic, MeanForcesDoTheWorkOfStoredAndLostEnergy)
 {
-  const auto law = make_law(hardening);
-  SpacePoint point(*law);
-  Walk<6>    walk;
-  double     stored = 0;
-  for (int i = 0; i < 2000; ++i)
+  for (const Entries &entries : {hardening, with_shear})
     {
-      Lanes before[6];
-      std::copy_n(walk.strains, 6, before);
-      walk.next(i / 50 % 3);
-      const SectionResponse response = point.step({mean, 1}, walk.strains);
-      Lanes                 work     = 0;
-      for (int k = 0; k < 6; ++k)
-        work += response.forces[k] * (walk.strains[k] - before[k]);
-      ASSERT_NEAR(first(work),
-                  first(response.stored) - stored + first(point.lost),
-                  1e-17)
-        << i;
-      ASSERT_GE(first(point.lost), 0) << i;
-      stored = first(response.stored);
-      ASSERT_NEAR(first(point.instant(walk.strains).stored), stored, 1e-17);
+      const auto law = make_law(entries);
+      SpacePoint point(*law);
+      Walk<6>    walk;
+      double     stored = 0;
+      for (int i = 0; i < 2000; ++i)
+        {
+          Lanes before[6];
+          std::copy_n(walk.strains, 6, before);
+          walk.next(i / 50 % 3);
+          const SectionResponse response = point.step({mean, 1}, walk.strains);
+          Lanes                 work     = 0;
+          for (int k = 0; k < 6; ++k)
+            work += response.forces[k] * (walk.strains[k] - before[k]);
+          ASSERT_NEAR(first(work),
+                      first(response.stored) - stored + first(point.lost),
+                      1e-17)
+            << i;
+          ASSERT_GE(first(point.lost), 0) << i;
+          stored = first(response.stored);
+          ASSERT_NEAR(first(point.instant(walk.strains).stored), stored, 1e-17);
+        }
     }
 }
 

@@ -4,69 +4,78 @@
 #include <auxfem/struts/section_law.h>
 #include <auxfem/struts/yield_curve.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <vector>
 
 namespace auxfem
 {
-  /** Largest number of strains that change the length of fibres: axial strain
-   * and curvatures. */
-  constexpr unsigned int max_normal_strains = 3;
+  /** Largest number of strains of a fibre: axial, shear along axes 2 and 3. */
+  constexpr unsigned int max_fibre_strains = 3;
 
-  /** The fibres of a section in the plane or in space. */
+  /** Strains of a section that its fibres feel, each times a radius (m or 1),
+   * see FibrePoint. */
+  using FeltStrains = std::array<Lanes, max_section_strains>;
+
+  /** The fibres of a section in the plane or in space. Stresses are over
+   * Young's modulus. */
   struct FibreSection
   {
-    FibreSection(const std::vector<Fibre>        &fibres,
-                 const std::vector<unsigned int> &normal_strains)
-      : normal_strains(normal_strains)
-    {
-      for (const Fibre &fibre : fibres)
-        {
-          weights.push_back(fibre.weight);
-          if (normal_strains.size() == 2)
-            arms.push_back({1, fibre.arm_3, 0});
-          else
-            arms.push_back({1, fibre.arm_2, fibre.arm_3});
-          for (unsigned int m = 0; m < max_normal_strains; ++m)
-            largest_arms[m] =
-              std::max(largest_arms[m], std::abs(arms.back()[m]));
-        }
-    }
-
-    unsigned int n_normal() const
-    {
-      return normal_strains.size();
-    }
+    /**
+     * @param n_strains of the section: 3 in the plane, 6 in space
+     * @param shear_modulus over Young's modulus if fibres yield in shear; 0:
+     *   shear and torsion stay elastic
+     */
+    FibreSection(const std::vector<Fibre> &fibres,
+                 unsigned int              n_strains,
+                 double                    shear_modulus);
 
     unsigned int n_fibres() const
     {
       return weights.size();
     }
 
-    /** Indices of the axial strain and of the curvatures among the strains.
-     */
-    const std::vector<unsigned int> normal_strains;
-    std::vector<double>             weights;
-    /** Strain of a fibre by axial strain and by curvatures, each times its
-     * radius of gyration. */
-    std::vector<std::array<double, max_normal_strains>> arms;
-    std::array<double, max_normal_strains> largest_arms = {{0, 0, 0}};
+    unsigned int n_felt() const
+    {
+      return felt.size();
+    }
+
+    unsigned int n_strains;
+    /** Number of strains of a fibre; 1: axial strain alone. */
+    unsigned int n_components;
+    /** Modulus by component, and its stress in the equivalent stress: 1 and 3
+     * times the square. */
+    std::array<double, max_fibre_strains> moduli, equivalents;
+
+    /** A strain of the section that fibres feel. */
+    struct Felt
+    {
+      unsigned int strain;  ///< among those of the section
+      double       modulus; ///< of the fibres' strains
+      /** Largest change of the equivalent stress of a fibre by it. */
+      double reach;
+    };
+    /** The axial strain first. */
+    std::vector<Felt> felt;
+
+    std::vector<double> weights;
+    /** Strains of each fibre, by component and by felt strain. */
+    std::vector<
+      std::array<std::array<double, max_section_strains>, max_fibre_strains>>
+      strains;
   };
 
   /**
-   * History at a point, all kept: strains; plastic strains of the section,
-   * from which forces are stiffness times (strain - plastic strain); the part
-   * of the yield strain that is used up; stored energy at zero strain and
-   * lost energy per length, over EA; by fibre plastic and accumulated plastic
-   * strain.
+   * History at a point, all kept: strains; plastic strains of the section, from
+   * which forces are stiffness times (strain - plastic strain); the part of the
+   * yield strain that is used up; stored energy at zero strain and lost energy
+   * per length, over EA; by fibre its plastic strains and the accumulated one.
    */
   struct FibreHistory
   {
-    FibreHistory(const unsigned int n_strains, const unsigned int n_fibres)
-      : n_strains(n_strains)
-      , n_fibres(n_fibres)
+    explicit FibreHistory(const FibreSection &section)
+      : n_strains(section.n_strains)
+      , n_components(section.n_components)
+      , n_fibres(section.n_fibres())
     {}
 
     unsigned int strain(const unsigned int k) const
@@ -89,24 +98,21 @@ namespace auxfem
     {
       return 2 * n_strains + 2;
     }
-    unsigned int fibre_plastic(const unsigned int i) const
+    unsigned int fibre_plastic(const unsigned int i, const unsigned int c) const
     {
-      return 2 * n_strains + 3 + 2 * i;
+      return 2 * n_strains + 3 + (n_components + 1) * i + c;
     }
-    unsigned int fibre_accumulated(const unsigned int i) const
+    unsigned int accumulated(const unsigned int i) const
     {
-      return fibre_plastic(i) + 1;
+      return fibre_plastic(i, n_components);
     }
     unsigned int size() const
     {
-      return fibre_plastic(n_fibres);
+      return fibre_plastic(n_fibres, 0);
     }
 
-    const unsigned int n_strains, n_fibres;
+    const unsigned int n_strains, n_components, n_fibres;
   };
-
-  /** Strains that change the length of fibres, times radii of gyration. */
-  using NormalStrains = std::array<Lanes, max_normal_strains>;
 
   /** A Gauss point and the fibres of its section. */
   class FibrePoint
@@ -115,43 +121,50 @@ namespace auxfem
     FibrePoint(const SectionPoint &point, const FibreSection &section)
       : point(point)
       , section(section)
-      , layout(point.n_strains, section.n_fibres())
+      , layout(section)
     {
       using std::sqrt;
-      for (unsigned int m = 0; m < section.n_normal(); ++m)
-        radii[m] =
-          sqrt(Lanes(point.stiffness[section.normal_strains[m]] / axial()));
+      for (unsigned int m = 0; m < section.n_felt(); ++m)
+        radii[m] = sqrt(Lanes(point.stiffness[section.felt[m].strain] /
+                              (section.felt[m].modulus * axial())));
     }
 
     /** EA (N). */
     const Lanes &axial() const
     {
-      return point.stiffness[section.normal_strains[0]];
+      return point.stiffness[section.felt[0].strain];
     }
 
-    NormalStrains normal(const Lanes *strains) const
+    /** Strains of the section that fibres feel, times their radii: those of
+     * gyration for curvatures. */
+    FeltStrains felt(const Lanes *strains) const
     {
-      NormalStrains normal;
-      for (unsigned int m = 0; m < section.n_normal(); ++m)
-        normal[m] = radii[m] * strains[section.normal_strains[m]];
-      return normal;
+      FeltStrains felt;
+      for (unsigned int m = 0; m < section.n_felt(); ++m)
+        felt[m] = radii[m] * strains[section.felt[m].strain];
+      return felt;
     }
 
-    Lanes fibre_strain(const unsigned int i, const NormalStrains &x) const
+    /** Strain of component @p c of fibre @p i. */
+    Lanes fibre_strain(const unsigned int i,
+                       const unsigned int c,
+                       const FeltStrains &x) const
     {
-      Lanes strain = x[0];
-      for (unsigned int m = 1; m < section.n_normal(); ++m)
-        strain += section.arms[i][m] * x[m];
+      const auto &by_felt = section.strains[i][c];
+      Lanes       strain  = by_felt[0] * x[0];
+      for (unsigned int m = 1; m < section.n_felt(); ++m)
+        strain += by_felt[m] * x[m];
       return strain;
     }
 
-    /** Bound of the change of strain of all fibres between two strains. */
-    Lanes reach(const NormalStrains &one, const NormalStrains &other) const
+    /** Bound of the change of equivalent stress of all fibres between two
+     * strains. */
+    Lanes reach(const FeltStrains &one, const FeltStrains &other) const
     {
       using std::abs;
       Lanes sum = 0;
-      for (unsigned int m = 0; m < section.n_normal(); ++m)
-        sum += section.largest_arms[m] * abs(one[m] - other[m]);
+      for (unsigned int m = 0; m < section.n_felt(); ++m)
+        sum += section.felt[m].reach * abs(one[m] - other[m]);
       return sum;
     }
 
@@ -175,7 +188,8 @@ namespace auxfem
     const SectionPoint &point;
     const FibreSection &section;
     const FibreHistory  layout;
-    NormalStrains       radii; ///< 1 and radii of gyration (m)
+    /** Radius of gyration of each felt strain (m); 1 for the axial one. */
+    FeltStrains radii;
   };
 
   /** Sections of a material that yields. */
@@ -183,12 +197,18 @@ namespace auxfem
   {
     const FibreSection &of(const SectionPoint &point) const
     {
-      return point.n_strains == 3 ? plane : space;
+      return point.n_strains == plane.n_strains ? plane : space;
     }
 
     FibreSection plane, space;
     YieldCurve   curve;
   };
+
+  /** How far the fibres of @p point have yielded. */
+  SectionYielding yielding_of_fibres(const FibreSections  &sections,
+                                     const SectionPoint   &point,
+                                     const Lanes          *strains,
+                                     const SectionHistory &history);
 
   /** @name The elastic-plastic law in steps; @p sections must outlive the
    * objects. */

@@ -1,6 +1,7 @@
 #ifndef auxfem_struts_fibres_h
 #define auxfem_struts_fibres_h
 
+#include <array>
 #include <vector>
 
 namespace auxfem
@@ -17,15 +18,16 @@ namespace auxfem
     };
 
     Kind kind = Kind::given;
-    /** Inner over outer radius of a tube. */
-    double bore = 0;
+    /** Of a tube, inner over outer radius; of a rectangle, its side along axis
+     * 3 over that along axis 2. */
+    double ratio = 0;
   };
 
   /** Orders shapes, for maps. */
   inline bool operator<(const SectionShape &one, const SectionShape &other)
   {
     return one.kind < other.kind ||
-      (one.kind == other.kind && one.bore < other.bore);
+      (one.kind == other.kind && one.ratio < other.ratio);
   }
 
   /** Numbers of fibres in a section. */
@@ -46,6 +48,13 @@ namespace auxfem
     double weight; ///< part of the area
     /** Axial strain of the fibre by curvatures about axes 2 and 3. */
     double arm_2, arm_3;
+    /** @name Shear strains along axes 2 and 3
+     * By shear strains of the section along both axes and by torsion, each
+     * scaled so that its mean square over the section is one. In the plane
+     * there is one, along the shear flow. */
+    ///@{
+    std::array<double, 2> shear_2, shear_3, twist;
+    ///@}
   };
 
   /**
@@ -55,6 +64,9 @@ namespace auxfem
    * Rectangles have layers by Gauss' rule. Circles have those of the
    * Gauss-Chebyshev rule of the second kind, whose weights are chords. Tubes
    * have rings by Gauss' rule in the squared radius.
+   *
+   * Shear strains are distributed as in elastic sections: parabolas in
+   * rectangles and circles, the flow of thin walls in tubes.
    */
   std::vector<Fibre> plane_fibres(const SectionShape &shape,
                                   const FibreNumbers &numbers);
@@ -63,6 +75,10 @@ namespace auxfem
    * Fibres of a section in space: rectangles have a grid by Gauss' rule,
    * circles and tubes have rings by Gauss' rule in the squared radius, at equal
    * angles. Second moments about both axes are one to round-off.
+   *
+   * Shear is distributed as in the plane, along both axes; torsion by
+   * Saint-Venant's solution, in rectangles a series (Timoshenko & Goodier,
+   * Theory of Elasticity, section 109).
    */
   std::vector<Fibre> space_fibres(const SectionShape &shape,
                                   const FibreNumbers &numbers);

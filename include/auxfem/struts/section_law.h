@@ -180,7 +180,14 @@ namespace auxfem
   public:
     virtual ~SectionLaw() = default;
 
-    /** The law in sections of a shape; nullptr: this one, which serves all. */
+    /** What the law needs of a shape. */
+    virtual SectionShape needed_shape(const SectionShape & /*shape*/) const
+    {
+      return {};
+    }
+
+    /** The law in sections of a needed_shape(); nullptr: this one, which serves
+     * all. */
     virtual std::shared_ptr<const SectionLaw>
     in_shape(const SectionShape & /*shape*/) const
     {

@@ -83,7 +83,40 @@ namespace auxfem
     Flow
     flow(const Lanes &stress, const Lanes &plastic_strain, double dt) const;
 
+    /** Flow of a fibre in tension and shear, by von Mises' rule. */
+    template <class Number>
+    struct ShearFlowOf
+    {
+      Number increment;  ///< of accumulated plastic strain
+      Number multiplier; ///< increment over the equivalent stress at the end
+      /** Derivative of the yield stress, without back stress, by the
+       * increment. */
+      Number slope;
+    };
+    using ShearFlow = ShearFlowOf<Lanes>;
+
+    /**
+     * As flow() for the elastic stress minus back stress of the components @p
+     * normal and @p shear, the latter times sqrt(3), both >= 0.
+     * @param shear_ratio three times G / E
+     */
+    ShearFlow shear_flow(const Lanes &normal,
+                         const Lanes &shear,
+                         const Lanes &plastic_strain,
+                         double       shear_ratio,
+                         double       dt) const;
+
   private:
+    /** Factor of the yield stress by an increment of plastic strain in @p dt
+     * (s), and its slope. */
+    std::pair<double, double> rate_factor(double increment, double dt) const;
+
+    ShearFlowOf<double> shear_flow_at(double normal,
+                                      double shear,
+                                      double plastic_strain,
+                                      double shear_ratio,
+                                      double dt) const;
+
     /** A linear piece, from the plastic strain `begin` on. */
     struct Segment
     {
