@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <tuple>
 
 namespace auxfem
@@ -245,6 +246,21 @@ namespace auxfem
   {
     for (const auto &effect : effects)
       effect->update_history(solved);
+    if (!structure.struts_may_fail())
+      return;
+    std::vector<unsigned int> mine;
+    for (const auto &effect : effects)
+      effect->add_failures(solved, mine);
+    const MPI_Comm         communicator = unknowns().layout.communicator();
+    std::set<unsigned int> struts;
+    for (const auto &of_rank :
+         dealii::Utilities::MPI::all_gather(communicator, mine))
+      struts.insert(of_rank.begin(), of_rank.end());
+    if (struts.empty())
+      return;
+    const std::vector<unsigned int> sorted(struts.begin(), struts.end());
+    for (const auto &effect : effects)
+      effect->break_struts(sorted, solved);
   }
 
   void Equations::account_stage(const Evaluation        &stage,

@@ -1,3 +1,4 @@
+#include <auxfem/output/broken_struts.h>
 #include <auxfem/output/output_folder.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/parameter_file.h>
@@ -364,6 +365,9 @@ namespace auxfem
         {"solution", "rigid_parts", "connectors", "contacts", "plates"}};
       if (is_copied(scene))
         contents.files.emplace_back("original.prm");
+      for (const SectionDefinition &definition : scene.sections)
+        if (definition.section.law && definition.section.law->failure_time())
+          contents.files.emplace_back(broken_struts_table);
       contents.files.insert(contents.files.end(),
                             further.files.begin(),
                             further.files.end());

@@ -251,10 +251,11 @@ namespace auxfem
         summary.largest_rotation =
           dealii::Utilities::MPI::max(history->largest_rotation(),
                                       communicator);
-        summary.largest_penetration      = result.largest_penetration;
-        summary.time                     = result.time;
-        summary.path                     = last.state.path;
-        summary.time_error               = result.time_error;
+        summary.broken              = broken_struts(*equations, last.state);
+        summary.largest_penetration = result.largest_penetration;
+        summary.time                = result.time;
+        summary.path                = last.state.path;
+        summary.time_error          = result.time_error;
         summary.small_displacement_error = result.small_displacement_error;
         summary.orders                   = result.orders;
         summary.exit_state               = result.exit_state;
@@ -264,6 +265,10 @@ namespace auxfem
 
         on_first_rank(communicator, [&]() {
           replace_file(folder + "/summary.json", summary_json(scene, summary));
+          if (equations->model().struts_may_fail())
+            replace_file(folder + "/" + broken_struts_table,
+                         broken_struts_csv(equations->model().lattice,
+                                           summary.broken));
           console->print(closing_text(summary, folder));
           if (!result.completed())
             {

@@ -365,6 +365,8 @@ namespace auxfem
     json["largest_rotation_radian"] = summary.largest_rotation;
     if (summary.largest_penetration)
       json["largest_penetration_over_thickness"] = *summary.largest_penetration;
+    if (!summary.broken.empty())
+      json["broken_struts"] = summary.broken.size();
     json["effects"] = json_of(summary.decisions, scene.effects.tolerance);
     if (!summary.notes.empty())
       json["notes"] = summary.notes;
@@ -470,7 +472,8 @@ namespace auxfem
       stream << "Largest penetration "
              << percentage_text(*summary.largest_penetration, 3)
              << " of the thickness\n";
-    stream << poissons_ratio_text(summary.strain)
+    stream << broken_struts_text(summary.broken)
+           << poissons_ratio_text(summary.strain)
            << closing_energies_text(summary.energies, folder) << '\n'
            << verdict_text(summary.findings);
     return stream.str();

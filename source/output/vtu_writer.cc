@@ -126,6 +126,8 @@ namespace auxfem
         fields.push_back({"plastic_strain", 1, ""});
         fields.push_back({"utilisation", 1, ""});
       }
+    if (equations.model().struts_may_fail())
+      fields.push_back({"intactness", 1, ""});
     return fields;
   }
 
@@ -170,6 +172,8 @@ namespace auxfem
     if (simulated.plasticity)
       for (const double value : {point.plastic_strain, point.utilisation})
         values.push_back(value);
+    if (equations.model().struts_may_fail())
+      values.push_back(point.intactness);
   }
 
   void VtuWriter::add_struts(const StrutForces &struts,

@@ -79,6 +79,13 @@ namespace auxfem
             "work of isotropic hardening"};
   }
 
+  EnergyEntry fracture_energy_entry()
+  {
+    return {EnergyKind::dissipated,
+            "fracture_dissipated",
+            "energy stored in struts that broke since the start"};
+  }
+
   Energies::Energies() : entries(std::make_shared<const EnergyLedger>())
   {}
 

@@ -15,34 +15,39 @@ namespace auxfem
     class ElasticPlastic : public SectionLaw
     {
     public:
-      /** @param shear_modulus over Young's modulus; 0: shear and torsion stay
-       * elastic */
-      ElasticPlastic(const SectionShape &shape,
-                     const FibreNumbers &numbers,
-                     const YieldCurve   &curve,
-                     const double        shear_modulus)
-        : numbers(numbers)
-        , shear_modulus(shear_modulus)
-        , sections{{plane_fibres(shape, numbers), 3, shear_modulus},
-                   {space_fibres(shape, numbers), 6, shear_modulus},
-                   curve}
+      /** Parameters for sections of any shape. */
+      struct Material
+      {
+        FibreNumbers  numbers;
+        YieldCurve    curve;
+        FailureLimits limits;
+        /** Time of failure (s), if struts may break. */
+        std::optional<double> failure_time;
+        /** Over Young's modulus; 0: shear and torsion stay elastic. */
+        double shear_modulus;
+      };
+
+      ElasticPlastic(const SectionShape &shape, const Material &material)
+        : material(material)
+        , sections{
+            {plane_fibres(shape, material.numbers), 3, material.shear_modulus},
+            {space_fibres(shape, material.numbers), 6, material.shear_modulus},
+            material.curve,
+            material.limits}
       {}
 
       SectionShape needed_shape(const SectionShape &shape) const override
       {
         // Proportions of rectangles matter in torsion only.
         const bool needs_ratio =
-          shape.kind == SectionShape::Kind::tube || shear_modulus > 0;
+          shape.kind == SectionShape::Kind::tube || material.shear_modulus > 0;
         return {shape.kind, needs_ratio ? shape.ratio : 0};
       }
 
       std::shared_ptr<const SectionLaw>
       in_shape(const SectionShape &shape) const override
       {
-        return std::make_shared<ElasticPlastic>(shape,
-                                                numbers,
-                                                sections.curve,
-                                                shear_modulus);
+        return std::make_shared<ElasticPlastic>(shape, material);
       }
 
       bool is_linear() const override
@@ -114,6 +119,11 @@ namespace auxfem
         return yielding_of_fibres(sections, point, strains, history);
       }
 
+      std::optional<double> failure_time() const override
+      {
+        return material.failure_time;
+      }
+
       std::optional<double> largest_plastic_strain() const override
       {
         return sections.curve.end_of_table();
@@ -131,8 +141,7 @@ namespace auxfem
       }
 
     private:
-      const FibreNumbers  numbers;
-      const double        shear_modulus;
+      const Material      material;
       const FibreSections sections;
     };
 
@@ -177,18 +186,41 @@ namespace auxfem
       "multiplied by 1 + (plastic strain rate / D)^(1/n); none: no dependence "
       "on the rate.",
       {"none"}};
-    const Quantity rate_exponent     = {"Rate exponent",
-                                        "5",
-                                        "1",
-                                        {1, 100, true, true},
-                                        "Exponent n of Cowper and Symonds."};
-    const Choice   shear_and_torsion = {
-        "Shear and torsion",
-        "elastic",
-        {"elastic", "yield"},
-        "elastic: fibres yield by their axial stress alone, as in slender struts "
-          "that bend; yield: by von Mises' stress of axial, shear and torsional "
-          "stresses, at three times the time."};
+    const Quantity rate_exponent  = {"Rate exponent",
+                                     "5",
+                                     "1",
+                                     {1, 100, true, true},
+                                     "Exponent n of Cowper and Symonds."};
+    const Quantity failure_strain = {
+      "Failure strain",
+      "none",
+      "1",
+      Range::positive(),
+      "Accumulated plastic strain of a fibre at which its strut breaks and "
+      "loses its forces, not its contact; none: never.",
+      {"none"}};
+    const Quantity failure_stress = {
+      "Failure stress",
+      "none",
+      "Pa",
+      Range::positive(),
+      "Tensile stress of a fibre at which its strut breaks; with a larger Yield "
+      "stress the material is brittle.",
+      {"none"}};
+    const Quantity failure_time = {
+      "Failure time",
+      "none",
+      "s",
+      Range::positive(),
+      "Time in which a strut that breaks loses its forces; several time steps.",
+      {"none"}};
+    const Choice shear_and_torsion = {
+      "Shear and torsion",
+      "elastic",
+      {"elastic", "yield"},
+      "elastic: fibres yield by their axial stress alone, as in slender struts "
+      "that bend; yield: by von Mises' stress of axial, shear and torsional "
+      "stresses, at three times the time."};
     const Integer layers = {
       "Layers",
       16,
@@ -247,18 +279,45 @@ namespace auxfem
       return {points, values[kinematic_modulus] / E, rate};
     }
 
+    void read_failure(const ParameterValues    &values,
+                      ElasticPlastic::Material &material)
+    {
+      if (!values.is_word(failure_strain))
+        material.limits.plastic_strain = values[failure_strain];
+      if (!values.is_word(failure_stress))
+        material.limits.stress = values[failure_stress] /
+          read_youngs_modulus(values, example_of_youngs_modulus);
+      const bool may_fail =
+        !values.is_word(failure_strain) || !values.is_word(failure_stress);
+      if (may_fail && values.is_word(failure_time))
+        values.refuse(failure_time,
+                      "with Failure strain or Failure stress it must be given. "
+                      "Choose about ten time steps");
+      if (!may_fail && !values.is_word(failure_time))
+        values.refuse(failure_time,
+                      "struts do not break without Failure strain or Failure "
+                      "stress. Give one of them, or remove Failure time");
+      if (may_fail)
+        material.failure_time = values[failure_time];
+    }
+
     std::unique_ptr<SectionLaw> make_elastic_plastic(ParameterValues &values)
     {
-      return std::make_unique<ElasticPlastic>(
-        SectionShape{SectionShape::Kind::rectangle, 0},
-        FibreNumbers{values[layers],
-                     values[section_rings],
-                     values[section_angles],
-                     values[section_grid]},
+      ElasticPlastic::Material material{
+        {values[layers],
+         values[section_rings],
+         values[section_angles],
+         values[section_grid]},
         read_yield_curve(values),
+        {},
+        {},
         values[shear_and_torsion] == "yield"
           ? 1 / (2 * (1 + values[poissons_ratio_parameter()]))
-          : 0.);
+          : 0.};
+      read_failure(values, material);
+      return std::make_unique<ElasticPlastic>(
+        SectionShape{SectionShape::Kind::rectangle, 0},
+        material);
     }
   } // namespace
 
@@ -275,6 +334,9 @@ namespace auxfem
        reference_rate,
        rate_exponent,
        shear_and_torsion,
+       failure_strain,
+       failure_stress,
+       failure_time,
        layers,
        section_rings,
        section_angles,

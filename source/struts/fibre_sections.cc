@@ -83,15 +83,18 @@ namespace auxfem
     SectionYielding     largest;
     for (unsigned int i = 0; i < section.n_fibres(); ++i)
       {
-        Lanes square = 0;
+        Lanes square = 0, tension = 0;
         for (unsigned int c = 0; c < section.n_components; ++c)
           {
             const double modulus = section.moduli[c];
             const Lanes  plastic =
               history.kept(fibres.layout.fibre_plastic(i, c));
-            const Lanes stress =
-              modulus * (fibres.fibre_strain(i, c, x) - plastic) -
+            const Lanes elastic =
+              modulus * (fibres.fibre_strain(i, c, x) - plastic);
+            const Lanes stress = elastic -
               sections.curve.kinematic() / section.equivalents[c] * plastic;
+            if (c == 0)
+              tension = elastic;
             square += section.equivalents[c] * stress * stress;
           }
         const Lanes accumulated = history.kept(fibres.layout.accumulated(i));
@@ -99,6 +102,10 @@ namespace auxfem
         largest.utilisation =
           max(largest.utilisation,
               Lanes(sqrt(square) / sections.curve.stress(accumulated)));
+        largest.failure =
+          max(largest.failure,
+              max(Lanes(accumulated / sections.limits.plastic_strain),
+                  Lanes(tension / sections.limits.stress)));
       }
     return largest;
   }

@@ -423,3 +423,77 @@ TEST(ElasticPlasticStruts, RatesStiffenAnImpact)
   // A mass on a spring of 1 N/m.
   EXPECT_NEAR(elastic, 3e-3, 1e-5);
 }
+
+namespace
+{
+  /** A mass between two struts, the second of which breaks at a plastic strain
+   * of 1e-3. */
+  SceneText breaking_struts(const std::string &scheme)
+  {
+    return mass_on_yielding_strut("Failure strain = 1e-3 | Failure time = 0.2")
+      .frame("0 0; 1 0; 2 0", "0 1; 1 2")
+      .add("Materials/strong",
+           "Law = elastic | Young's modulus = 1 | Density = 0 | "
+           "Poisson's ratio = 0")
+      .add("Sections/strong",
+           "Struts = 0 | Material = strong | Shape = rectangle | Width = 1 | "
+           "Height = 1")
+      .support("clamp", "0, 2", "clamp")
+      .set("Newton/Tolerance", 1e-13)
+      .time(12, 0.02, scheme);
+  }
+} // namespace
+
+// Nothing but the elastic strut holds the mass after the failure: it swings
+// with the energy that was not lost.
+TEST(ElasticPlasticStruts, BrokenStrutsLoseTheirForces)
+{
+  for (const char *scheme : {"newmark", "energy-momentum"})
+    {
+      SCOPED_TRACE(scheme);
+      SceneRun run(breaking_struts(scheme));
+      double   broken = 0, lost = 0, largest = 0;
+      run.run([&] {
+        const double now = run.state.energies.sum(EnergyKind::dissipated);
+        EXPECT_GE(now, lost - 1e-20);
+        lost = now;
+        std::vector<BrokenStrut> struts;
+        for (const StrutGroup &group : run.equations.reporting().struts)
+          group.forces->add_broken_struts(run.state, struts);
+        if (!struts.empty())
+          {
+            EXPECT_EQ(struts.front().strut, 1u);
+            broken = struts.front().time;
+          }
+        if (broken > 0 && run.state.time > broken + 1)
+          largest = std::max(largest, std::abs(run.motion(1, 0)));
+      });
+      EXPECT_GT(broken, 0);
+      EXPECT_LT(std::abs(run.balance()), 1e-12 * run.state.largest_energy);
+      const double energy =
+        0.5 * 9e-6 - lost - run.state.energies.sum(EnergyKind::numerical);
+      // Of the elastic strut of 1 N/m; the broken one keeps a millionth.
+      EXPECT_NEAR(largest, std::sqrt(2 * energy), 1e-4 * largest);
+    }
+}
+
+TEST(ElasticPlasticStruts, BrittleStrutsBreakAtTheirTensileStress)
+{
+  const auto largest_force = [](const double sign) {
+    SceneRun run(
+      mass_on_yielding_strut(
+        "Yield stress = 1 | Plastic strains = | Flow stresses = | "
+        "Kinematic hardening modulus = 0 | Failure stress = 2e-3 | "
+        "Failure time = 0.01")
+        .remove("Initial velocities")
+        .prescribe("guide", "1", {text(sign) + " * 4e-3 * t", "0", "0"})
+        .time(1, 0.005, "static"));
+    double largest = 0;
+    run.run(
+      [&] { largest = std::max(largest, std::abs(run.reaction("guide", 0))); });
+    EXPECT_LT(std::abs(run.balance()), 1e-10 * run.state.largest_energy);
+    return largest;
+  };
+  EXPECT_NEAR(largest_force(1), 2e-3, 5e-5);
+  EXPECT_NEAR(largest_force(-1), 4e-3, 1e-6);
+}

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <complex>
 #include <string>
+#include <vector>
 
 namespace auxfem
 {
@@ -110,6 +111,18 @@ namespace auxfem
      * residuals have not done so. Called before account_step(); the step may
      * still be undone. */
     virtual void update_history(const Evaluation & /*solved*/) const
+    {}
+
+    /** Adds struts whose elements owned by this rank break at the end of a @p
+     * solved step. */
+    virtual void add_failures(const Evaluation & /*solved*/,
+                              std::vector<unsigned int> & /*struts*/) const
+    {}
+
+    /** Lets sorted @p struts, found on any rank, lose their forces from the end
+     * of a @p solved step on. */
+    virtual void break_struts(const std::vector<unsigned int> & /*struts*/,
+                              const Evaluation & /*solved*/) const
     {}
 
     /** Adds dissipation and work of a solved step or an impulse, and updates

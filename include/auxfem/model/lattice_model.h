@@ -6,6 +6,7 @@
 #include <auxfem/model/rigid_bodies.h>
 #include <auxfem/model/supports.h>
 
+#include <algorithm>
 #include <memory>
 
 namespace auxfem
@@ -59,6 +60,14 @@ namespace auxfem
     const OwnedRows            rows;
     const std::vector<Support> supports;
     const RigidBodies          bodies;
+
+    /** Whether a law lets struts break. */
+    bool struts_may_fail() const
+    {
+      return std::any_of(laws.begin(), laws.end(), [](const auto &law) {
+        return law && law->failure_time();
+      });
+    }
 
     /** Number of rotations kept as quaternions; 0 for small rotations. */
     unsigned int n_large_rotations() const

@@ -2,6 +2,7 @@
 #define auxfem_output_summary_h
 
 #include <auxfem/equations/equations.h>
+#include <auxfem/output/broken_struts.h>
 #include <auxfem/output/history.h>
 #include <auxfem/output/notes.h>
 #include <auxfem/output/output_folder.h>
@@ -77,6 +78,8 @@ namespace auxfem
     EnergyRecord  energies;
     LargestStrain strain;               ///< if effective strains are requested
     double        largest_rotation = 0; ///< rad
+    /** Struts that broke. */
+    std::vector<BrokenStrut> broken = {};
     /** Largest penetration over the strut thickness; with plates only. */
     std::optional<double> largest_penetration;
     double                time = 0; ///< final time (s)

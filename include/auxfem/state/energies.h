@@ -86,6 +86,7 @@ namespace auxfem
   EnergyEntry numerical_energy_entry();
   EnergyEntry relaxation_energy_entry();
   EnergyEntry plastic_energy_entry();
+  EnergyEntry fracture_energy_entry();
   EnergyEntry contact_energy_entry();
   EnergyEntry friction_energy_entry();
   ///@}

@@ -5,6 +5,7 @@
 #include <auxfem/struts/yield_curve.h>
 
 #include <array>
+#include <limits>
 #include <vector>
 
 namespace auxfem
@@ -192,6 +193,14 @@ namespace auxfem
     FeltStrains radii;
   };
 
+  /** Limits of a fibre beyond which its strut breaks. */
+  struct FailureLimits
+  {
+    double plastic_strain = std::numeric_limits<double>::infinity();
+    /** Tensile stress over Young's modulus. */
+    double stress = std::numeric_limits<double>::infinity();
+  };
+
   /** Sections of a material that yields. */
   struct FibreSections
   {
@@ -200,8 +209,9 @@ namespace auxfem
       return point.n_strains == plane.n_strains ? plane : space;
     }
 
-    FibreSection plane, space;
-    YieldCurve   curve;
+    FibreSection  plane, space;
+    YieldCurve    curve;
+    FailureLimits limits;
   };
 
   /** How far the fibres of @p point have yielded. */

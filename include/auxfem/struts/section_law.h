@@ -103,6 +103,9 @@ namespace auxfem
     /** Largest stress minus back stress of its fibres, over the yield stress
      * there. */
     Lanes utilisation = 0;
+    /** Largest plastic strain or stress over that at which struts break; 0:
+     * they do not. */
+    Lanes failure = 0;
   };
 
   /** Kind and length of a step of a law. */
@@ -263,6 +266,13 @@ namespace auxfem
                                      const SectionHistory & /*history*/) const
     {
       return {};
+    }
+
+    /** Time in which a strut that breaks loses its forces (s); empty: struts do
+     * not break. */
+    virtual std::optional<double> failure_time() const
+    {
+      return std::nullopt;
     }
 
     /** Accumulated plastic strain at which the law's data end; empty: none. */

@@ -1,7 +1,7 @@
 #include <auxfem/struts/beam_3d_discrete_gradient.h>
 #include <auxfem/struts/beam_dispatch.h>
 #include <auxfem/struts/effects/beam_sections.h>
-#include <auxfem/struts/effects/law_forces.h>
+#include <auxfem/struts/effects/make_struts.h>
 #include <auxfem/struts/effects/space_motion.h>
 
 namespace auxfem

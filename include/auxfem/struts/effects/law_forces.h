@@ -235,11 +235,20 @@ namespace auxfem
 
     double least_stored_fraction() const override
     {
+      // Plastic strains store nothing.
+      if (responses.law().yields())
+        return 0;
       return std::min(responses.law().long_time_ratio(StrainType::normal),
                       responses.law().long_time_ratio(StrainType::shear));
     }
 
-  private:
+    /** Position in State::history of the energies that elements have lost
+     * (J). */
+    std::size_t lost_energies() const
+    {
+      return first_lost;
+    }
+
     /** Sum of @p value_of, a function of a batch and its elements at rest, over
      * the elements owned by this rank. */
     template <class ValueOfBatch>
@@ -300,19 +309,6 @@ namespace auxfem
       return reports;
     }
 
-    /** Gauss point nearest to @p xi in [-1, 1]. */
-    unsigned int nearest_point(const double xi) const
-    {
-      const double *const points = beams.shape.point;
-      return std::min_element(points,
-                              points + order,
-                              [xi](const double one, const double other) {
-                                return std::abs(one - xi) <
-                                  std::abs(other - xi);
-                              }) -
-        points;
-    }
-
     /** Element @p e alone, in all lanes. */
     static ElementBatch batch_of(const unsigned int e)
     {
@@ -348,6 +344,20 @@ namespace auxfem
                Beam::motion(beams.numbering, beams.unknowns(batch), state),
                force)
         .strain;
+    }
+
+  private:
+    /** Gauss point nearest to @p xi in [-1, 1]. */
+    unsigned int nearest_point(const double xi) const
+    {
+      const double *const points = beams.shape.point;
+      return std::min_element(points,
+                              points + order,
+                              [xi](const double one, const double other) {
+                                return std::abs(one - xi) <
+                                  std::abs(other - xi);
+                              }) -
+        points;
     }
 
     /** Calls @p action with the Gauss points of element @p e at an instant. */
@@ -432,42 +442,6 @@ namespace auxfem
     unsigned int lost_entry = 0, numerical_entry = 0;
     std::size_t  first_lost = 0; ///< in State::history
   };
-  /** The variant of @p Beam <order, large_rotation, damped> that @p model asks for. */
-  template <template <int, bool, bool> class Beam, int order>
-  std::unique_ptr<StrutForces>
-  make_struts_of_order(const Lattice              &lattice,
-                       const DofNumbering         &numbering,
-                       const DofNumbering::Group  &group,
-                       const std::vector<Section> &sections,
-                       const StrutModel           &model)
-  {
-    const auto make = [&](auto large_rotation,
-                          auto damped) -> std::unique_ptr<StrutForces> {
-      return std::make_unique<BeamForces<Beam<order, large_rotation, damped>>>(
-        lattice,
-        numbering,
-        group,
-        sections,
-        model);
-    };
-    const std::true_type  yes;
-    const std::false_type no;
-    if (model.law && model.large_rotation)
-      return std::make_unique<LawForces<Beam<order, true, false>>>(lattice,
-                                                                   numbering,
-                                                                   group,
-                                                                   sections,
-                                                                   model);
-    if (model.law)
-      return std::make_unique<LawForces<Beam<order, false, false>>>(lattice,
-                                                                    numbering,
-                                                                    group,
-                                                                    sections,
-                                                                    model);
-    if (model.large_rotation)
-      return model.damping ? make(yes, yes) : make(yes, no);
-    return model.damping ? make(no, yes) : make(no, no);
-  }
 } // namespace auxfem
 
 #endif

@@ -48,12 +48,23 @@ namespace auxfem
                                  &output,
                                  now);
         }
+      if (sections.may_fail())
+        weaken(now);
       SectionResponse response = {};
       make_response(now, response);
       return response;
     }
 
   private:
+    /** Takes away what broken struts have lost. */
+    void weaken(SectionInstant &now) const
+    {
+      const Lanes intact = sections.intactness(state.history, batch, 0);
+      for (unsigned int k = 0; k < Beam::n_strains; ++k)
+        now.forces[k] *= intact;
+      now.stored *= intact;
+    }
+
     const LawSections<Beam>                   &sections;
     const State                               &state;
     const ElementBatch                        &batch;

@@ -1,10 +1,8 @@
 #ifndef auxfem_struts_effects_law_sections_h
 #define auxfem_struts_effects_law_sections_h
 
-#include <auxfem/struts/beam_2d.h>
-#include <auxfem/struts/beam_3d_strains.h>
 #include <auxfem/struts/effects/beam_elements.h>
-#include <auxfem/struts/section_law.h>
+#include <auxfem/struts/effects/law_section.h>
 
 #include <array>
 #include <memory>
@@ -19,171 +17,6 @@
  */
 namespace auxfem
 {
-  namespace Beam2D
-  {
-    /** Section whose response comes from @p PointLaw, see PointLaw below. */
-    template <class PointLaw>
-    struct LawSection
-    {
-      const StiffnessOf<Lanes> &stiffness;
-      const PointLaw            law;
-
-      ResponseOf<Lanes> response(const int g, const StrainsOf<Lanes> &e) const
-      {
-        const SectionResponse r = respond(g, e);
-        return {forces(r), r.stored};
-      }
-
-      using Linearized = LinearizedOf<Lanes, CoupledStiffnessOf<Lanes>>;
-
-      Linearized linearized(const int g, const StrainsOf<Lanes> &e) const
-      {
-        const SectionResponse r = respond(g, e);
-        Linearized            result;
-        result.forces = forces(r);
-        static_cast<StiffnessOf<Lanes> &>(
-          result.stiffness) = {r.tangent[0], r.tangent[1], r.tangent[2], 0};
-        result.stiffness.is_coupled = law.couples_strains();
-        if (result.stiffness.is_coupled)
-          {
-            result.stiffness.axial_shear   = r.coupling[0][1];
-            result.stiffness.axial_bending = r.coupling[0][2];
-            result.stiffness.shear_bending = r.coupling[1][2];
-          }
-        return result;
-      }
-
-      ResponseOf<Lanes> mean(const int               g,
-                             const StrainsOf<Lanes> &start,
-                             const StrainsOf<Lanes> &increment) const
-      {
-        return response(g, end(start, increment));
-      }
-
-      Linearized mean_linearized(const int               g,
-                                 const StrainsOf<Lanes> &start,
-                                 const StrainsOf<Lanes> &increment) const
-      {
-        return linearized(g, end(start, increment));
-      }
-
-    private:
-      static StrainsOf<Lanes> end(const StrainsOf<Lanes> &start,
-                                  const StrainsOf<Lanes> &increment)
-      {
-        return {start.epsilon + increment.epsilon,
-                start.gamma + increment.gamma,
-                start.kappa + increment.kappa};
-      }
-
-      SectionResponse respond(const int g, const StrainsOf<Lanes> &e) const
-      {
-        const Lanes strains[] = {e.epsilon, e.gamma, e.kappa};
-        return law.respond(g, strains);
-      }
-
-      static ForcesOf<Lanes> forces(const SectionResponse &r)
-      {
-        return {r.forces[0], r.forces[1], r.forces[2]};
-      }
-    };
-  } // namespace Beam2D
-
-  namespace Beam3D
-  {
-    /** @copydoc Beam2D::LawSection */
-    template <class PointLaw>
-    struct LawSection
-    {
-      const StiffnessOf<Lanes> &stiffness;
-      const PointLaw            law;
-
-      ResponseOf<Lanes> response(const int               g,
-                                 const StrainsOf<Lanes> &strains) const
-      {
-        const SectionResponse r = respond(g, strains);
-        return {forces(r), r.stored};
-      }
-
-      using Linearized = LinearizedOf<Lanes, CoupledStiffnessOf<Lanes>>;
-
-      Linearized linearized(const int g, const StrainsOf<Lanes> &strains) const
-      {
-        const SectionResponse r = respond(g, strains);
-        const Lanes          *t = r.tangent;
-        Linearized            result;
-        result.forces = forces(r);
-        static_cast<StiffnessOf<Lanes> &>(
-          result.stiffness)         = {t[0], t[1], t[2], t[3], t[4], t[5]};
-        result.stiffness.is_coupled = law.couples_strains();
-        if (result.stiffness.is_coupled)
-          for (unsigned int i = 0; i < 3; ++i)
-            for (unsigned int j = 0; j < 3; ++j)
-              {
-                const auto entry = [&](const unsigned int k,
-                                       const unsigned int l) {
-                  return k == l ? t[k] : r.coupling[k][l];
-                };
-                result.stiffness.by_gamma[i][j]       = entry(i, j);
-                result.stiffness.gamma_by_kappa[i][j] = entry(i, 3 + j);
-                result.stiffness.by_kappa[i][j]       = entry(3 + i, 3 + j);
-              }
-        return result;
-      }
-
-      ResponseOf<Lanes> mean(const int g,
-                             const StrainsOf<Lanes> & /*start*/,
-                             const StrainsOf<Lanes> &end,
-                             const StrainsOf<Lanes> &added) const
-      {
-        ResponseOf<Lanes> r = response(g, end);
-        add(added, r.forces);
-        return r;
-      }
-
-      Linearized mean_linearized(const int g,
-                                 const StrainsOf<Lanes> & /*start*/,
-                                 const StrainsOf<Lanes> &end,
-                                 const StrainsOf<Lanes> &added) const
-      {
-        Linearized r = linearized(g, end);
-        add(added, r.forces);
-        return r;
-      }
-
-      ForcesOf<Lanes> elastic_forces(const StrainsOf<Lanes> &strains) const
-      {
-        return ElasticSection<Lanes>{stiffness}.elastic_forces(strains);
-      }
-
-    private:
-      void add(const StrainsOf<Lanes> &added, ForcesOf<Lanes> &forces) const
-      {
-        const ForcesOf<Lanes> elastic = elastic_forces(added);
-        forces.force += elastic.force;
-        forces.moment += elastic.moment;
-      }
-
-      SectionResponse respond(const int g, const StrainsOf<Lanes> &e) const
-      {
-        const Lanes strains[] = {e.gamma[0],
-                                 e.gamma[1],
-                                 e.gamma[2],
-                                 e.kappa[0],
-                                 e.kappa[1],
-                                 e.kappa[2]};
-        return law.respond(g, strains);
-      }
-
-      static ForcesOf<Lanes> forces(const SectionResponse &r)
-      {
-        const Lanes *f = r.forces;
-        return {VectorOf<Lanes>({f[0], f[1], f[2]}),
-                VectorOf<Lanes>({f[3], f[4], f[5]})};
-      }
-    };
-  } // namespace Beam3D
-
   /** What an evaluation of sections is for. */
   enum class SectionPurpose
   {
@@ -237,6 +70,7 @@ namespace auxfem
                 const StrutModel                            &model)
       : beams(beams)
       , section_law(model.law)
+      , time_of_failure(section_law->failure_time())
     {
       for (std::size_t k = 0; k < types.size(); ++k)
         types[k] = Beam::strain_type(k, beams.shear > 0);
@@ -271,6 +105,42 @@ namespace auxfem
         first_kept = layout.history.keep(name + ": strains",
                                          numbers,
                                          Beam::order * n_kept);
+      if (may_fail())
+        first_lost_part = layout.history.keep(name + ": lost part",
+                                              numbers,
+                                              /*values_per_item=*/1);
+    }
+
+    /** Whether struts may break. */
+    bool may_fail() const
+    {
+      return time_of_failure.has_value();
+    }
+
+    /** Position in State::history of the part of their forces that broken
+     * elements have lost, above 0 from the moment of failure on; it may pass
+     * 1. */
+    std::size_t lost_parts() const
+    {
+      return first_lost_part;
+    }
+
+    /** Part of the forces lost after another @p dt (s), from @p before. */
+    double lost_part_after(const double before, const double dt) const
+    {
+      return before > 0 ? before + dt / *time_of_failure : 0;
+    }
+
+    /** Factor of the forces of a batch @p dt (s) after the state with @p
+     * history. */
+    Lanes intactness(const std::vector<double> &history,
+                     const ElementBatch        &batch,
+                     const double               dt) const
+    {
+      return batch.numbers([&](const unsigned int e) {
+        return std::max(remaining_part,
+                        1 - lost_part_after(history[first_lost_part + e], dt));
+      });
     }
 
     /** Whether residuals leave the history to be found after a step. */
@@ -340,11 +210,25 @@ namespace auxfem
         , purpose(purpose)
         , batch(batch)
         , points(sections, at_rest)
-      {}
+      {
+        if (!sections.may_fail())
+          return;
+        const std::vector<double> &history = evaluation.from.history;
+        intact_at_end = sections.intactness(history, batch, evaluation.dt);
+        intact        = intact_at_end;
+        if (evaluation.kind == Evaluation::Kind::discrete_gradient)
+          intact = (intact + sections.intactness(history, batch, 0)) / 2;
+      }
 
       bool couples_strains() const
       {
         return sections.law().couples_strains();
+      }
+
+      /** Factor of the forces. */
+      const Lanes &intactness() const
+      {
+        return intact;
       }
 
       /** Response at Gauss point @p g to @p strains at the end of the step; the
@@ -374,6 +258,8 @@ namespace auxfem
               sections.history_output(evaluation.to.history.data(), batch, g);
             update.evaluate(point, ends, committed, &end, response);
           }
+        if (sections.may_fail())
+          weaken(response);
         return response;
       }
 
@@ -385,12 +271,28 @@ namespace auxfem
            !sections.finds_history_after_step());
       }
 
+      /** Takes away what broken struts have lost. */
+      void weaken(SectionResponse &response) const
+      {
+        response.stored *= intact_at_end;
+        for (unsigned int k = 0; k < n_strains; ++k)
+          {
+            response.forces[k] *= intact;
+            response.tangent[k] *= intact;
+            if (couples_strains())
+              for (unsigned int l = 0; l < n_strains; ++l)
+                response.coupling[k][l] *= intact;
+          }
+      }
+
       const LawSections   &sections;
       const SectionUpdate &update;
       const Evaluation    &evaluation;
       const SectionPurpose purpose;
       const ElementBatch  &batch;
       const PointsOf       points;
+      /** Factors of forces and of the energy at the end. */
+      Lanes intact = 1, intact_at_end = 1;
     };
 
     /** As ElasticSections::in(). */
@@ -400,9 +302,15 @@ namespace auxfem
         section_law->update(step(evaluation));
       return [this, &evaluation, purpose, update](const ElementBatch &batch,
                                                   const auto         &at_rest) {
-        return Beam::law_section(
+        auto section = Beam::law_section(
           at_rest,
           PointLaw(*this, *update, evaluation, purpose, batch, at_rest));
+        if (may_fail())
+          section.stiffness =
+            Beam::scaled_stiffness(at_rest, [&](const unsigned int) {
+              return section.law.intactness();
+            });
+        return section;
       };
     }
 
@@ -420,6 +328,10 @@ namespace auxfem
           losses.lost(points.point(),
                       history(evaluation.from.history, batch, g),
                       history(evaluation.to.history, batch, g));
+      if (may_fail())
+        sum *= (intactness(evaluation.from.history, batch, 0) +
+                intactness(evaluation.from.history, batch, evaluation.dt)) /
+          2;
       return sum;
     }
 
@@ -444,11 +356,19 @@ namespace auxfem
   private:
     static constexpr unsigned int n_strains = Beam::n_strains;
 
+    /**
+     * Part of its stiffness that a broken strut keeps: without inertia its
+     * nodes would have no place.
+     * @tuned judgement: far below any force that matters, far above round-off
+     */
+    static constexpr double remaining_part = 1e-6;
+
     const BeamElements<typename Beam::Undamped> &beams;
     const std::shared_ptr<const SectionLaw>      section_law;
+    const std::optional<double>                  time_of_failure; ///< s
     std::array<StrainType, Beam::n_strains>      types;
     unsigned int                                 n_internal, n_kept;
-    std::size_t first_internal = 0, first_kept = 0;
+    std::size_t first_internal = 0, first_kept = 0, first_lost_part = 0;
   };
 } // namespace auxfem
 

@@ -35,6 +35,7 @@ namespace auxfem
     double dissipated_density = 0; ///< energy lost per length so far (J/m)
     double plastic_strain     = 0; ///< SectionYielding::plastic_strain
     double utilisation        = 0; ///< SectionYielding::utilisation
+    double intactness         = 1; ///< part of the forces that is left
     ///@}
   };
 
@@ -66,6 +67,13 @@ namespace auxfem
   {
     double       ratio = 0;
     unsigned int strut = invalid_index;
+  };
+
+  /** A strut that has broken. */
+  struct BrokenStrut
+  {
+    unsigned int strut;
+    double       time; ///< at which its limit was passed (s)
   };
 
   /** Terms of the beam theory to simulate. */
@@ -126,6 +134,11 @@ namespace auxfem
     /** Mean elastic axial force (N) in element @p e of the numbering at @p
      * state; positive in tension. */
     virtual double axial_force(const State &state, unsigned int e) const = 0;
+
+    /** Adds the broken struts whose first element this rank owns. */
+    virtual void add_broken_struts(const State & /*state*/,
+                                   std::vector<BrokenStrut> & /*broken*/) const
+    {}
 
     /** Largest accumulated plastic strain of a fibre, of the struts owned by
      * this rank, if above @p least; else no strut. */
