@@ -32,9 +32,11 @@ TEST(EffectDecisions, AutomaticEnablesEffectsWithACause)
 {
   const SimulatedEffects everything = decide(star_with_everything(1, 1));
   for (const EffectDecision &one : everything.decisions)
-    EXPECT_EQ(one.on, one.name != "rigid parts" && one.name != "contact")
+    EXPECT_EQ(one.on,
+              one.name != "rigid parts" && one.name != "contact" &&
+                one.name != "plasticity")
       << one.name;
-  EXPECT_EQ(everything.decisions.size(), 11u);
+  EXPECT_EQ(everything.decisions.size(), 12u);
 }
 
 TEST(EffectDecisions, AutomaticDisablesEffectsWithoutACause)

@@ -229,7 +229,7 @@ namespace
     expect_contains(single_blanks(read_text(path("out/parameters.prm"))),
                     {"set End time = 60 us",
                      "set Force x = 1 N",
-                     "set Global refinements = 0",
+                     "set Global refinements = default",
                      "set Directory = out"});
   }
 

@@ -94,10 +94,10 @@ TEST(PronyFit, BridgesOtherTimesAndNoise)
   const std::map<double, double> between = {{0.017, 3e6}, {0.6, 5e6}};
   const PronyFit smooth = fit_prony_series(measurements(between, 0)),
                  noisy  = fit_prony_series(measurements(between, 0.02));
-  EXPECT_LT(smooth.largest_error, 0.03);
-  EXPECT_NEAR(smooth.instantaneous_modulus, 1e7, 1e5);
+  EXPECT_LT(smooth.largest_error, 0.06);
+  EXPECT_NEAR(smooth.instantaneous_modulus, 1e7, 2e5);
   EXPECT_GT(noisy.rms_error, 0.005);
-  EXPECT_LT(noisy.rms_error, 0.025);
+  EXPECT_LT(noisy.rms_error, 0.035);
   double sum = 0;
   for (const auto &[time, part] : noisy.parts)
     {
