@@ -46,6 +46,10 @@ TITLES = {
     "bending_moment_2": "bending moment about axis 2 (N m)",
     "bending_moment_3": "bending moment about axis 3 (N m)",
     "strain_energy_density": "strain energy density (J/m)",
+    "dissipated_energy_density": "dissipated energy density (J/m)",
+    "plastic_strain": "plastic strain",
+    "utilisation": "stress over yield stress",
+    "intactness": "part of the forces that is left",
 }
 COLORS = [(31, 119, 180), (214, 39, 40), (44, 160, 44), (148, 103, 189),
           (255, 127, 14), (90, 90, 90)]

@@ -47,6 +47,8 @@ namespace auxfem
           add_load();
           if (chance(0.5))
             add_plate();
+          // Last, so that the other features of a seed stay the same.
+          add_law();
           scene_text.probe("tip", std::to_string(points.size() - 1));
           scene.text     = scene_text;
           scene.features = features;
@@ -95,6 +97,7 @@ namespace auxfem
                                                           "energy-momentum",
                                                           "esdirk"});
           scene.is_static          = scheme == "static";
+          has_stages               = scheme == "esdirk";
           note(scheme);
           end_time = scene.is_static ? 1 : 10 * period;
           scene_text.time(end_time, end_time / 20, scheme);
@@ -121,6 +124,43 @@ namespace auxfem
               scene_text.set("Effects/Large rotation", "on");
               note("exact kinematics");
             }
+        }
+
+        /** Lets some lattices relax or yield. */
+        void add_law()
+        {
+          const double part = number(0, 1);
+          if (part > 0.4)
+            return;
+          std::string law;
+          if (part < 0.2 && !has_stages)
+            {
+              const double yield = modulus * std::pow(10., number(-3, -2));
+              law = "Law = elastic-plastic | Yield stress = " + text(yield) +
+                " | Plastic strains = 1 | Flow stresses = " +
+                text(yield + number(0.02, 0.1) * modulus);
+              if (chance(0.3))
+                law += " | Shear and torsion = yield";
+              note("yielding struts");
+            }
+          else
+            {
+              law = "Law = viscoelastic | Relaxing parts = " +
+                text(number(0.1, 0.4)) +
+                ", 0.3 | Relaxation times = " + text(0.1 * period) + ", " +
+                text(number(1, 20) * period);
+              note("relaxing struts");
+            }
+          scene_text.remove("Sections/strut/Young's modulus");
+          scene_text.remove("Sections/strut/Density");
+          scene_text.remove("Sections/strut/Poisson's ratio");
+          if (has_damped_struts)
+            scene_text.remove("Sections/strut/Stiffness-proportional damping");
+          scene_text.add("Materials/law",
+                         law + " | Young's modulus = " + text(modulus) +
+                           " | Density = " + text(density) +
+                           " | Poisson's ratio = 0.3");
+          scene_text.set("Sections/strut/Material", "law");
         }
 
         void add_gravity()
@@ -272,6 +312,7 @@ namespace auxfem
 
         RandomScene scene;
         double      end_time; ///< s
+        bool        has_stages = false;
       };
     } // namespace
 

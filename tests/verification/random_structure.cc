@@ -62,9 +62,9 @@ namespace auxfem
 
     void RandomStructure::add_section()
     {
-      thickness            = number(0.02, 0.06) * length;
-      const double modulus = std::pow(10., number(7, 11));
-      density              = number(900, 8000);
+      thickness = number(0.02, 0.06) * length;
+      modulus   = std::pow(10., number(7, 11));
+      density   = number(900, 8000);
       const Material material{modulus, density, 0.3};
       const bool     is_strip = chance(0.5);
       if (is_strip)
@@ -88,6 +88,7 @@ namespace auxfem
         {
           scene_text.set("Sections/strut/Stiffness-proportional damping",
                          number(0.001, 0.02) * period);
+          has_damped_struts = true;
           note("damping of struts");
         }
     }

@@ -86,6 +86,8 @@ namespace auxfem
       double                                   thickness; ///< m
       double                                   area;      ///< m2
       double                                   density;   ///< kg/m3
+      double                                   modulus;   ///< Young's (Pa)
+      bool                                     has_damped_struts = false;
       double                                   bending; ///< stiffness EI (N m2)
       double period;      ///< first one of a clamped strut (s)
       double force_scale; ///< that bends a strut by about its length (N)
