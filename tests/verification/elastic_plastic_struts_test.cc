@@ -343,7 +343,6 @@ TEST(ElasticPlasticStruts, DoNotDependOnTheFrame)
                    .set("Newton/Tolerance", 1e-11)
                    .time(1, 0.01, "static"));
     run.run();
-    std::printf("retries %u\n", (unsigned)run.work().retries);
     return x * run.reaction("press", 0) + y * run.reaction("press", 1);
   };
   EXPECT_NEAR(sway("0 0; 0 1; 1 1; 1 0", "0.2 * t", "-0.02 * t", 1, 0) /
@@ -482,9 +481,10 @@ TEST(ElasticPlasticStruts, BrittleStrutsBreakAtTheirTensileStress)
   const auto largest_force = [](const double sign) {
     SceneRun run(
       mass_on_yielding_strut(
-        "Yield stress = 1 | Plastic strains = | Flow stresses = | "
-        "Kinematic hardening modulus = 0 | Failure stress = 2e-3 | "
-        "Failure time = 0.01")
+        "Yield stress = 1 | Kinematic hardening modulus = 0 | "
+        "Failure stress = 2e-3 | Failure time = 0.01")
+        .remove("Materials/steel/Plastic strains")
+        .remove("Materials/steel/Flow stresses")
         .remove("Initial velocities")
         .prescribe("guide", "1", {text(sign) + " * 4e-3 * t", "0", "0"})
         .time(1, 0.005, "static"));
