@@ -74,11 +74,11 @@ namespace auxfem
     constexpr double half_revolution = dealii::numbers::PI;
 
     /**
-     * Largest rotation of a section in one iteration (rad) from an unstressed
-     * lattice that resists by tension only; the tangent of a straight cable
-     * predicts far larger motions.
+     * Largest rotation of a section in one iteration (rad) where tangents
+     * predict far larger motions: that of a straight cable from an unstressed
+     * lattice that resists by tension only, and those of yielding struts.
      */
-    constexpr double largest_slack_rotation = small_rotation;
+    constexpr double largest_limited_rotation = small_rotation;
 
     /**
      * Largest rotation increment of a step (rad) with a discrete gradient,
@@ -351,9 +351,10 @@ namespace auxfem
       return solver.last_failure();
     if (!is_linear)
       {
-        const double turn = largest_motion(model, increment).second;
-        if (is_slack && turn > largest_slack_rotation)
-          scale(largest_slack_rotation / turn, increment);
+        const double turn       = largest_motion(model, increment).second;
+        const bool   is_limited = is_slack || (yields && scheme.is_dynamic());
+        if (is_limited && turn > largest_limited_rotation)
+          scale(largest_limited_rotation / turn, increment);
         else if (!(turn <= half_revolution))
           return "an iteration turned a section by more than half a turn";
       }

@@ -32,14 +32,13 @@ namespace auxfem
         "strut " + std::to_string(exceedance.largest.number);
       std::ostringstream text;
       text.precision(3);
-      text
-        << "The strain reaches " << percentage_text(exceedance.strain, 3)
-        << " in an outer "
-        << "fibre of " << location
-        << ". Linear elasticity and undeformed sections, which beams assume, "
-           "are not valid beyond some "
-        << percentage_text(doubtful_strain, 3)
-        << " for any material: check loads, sections and units.";
+      text << "The strain reaches " << percentage_text(exceedance.strain, 3)
+           << " in an outer "
+           << "fibre of " << location
+           << ". Undeformed sections and laws of small strains, which beams "
+              "assume, are not valid beyond some "
+           << percentage_text(doubtful_strain, 3)
+           << " for any material: check loads, sections and units.";
       return {exceedance.strain > unusable_strain ? Verdict::not_to_be_used
                                                   : Verdict::doubtful,
               text.str(),

@@ -236,6 +236,13 @@ namespace auxfem
         2;
     }
 
+    /** Whether strains may be interpolated between Gauss points; not where a
+     * single one is a hinge. */
+    virtual bool has_smooth_strains() const
+    {
+      return true;
+    }
+
     /** Lower bound of the stored energy over that of the elastic stiffness. */
     virtual double least_stored_fraction() const
     {
@@ -385,20 +392,35 @@ namespace auxfem
       SectionForces  elastic[order];
       elastic_forces(e, state, elastic);
       find_moments(elastic);
+      const auto at_forces = [&](const double(&H)[order]) {
+        double N = 0, M_2 = 0, M_3 = 0;
+        for (int g = 0; g < order; ++g)
+          {
+            N += H[g] * elastic[g][0];
+            M_2 += H[g] * elastic[g][4];
+            M_3 += H[g] * elastic[g][5];
+          }
+        return std::abs(N) / section.axial_stiffness() +
+          std::abs(M_2) * distances[0] / section.bending_stiffness_2() +
+          std::abs(M_3) * distances[1] / section.bending_stiffness_3();
+      };
+      if (!has_smooth_strains())
+        {
+          double largest = 0;
+          for (int g = 0; g < order; ++g)
+            {
+              double H[order] = {};
+              H[g]            = 1;
+              largest         = std::max(largest, at_forces(H));
+            }
+          return largest;
+        }
       double strains[n_intervals + 1];
       for (int i = 0; i <= n_intervals; ++i)
         {
-          double H[order], N = 0, M_2 = 0, M_3 = 0;
+          double H[order];
           beams.shape.gauss_interpolation_at(strain_point(i), H);
-          for (int g = 0; g < order; ++g)
-            {
-              N += H[g] * elastic[g][0];
-              M_2 += H[g] * elastic[g][4];
-              M_3 += H[g] * elastic[g][5];
-            }
-          strains[i] = std::abs(N) / section.axial_stiffness() +
-            std::abs(M_2) * distances[0] / section.bending_stiffness_2() +
-            std::abs(M_3) * distances[1] / section.bending_stiffness_3();
+          strains[i] = at_forces(H);
         }
       const double *const at =
         std::max_element(std::begin(strains), std::end(strains));

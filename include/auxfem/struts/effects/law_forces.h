@@ -233,6 +233,11 @@ namespace auxfem
       return std::max(0., density);
     }
 
+    bool has_smooth_strains() const override
+    {
+      return !responses.law().yields();
+    }
+
     double least_stored_fraction() const override
     {
       // Plastic strains store nothing.
