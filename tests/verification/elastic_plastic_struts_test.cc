@@ -423,6 +423,38 @@ TEST(ElasticPlasticStruts, RatesStiffenAnImpact)
   EXPECT_NEAR(elastic, 3e-3, 1e-5);
 }
 
+// Parkes (1955): a cantilever whose tip mass M is struck, rigid and perfectly
+// plastic, beta = rho A L / 2 M = 0.05. The energy is 20 times the elastic one
+// of a plastic moment, M_p^2 L / 2 EI.
+TEST(ElasticPlasticStruts, StruckCantilever)
+{
+  const double h = 0.02, moment = plastic_moment(h);
+  const double energy = 20 * moment * moment / (2 * strip_bending(h)),
+               mass = h / (2 * 0.05), speed = std::sqrt(2 * energy / mass);
+  SceneRun run(yielding_material(0, "Density = 1")
+                 .add(steel_strip(h))
+                 .frame("0 0; 1 0", "0 1")
+                 .support("clamp", "0", "clamp")
+                 .mass("striker", "1", mass)
+                 .add("Initial velocities/blow",
+                      "Joints = 1 | Velocity y = " + text(speed))
+                 .set("Effects/Large rotation", "off")
+                 .mesh(3, 3)
+                 .time(12, 0.01, "newmark"));
+  double   lowest = 1e9, highest = 0;
+  run.run([&] {
+    // It swings about its permanent deflection.
+    if (run.state.time < 8)
+      return;
+    lowest  = std::min(lowest, run.motion(1, 1));
+    highest = std::max(highest, run.motion(1, 1));
+  });
+  ComparisonTable("Permanent deflection of a struck cantilever over its length")
+    .relative("mean of the swing", (lowest + highest) / 2, 1.45199, 2e-2);
+  EXPECT_LT(highest - lowest, 0.15);
+  EXPECT_LT(std::abs(run.balance()), 1e-9 * run.state.largest_energy);
+}
+
 namespace
 {
   /** A mass between two struts, the second of which breaks at a plastic strain
