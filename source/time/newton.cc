@@ -153,7 +153,9 @@ namespace auxfem
     has_failed = true;
     has_kinks  = yields || solver.equations().has_contact_candidates();
     solver.residual(evaluation, results);
-    double norm      = in_force_units(results);
+    double norm = in_force_units(results);
+    if (yields && scheme.is_dynamic() && added == nullptr)
+      norm = try_old_positions(scheme, evaluation, results, norm);
     double reduction = std::numeric_limits<double>::infinity();
     // Prescribed unknowns may not have reached their positions yet.
     bool supports_in_place = supports_rest ||
@@ -249,6 +251,32 @@ namespace auxfem
         if (result.iterations == 1 && (is_linear || !stored->is_fresh))
           stored->reduction = reduction;
       }
+  }
+
+  double Newton::try_old_positions(const ImplicitScheme &scheme,
+                                   const Evaluation     &evaluation,
+                                   EvaluationResults    &results,
+                                   const double          norm)
+  {
+    const State &from = evaluation.from;
+    if (!(norm > from.largest_force) || from.largest_force == 0)
+      return norm;
+    const State predicted = evaluation.to;
+    const auto &kinds     = solver.equations().unknowns().kinds;
+    increment.resize(from.displacement.size());
+    for (unsigned int i = 0; i < increment.size(); ++i)
+      increment[i] = kinds[i] == UnknownKind::prescribed
+        ? 0
+        : from.displacement[i] - predicted.displacement[i];
+    scheme.correct(from, increment, evaluation.dt, evaluation.to);
+    rotations.follow(evaluation);
+    solver.residual(evaluation, results);
+    const double old_norm = in_force_units(results);
+    if (old_norm < norm)
+      return old_norm;
+    evaluation.to = predicted;
+    solver.residual(evaluation, results);
+    return norm;
   }
 
   void Newton::restart()

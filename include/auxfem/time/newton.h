@@ -214,6 +214,16 @@ namespace auxfem
                              const State             &state) const;
     double in_force_units(const EvaluationResults &results) const;
     /**
+     * Starts from the positions at the start of the step if the residual @p
+     * norm (N) of the predicted state exceeds all forces so far and theirs is
+     * smaller: predicted waves along struts would let fibres yield that do not.
+     * Returns the residual norm (N).
+     */
+    double try_old_positions(const ImplicitScheme &scheme,
+                             const Evaluation     &evaluation,
+                             EvaluationResults    &results,
+                             double                norm);
+    /**
      * Line search: halves the last increment until the residual norm is below
      * @p before (N), or restores its full length. Returns the residual norm
      * (N).
