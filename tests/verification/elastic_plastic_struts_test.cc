@@ -11,7 +11,7 @@ using namespace auxfem;
 using namespace auxfem::testing_support;
 
 // Struts that yield, against closed forms and collapse loads. References with
-// hardening: doc/verification/README.md.
+// hardening: doc/verification/problems.md.
 
 namespace
 {
@@ -440,7 +440,7 @@ TEST(ElasticPlasticStruts, StruckCantilever)
                       "Joints = 1 | Velocity y = " + text(speed))
                  .set("Effects/Large rotation", "off")
                  .mesh(3, 3)
-                 .time(12, 0.01, "newmark"));
+                 .time(12, 0.001, "newmark"));
   double   lowest = 1e9, highest = 0;
   run.run([&] {
     // It swings about its permanent deflection.

@@ -245,9 +245,11 @@ TEST(RandomScenesOnRanks, AreThoseOfOneRank)
       EXPECT_EQ(alone.is_complete(), together.is_complete());
       if (!alone.is_complete() || !together.is_complete())
         continue;
-      // Round-off grows with each impact.
-      const bool   has_impacts = !random.is_static && alone.has("body.ux");
-      const double tolerance   = has_impacts ? 1e-3 : 1e-6;
+      // Round-off grows with each impact. It may also decide which step is
+      // halved, on which plastic strains depend.
+      const bool has_impacts = !random.is_static && alone.has("body.ux"),
+                 yields = random.features.find("yielding") != std::string::npos;
+      const double tolerance = has_impacts ? 1e-3 : yields ? 1e-4 : 1e-6;
       for (const std::string axis : {"x", "y"})
         EXPECT_NEAR(alone.last("tip.u" + axis),
                     together.last("tip.u" + axis),
