@@ -55,11 +55,6 @@ namespace auxfem
         return false;
       }
 
-      bool couples_strains() const override
-      {
-        return true;
-      }
-
       std::optional<double> yield_strain() const override
       {
         return sections.curve.initial();

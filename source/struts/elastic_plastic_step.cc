@@ -1,5 +1,6 @@
 #include <auxfem/struts/fibre_sections.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -192,18 +193,6 @@ namespace auxfem
           step.kind == SectionStep::Kind::end;
       }
 
-      /** Sets the tangents to those of an elastic section. */
-      static void set_elastic_tangent(const SectionPoint &point,
-                                      SectionResponse    &response)
-      {
-        for (unsigned int k = 0; k < point.n_strains; ++k)
-          {
-            response.tangent[k] = point.stiffness[k];
-            for (unsigned int l = 0; l < point.n_strains; ++l)
-              response.coupling[k][l] = 0;
-          }
-      }
-
       /** A step in which no fibre yields, known without their history. */
       void stay_elastic(const FibrePoint           &fibres,
                         const Lanes                *strains,
@@ -216,15 +205,14 @@ namespace auxfem
         Lanes               plastic[max_section_strains];
         for (unsigned int k = 0; k < layout.n_strains; ++k)
           plastic[k] = committed.kept(layout.plastic(k));
-        set_elastic_tangent(fibres.point, response);
+        std::copy_n(fibres.point.stiffness, layout.n_strains, response.tangent);
         fibres.set_forces(strains,
                           plastic,
                           committed.kept(layout.stored()),
                           response);
         if (end == nullptr)
           return;
-        for (unsigned int i = layout.n_strains; i < layout.size(); ++i)
-          end->set_kept(i, committed.kept(i));
+        end->copy_kept(committed, layout.n_strains, layout.size());
         end->set_kept(layout.used(), committed.kept(layout.used()) + reach);
       }
 
@@ -340,9 +328,13 @@ namespace auxfem
                                Lanes            *plastic,
                                SectionResponse  &response)
       {
-        set_elastic_tangent(fibres.point, response);
+        response.is_coupled = true;
         for (unsigned int k = 0; k < fibres.layout.n_strains; ++k)
-          plastic[k] = 0;
+          {
+            plastic[k]          = 0;
+            response.tangent[k] = fibres.point.stiffness[k];
+            std::fill_n(response.coupling[k], fibres.layout.n_strains, 0);
+          }
         const auto &felt = fibres.section.felt;
         for (unsigned int m = 0; m < felt.size(); ++m)
           {

@@ -52,7 +52,8 @@ namespace auxfem
         const bool is_normal = k == 0 || (in_plane ? k == 2 : k > 3);
         if (!is_normal && shear_modulus == 0)
           continue;
-        Felt new_felt{k, is_normal ? 1. : shear_modulus, 0};
+        const double modulus = is_normal ? 1. : shear_modulus;
+        Felt         new_felt{k, modulus, 1 / std::sqrt(modulus), 0};
         for (std::size_t i = 0; i < fibres.size(); ++i)
           {
             const auto by_strain = strains_of(fibres[i], k, n_strains);

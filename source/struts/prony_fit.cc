@@ -9,14 +9,8 @@ namespace auxfem
 {
   namespace
   {
-    /**
-     * Relaxation times per decade of frequency.
-     * @tuned judgement: a Maxwell element spreads its loss over a decade; more
-     *   times fit noise
-     */
-    constexpr double times_per_decade = 2;
-
-    /** Relaxation times that cover the frequencies of @p measured (s). */
+    /** Relaxation times (s) that cover the frequencies of @p measured, half as
+     * many as these. */
     std::vector<double>
     covering_times(const std::vector<MeasuredModulus> &measured)
     {
@@ -28,8 +22,7 @@ namespace auxfem
                               return one.frequency < other.frequency;
                             });
       const double decades = std::log10(highest->frequency / lowest->frequency);
-      const unsigned int n =
-        std::max(1., std::round(times_per_decade * decades));
+      const unsigned int  n = std::max<std::size_t>(1, measured.size() / 2);
       std::vector<double> times;
       for (unsigned int i = 0; i <= n; ++i)
         times.push_back(std::pow(10., decades * i / n) / highest->frequency);

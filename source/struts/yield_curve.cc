@@ -64,19 +64,17 @@ namespace auxfem
     where(!(flow.increment > 0), flow.increment) = 0;
     if (!rate || !(dt > 0) || !any_of(flow.increment > 0))
       return flow;
-    LaneArray<FlowOf<double>> flows;
+    LaneArray<ShearFlowOf<double>> flows;
     for (std::size_t lane = 0; lane < n_lanes; ++lane)
-      {
-        const double increment = lane_value(flow.increment, lane);
-        flows[lane]            = increment > 0
-                     ? flow_at_rate(lane_value(stress, lane),
-                         lane_value(plastic_strain, lane),
-                         increment,
-                         dt)
-                     : FlowOf<double>{0, lane_value(flow.slope, lane)};
-      }
+      flows[lane] = shear_flow_at(lane_value(stress, lane),
+                                  /*shear=*/0,
+                                  lane_value(plastic_strain, lane),
+                                  /*shear_ratio=*/1,
+                                  dt);
     return {make_lanes([&](const auto lane) { return flows[lane].increment; }),
-            make_lanes([&](const auto lane) { return flows[lane].slope; })};
+            make_lanes([&](const auto lane) {
+              return kinematic_modulus + flows[lane].slope;
+            })};
   }
 
   std::pair<double, double> YieldCurve::at(const double plastic_strain) const
@@ -91,42 +89,6 @@ namespace auxfem
     const Segment &segment = *(next - 1);
     return {segment.stress + segment.slope * (plastic_strain - segment.begin),
             segment.slope};
-  }
-
-  YieldCurve::FlowOf<double>
-  YieldCurve::flow_at_rate(const double stress,
-                           const double plastic_strain,
-                           const double static_increment,
-                           const double dt) const
-  {
-    // The unknown is x = (increment / scale)^(1/n): by the increment itself the
-    // slope would be infinite at 0. The excess of stress falls with x and is
-    // concave but for kinks of the table, so that Newton's method from above
-    // its root is monotone; a bracket catches the kinks.
-    const double n = rate->exponent, scale = rate->reference * dt;
-    const double elastic = 1 + kinematic_modulus;
-    double low = 0, high = std::pow(static_increment / scale, 1 / n), x = high;
-    for (unsigned int i = 0; i < max_iterations; ++i)
-      {
-        const double d            = scale * std::pow(x, n);
-        const auto [yield, slope] = at(plastic_strain + d);
-        const double excess       = stress - elastic * d - yield * (1 + x);
-        const double excess_by_x =
-          -yield - (elastic + slope * (1 + x)) * n * scale * std::pow(x, n - 1);
-        (excess > 0 ? low : high) = x;
-        double next               = x - excess / excess_by_x;
-        if (!(next >= low && next <= high))
-          next = (low + high) / 2;
-        const bool is_solved = std::abs(next - x) <= few_round_offs * x;
-        x                    = next;
-        if (is_solved)
-          break;
-      }
-    const double d            = scale * std::pow(x, n);
-    const auto [yield, slope] = at(plastic_strain + d);
-    return {d,
-            kinematic_modulus + slope * (1 + x) +
-              (d > 0 ? yield * x / (n * d) : 0.)};
   }
 
   std::pair<double, double> YieldCurve::rate_factor(const double increment,
@@ -171,7 +133,8 @@ namespace auxfem
   {
     // The stress of each component is its elastic one over 1 + m times its
     // resistance, with the multiplier m; the equivalent stress falls with m,
-    // the increment m times it grows.
+    // the increment m times it grows. A bracket catches the kinks of the table
+    // and the infinite slope that rates have at 0.
     const double by_normal = 1 + kinematic_modulus,
                  by_shear  = shear_ratio + kinematic_modulus;
     const double elastic   = std::hypot(normal, shear),

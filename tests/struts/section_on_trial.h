@@ -4,6 +4,7 @@
 #include <auxfem/struts/material.h>
 
 #include <array>
+#include <cmath>
 #include <map>
 #include <string>
 #include <vector>
@@ -71,12 +72,13 @@ namespace auxfem
       : law(law)
       , types(types)
       , stiffness(stiffness)
+      , radii(radii_of(stiffness))
       , committed(law.n_internal(point()), law.n_kept(point()))
     {}
 
     SectionPoint point() const
     {
-      return {n, types.data(), stiffness.data()};
+      return {n, types.data(), stiffness.data(), radii.data()};
     }
 
     /** Takes a step to @p strains and keeps its history. */
@@ -116,9 +118,18 @@ namespace auxfem
       return now;
     }
 
+    static std::array<Lanes, n> radii_of(const std::array<Lanes, n> &stiffness)
+    {
+      using std::sqrt;
+      std::array<Lanes, n> radii;
+      for (unsigned int k = 0; k < n; ++k)
+        radii[k] = sqrt(Lanes(stiffness[k] / stiffness[0]));
+      return radii;
+    }
+
     const SectionLaw               &law;
     const std::array<StrainType, n> types;
-    const std::array<Lanes, n>      stiffness;
+    const std::array<Lanes, n>      stiffness, radii;
     StoredHistory                   committed;
     Lanes                           lost = 0; ///< in the last step
   };

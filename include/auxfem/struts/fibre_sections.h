@@ -50,8 +50,9 @@ namespace auxfem
     /** A strain of the section that fibres feel. */
     struct Felt
     {
-      unsigned int strain;  ///< among those of the section
-      double       modulus; ///< of the fibres' strains
+      unsigned int strain;     ///< among those of the section
+      double       modulus;    ///< of the fibres' strains
+      double       per_radius; ///< 1 / sqrt(modulus)
       /** Largest change of the equivalent stress of a fibre by it. */
       double reach;
     };
@@ -124,10 +125,9 @@ namespace auxfem
       , section(section)
       , layout(section)
     {
-      using std::sqrt;
       for (unsigned int m = 0; m < section.n_felt(); ++m)
-        radii[m] = sqrt(Lanes(point.stiffness[section.felt[m].strain] /
-                              (section.felt[m].modulus * axial())));
+        radii[m] =
+          section.felt[m].per_radius * point.radii[section.felt[m].strain];
     }
 
     /** EA (N). */

@@ -27,8 +27,8 @@ namespace auxfem
 
   /**
    * Fits a modulus that does not relax and the parts of Maxwell elements, all
-   * >= 0, by least squares of relative errors. Two relaxation times per decade
-   * cover the frequencies; parts that do not help are left out.
+   * >= 0, by least squares of relative errors. Half as many relaxation times
+   * as frequencies cover these; parts that do not help are left out.
    */
   PronyFit fit_prony_series(const std::vector<MeasuredModulus> &measured);
 } // namespace auxfem

@@ -5,6 +5,7 @@
 #include <auxfem/parameters/registry.h>
 #include <auxfem/struts/fibres.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <optional>
@@ -30,6 +31,9 @@ namespace auxfem
     const StrainType *types;     ///< by strain
     /** Instantaneous stiffness by strain: EA, kGA (N), GJ, EI (N m2). */
     const Lanes *stiffness;
+    /** Square roots of the stiffnesses over EA; of curvatures the radii of
+     * gyration (m). */
+    const Lanes *radii;
   };
 
   /** Section forces at a Gauss point, by strain (N, N m). */
@@ -38,8 +42,10 @@ namespace auxfem
     Lanes forces[max_section_strains];
     /** Derivative of each force by its strain. */
     Lanes tangent[max_section_strains];
+    /** Whether forces depend on strains besides their own. */
+    bool is_coupled = false;
     /** Derivative of each force by the other strains, symmetric; set only if
-     * SectionLaw::couples_strains(). */
+     * is_coupled. */
     Lanes coupling[max_section_strains][max_section_strains];
     /** Energy stored per length (J/m). */
     Lanes stored;
@@ -81,6 +87,17 @@ namespace auxfem
     {
       for (std::size_t lane = 0; lane < n_lanes; ++lane)
         kept_values[lane][i] = lane_value(value, lane);
+    }
+
+    /** Keeps the values [begin, end) of @p history. */
+    void copy_kept(const SectionHistory &history,
+                   const unsigned int    begin,
+                   const unsigned int    end) const
+    {
+      for (std::size_t lane = 0; lane < n_lanes; ++lane)
+        std::copy(history.kept_values[lane] + begin,
+                  history.kept_values[lane] + end,
+                  kept_values[lane] + begin);
     }
   };
 
@@ -199,12 +216,6 @@ namespace auxfem
 
     /** Whether forces are linear in strains and history. */
     virtual bool is_linear() const = 0;
-
-    /** Whether a force depends on strains besides its own. */
-    virtual bool couples_strains() const
-    {
-      return false;
-    }
 
     /** Whether the material yields: tangents jump where it begins to. */
     bool yields() const

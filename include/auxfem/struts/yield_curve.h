@@ -66,12 +66,10 @@ namespace auxfem
 
     /** An increment of plastic strain, >= 0, and the derivative of yield stress
      * plus back stress by it. */
-    template <class Number>
-    struct FlowOf
+    struct Flow
     {
-      Number increment, slope;
+      Lanes increment, slope;
     };
-    using Flow = FlowOf<Lanes>;
 
     /**
      * Increment d with @p stress = (1 + h) d + yield stress at the end, or 0
@@ -125,17 +123,9 @@ namespace auxfem
 
     /** Yield stress over Young's modulus and its slope at a plastic strain. */
     std::pair<double, double> at(double plastic_strain) const;
-
-    /** As flow(), in a step of @p dt (s) > 0; without rate dependence the
-     * increment would be @p static_increment > 0. */
-    FlowOf<double> flow_at_rate(double stress,
-                                double plastic_strain,
-                                double static_increment,
-                                double dt) const;
-
-    std::vector<Segment> segments;
-    double               kinematic_modulus;
-    std::optional<Rate>  rate;
+    std::vector<Segment>      segments;
+    double                    kinematic_modulus;
+    std::optional<Rate>       rate;
   };
 } // namespace auxfem
 

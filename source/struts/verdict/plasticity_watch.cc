@@ -1,3 +1,4 @@
+#include <auxfem/parameters/numerical_limits.h>
 #include <auxfem/parameters/text.h>
 #include <auxfem/state/step_report.h>
 #include <auxfem/struts/effects/struts.h>
@@ -5,6 +6,7 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
+#include <cmath>
 #include <sstream>
 
 namespace auxfem
@@ -13,18 +15,11 @@ namespace auxfem
   {
     /**
      * Plastic strain over the yield strain from which a section counts as a
-     * hinge.
-     * @tuned judgement: the moment of a rectangle is then within 1 % of the
-     *   fully plastic one
+     * hinge: the moment 1.5 - 1 / (2 m^2) of a rectangle at m times the yield
+     * strain, over that of first yield, is then within a noticeable fraction of
+     * the fully plastic one.
      */
-    constexpr double hinge_strain = 5;
-
-    /**
-     * Overestimate of collapse loads above which hinges are too coarse.
-     * @tuned measured: two elements of order 4 have 7.5 %, their loads are
-     * right to 1 % with some hardening
-     */
-    constexpr double doubtful_hinge_error = 0.1;
+    const double hinge_strain = std::sqrt(1 / (3 * noticeable_fraction)) - 1;
 
     /**
      * Largest overestimate of a perfectly plastic collapse load: hinges form at
@@ -39,8 +34,9 @@ namespace auxfem
       return part / (1 - part);
     }
 
-    /** Checks plastic strains against the data of the material, and hinges
-     * against the elements. */
+    /** Checks plastic strains against the data of the material, and elements
+     * with hinges against two of order 4, whose loads are right to 1 % with
+     * some hardening (doc/theory/struts.md, Materials). */
     class PlasticityWatch : public Watch
     {
     public:
@@ -73,7 +69,7 @@ namespace auxfem
             if (const auto end = law->largest_plastic_strain())
               add(*end, beyond_data);
             if (hinge_error(model.numbering.divisions()[largest.strut]) >
-                doubtful_hinge_error)
+                hinge_error({4, 2}) + round_off)
               add(hinge_strain * *law->yield_strain(), hinges);
           }
       }

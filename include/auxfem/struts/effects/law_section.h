@@ -36,7 +36,7 @@ namespace auxfem
         result.forces = forces(r);
         static_cast<StiffnessOf<Lanes> &>(
           result.stiffness) = {r.tangent[0], r.tangent[1], r.tangent[2], 0};
-        result.stiffness.is_coupled = law.couples_strains();
+        result.stiffness.is_coupled = r.is_coupled;
         if (result.stiffness.is_coupled)
           {
             result.stiffness.axial_shear   = r.coupling[0][1];
@@ -109,7 +109,7 @@ namespace auxfem
         result.forces = forces(r);
         static_cast<StiffnessOf<Lanes> &>(
           result.stiffness)         = {t[0], t[1], t[2], t[3], t[4], t[5]};
-        result.stiffness.is_coupled = law.couples_strains();
+        result.stiffness.is_coupled = r.is_coupled;
         if (result.stiffness.is_coupled)
           for (unsigned int i = 0; i < 3; ++i)
             for (unsigned int j = 0; j < 3; ++j)

@@ -1,6 +1,7 @@
 #ifndef auxfem_struts_effects_law_sections_h
 #define auxfem_struts_effects_law_sections_h
 
+#include <auxfem/parameters/numerical_limits.h>
 #include <auxfem/struts/effects/beam_elements.h>
 #include <auxfem/struts/effects/law_section.h>
 
@@ -74,7 +75,7 @@ namespace auxfem
     {
       for (std::size_t k = 0; k < types.size(); ++k)
         types[k] = Beam::strain_type(k, beams.shear > 0);
-      const SectionPoint point = {n_strains, types.data(), nullptr};
+      const SectionPoint point = {n_strains, types.data(), nullptr, nullptr};
       n_internal               = section_law->n_internal(point);
       n_kept                   = section_law->n_kept(point);
     }
@@ -182,14 +183,18 @@ namespace auxfem
       PointsOf(const LawSections &sections, const AtRest &at_rest)
         : stiffness(Beam::stiffness_by_strain(at_rest))
         , types(sections.types)
-      {}
+      {
+        using std::sqrt;
+        for (unsigned int k = 0; k < n_strains; ++k)
+          radii[k] = sqrt(Lanes(stiffness[k] / stiffness[0]));
+      }
 
       SectionPoint point() const
       {
-        return {n_strains, types.data(), stiffness.data()};
+        return {n_strains, types.data(), stiffness.data(), radii.data()};
       }
 
-      std::array<Lanes, Beam::n_strains>             stiffness;
+      std::array<Lanes, Beam::n_strains>             stiffness, radii;
       const std::array<StrainType, Beam::n_strains> &types;
     };
 
@@ -218,11 +223,6 @@ namespace auxfem
         intact        = intact_at_end;
         if (evaluation.kind == Evaluation::Kind::discrete_gradient)
           intact = (intact + sections.intactness(history, batch, 0)) / 2;
-      }
-
-      bool couples_strains() const
-      {
-        return sections.law().couples_strains();
       }
 
       /** Factor of the forces. */
@@ -279,7 +279,7 @@ namespace auxfem
           {
             response.forces[k] *= intact;
             response.tangent[k] *= intact;
-            if (couples_strains())
+            if (response.is_coupled)
               for (unsigned int l = 0; l < n_strains; ++l)
                 response.coupling[k][l] *= intact;
           }
@@ -356,12 +356,9 @@ namespace auxfem
   private:
     static constexpr unsigned int n_strains = Beam::n_strains;
 
-    /**
-     * Part of its stiffness that a broken strut keeps: without inertia its
-     * nodes would have no place.
-     * @tuned judgement: far below any force that matters, far above round-off
-     */
-    static constexpr double remaining_part = 1e-6;
+    /** Part of its stiffness that a broken strut keeps: without inertia its
+     * nodes would have no place. */
+    static constexpr double remaining_part = input_precision;
 
     const BeamElements<typename Beam::Undamped> &beams;
     const std::shared_ptr<const SectionLaw>      section_law;
