@@ -14,16 +14,16 @@ namespace
   using Complex = std::complex<double>;
 
   /** Moduli of 2 MPa and Maxwell elements of @p stiffness (Pa) by time (s), at
-   * five frequencies per decade from 1e-2 to 1e3 rad/s. */
+   * four frequencies per decade from 1e-2 to 1e3 rad/s. */
   std::vector<MeasuredModulus>
   measurements(const std::map<double, double> &stiffness, const double noise)
   {
     std::mt19937                           generator;
     std::uniform_real_distribution<double> error(1 - noise, 1 + noise);
     std::vector<MeasuredModulus>           measured;
-    for (int i = -10; i <= 15; ++i)
+    for (int i = -8; i <= 12; ++i)
       {
-        const double omega   = std::pow(10., i / 5.);
+        const double omega   = std::pow(10., i / 4.);
         Complex      modulus = 2e6;
         for (const auto &[time, k] : stiffness)
           modulus += k * Complex(0, omega * time) / Complex(1, omega * time);
@@ -97,7 +97,7 @@ TEST(PronyFit, BridgesOtherTimesAndNoise)
   EXPECT_LT(smooth.largest_error, 0.06);
   EXPECT_NEAR(smooth.instantaneous_modulus, 1e7, 2e5);
   EXPECT_GT(noisy.rms_error, 0.005);
-  EXPECT_LT(noisy.rms_error, 0.035);
+  EXPECT_LT(noisy.rms_error, 0.04);
   double sum = 0;
   for (const auto &[time, part] : noisy.parts)
     {

@@ -201,7 +201,23 @@ namespace
       .prescribe("press", "1", {"-0.2 * t", "free", "0"})
       .mesh(4, 2)
       .time(1, 0.01, "static");
-    return {{"clamped beam, 4 and 20 yield deflections",
+    SceneText star =
+      yielding_material(steel_modulus / 100, "Layers = 12").add(steel_strip(h));
+    star.cells("star", 1, 1)
+      .add("Lattice", "Strut length = 1 | Opening angle = 60 deg")
+      .support("table", "bottom", "clamp")
+      .prescribe("press", "top", {"0", "-0.6 * t", "0"})
+      .set("Effects/Contact", "off")
+      .mesh(4, 1)
+      .time(1, 1. / 120, "static");
+    return {{"star cell, pressed by 0.2 and 0.6 L",
+             star,
+             -moment,
+             1,
+             {1. / 3, 1},
+             {6.21, 9.845},
+             5e-3},
+            {"clamped beam, 4 and 20 yield deflections",
              beam,
              -4 * moment,
              1,
