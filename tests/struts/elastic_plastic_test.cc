@@ -68,24 +68,6 @@ namespace
                                   {"Flow stresses", "0.0013, 0.002"},
                                   {"Kinematic hardening modulus", "0.03"}});
 
-  /** Stress of a bar of the material @p entries, in GPa with E = 200 GPa, at
-   * each of the @p strains. */
-  std::vector<double> stresses(const Entries             &entries,
-                               const std::vector<double> &strains,
-                               const double               dt = 0)
-  {
-    const auto law = make_law(
-      with({{"Young's modulus", "200"}, {"Yield stress", "0.25"}}, entries));
-    PlanePoint          bar(*law);
-    std::vector<double> result;
-    for (const double strain : strains)
-      {
-        const Lanes now[] = {strain, 0., 0.};
-        result.push_back(100 * first(bar.step({at_end, dt}, now).forces[0]));
-      }
-    return result;
-  }
-
   /** Random walk of strains; @p size of its steps relative to the yield
    * strain. */
   template <unsigned int n>
@@ -103,74 +85,6 @@ namespace
     Lanes                                  strains[n] = {};
   };
 } // namespace
-
-// Return mapping has no error in time for linear hardening: closed forms of the
-// cycle strain .005, -.005, .005, 0 with E 200, yield stress .25, kinematic
-// modulus 5, isotropic modulus 2 (GPa).
-TEST(ElasticPlastic, CyclesOfABarHaveTheirClosedForm)
-{
-  const auto   found   = stresses({{"Kinematic hardening modulus", "5"},
-                                   {"Plastic strains", "1"},
-                                   {"Flow stresses", "2.25"}},
-                              {.005, -.005, .005, 0});
-  const double exact[] = {.2753623188405797,
-                          -.2893649793461111,
-                          .3030970570,
-                          -.2827473555};
-  for (int i = 0; i < 4; ++i)
-    EXPECT_NEAR(found[i], exact[i], 1e-10);
-}
-
-// The same with Voce's hardening 0.1 (1 - exp(-20 a)), from a table.
-TEST(ElasticPlastic, TablesApproachCurvedHardening)
-{
-  std::string strains, flow;
-  for (int i = 1; i <= 300; ++i)
-    {
-      const double a = 1e-4 * i;
-      strains += std::to_string(a) + ", ";
-      char text[40];
-      std::snprintf(text, 40, "%.15g, ", .25 + .1 * (1 - std::exp(-20 * a)));
-      flow += text;
-    }
-  const auto   found   = stresses({{"Kinematic hardening modulus", "5"},
-                                   {"Plastic strains", strains + "1"},
-                                   {"Flow stresses", flow + "0.35"}},
-                              {.005, -.005, .005, 0});
-  const double exact[] = {.2751144980, -.2872650330, .2976350768, -.2760917001};
-  // Chords of the curve are off by up to .1 (20 1e-4)^2 / 8.
-  for (int i = 0; i < 4; ++i)
-    EXPECT_NEAR(found[i], exact[i], 1e-7);
-}
-
-// Cowper & Symonds with D = 40.4 / s, n = 5: the stress at a steady strain rate
-// satisfies s = .25 (1 + (rate / D)^(1/5)).
-TEST(ElasticPlastic, StressGrowsWithTheStrainRate)
-{
-  const double exact[] = {.27996841, .36930640, .54968412, .72496733};
-  int          i       = 0;
-  for (const double rate : {.001, 1., 100., 1000.})
-    {
-      std::vector<double> strains;
-      for (int k = 1; k <= 200; ++k)
-        strains.push_back(.01 * k / 200);
-      EXPECT_NEAR(stresses({{"Reference strain rate", "40.4"}},
-                           strains,
-                           .01 / 200 / rate)
-                    .back(),
-                  exact[i++],
-                  1e-6);
-    }
-}
-
-TEST(ElasticPlastic, NoTimeLeavesNoTimeToFlow)
-{
-  const auto found = stresses({{"Reference strain rate", "40.4"}},
-                              {.002, .002},
-                              /*dt=*/0);
-  EXPECT_DOUBLE_EQ(found[0], .4);
-  EXPECT_DOUBLE_EQ(found[1], .4);
-}
 
 // Interaction of force and moment of a rectangle, fully plastic: m = 1 - n^2.
 TEST(ElasticPlastic, PlasticRectanglesHaveTheirInteraction)
@@ -495,66 +409,6 @@ TEST(ElasticPlastic, MeanForcesDoTheWorkOfStoredAndLostEnergy)
           ASSERT_NEAR(first(point.instant(walk.strains).stored), stored, 1e-17);
         }
     }
-}
-
-TEST(ElasticPlastic, FibresKeepAreaAndMoments)
-{
-  using Kind                 = SectionShape::Kind;
-  const FibreNumbers numbers = {7, 3, 8, 5};
-  for (const SectionShape &shape : {SectionShape{Kind::rectangle, 0},
-                                    SectionShape{Kind::circle, 0},
-                                    SectionShape{Kind::tube, 0.8}})
-    for (const bool in_space : {false, true})
-      {
-        double area = 0, moment = 0, other = 0, mixed = 0, static_moment = 0;
-        for (const Fibre &fibre : in_space ? space_fibres(shape, numbers)
-                                           : plane_fibres(shape, numbers))
-          {
-            EXPECT_GT(fibre.weight, 0);
-            area += fibre.weight;
-            moment += fibre.weight * fibre.arm_3 * fibre.arm_3;
-            other += fibre.weight * fibre.arm_2 * fibre.arm_2;
-            mixed += fibre.weight * fibre.arm_2 * fibre.arm_3;
-            static_moment += fibre.weight * (fibre.arm_3 + fibre.arm_2);
-          }
-        EXPECT_NEAR(area, 1, 1e-15);
-        EXPECT_NEAR(moment, 1, 1e-15);
-        EXPECT_NEAR(other, in_space ? 1 : 0, 1e-15);
-        EXPECT_NEAR(mixed, 0, 1e-15);
-        EXPECT_NEAR(static_moment, 0, 1e-15);
-      }
-}
-
-// Plastic moments over those of the outermost fibre at yield: 1.5 of
-// rectangles, 16 / (3 pi) of circles, 4 / pi of thin tubes.
-TEST(ElasticPlastic, FibresHavePlasticMoments)
-{
-  using Kind                 = SectionShape::Kind;
-  const double       pi      = std::acos(-1.);
-  const FibreNumbers numbers = {16, 4, 16, 8};
-  const auto         moment  = [](const std::vector<Fibre> &fibres) {
-    double sum = 0;
-    for (const Fibre &fibre : fibres)
-      sum += fibre.weight * std::abs(fibre.arm_3);
-    return sum;
-  };
-  const SectionShape tube = {Kind::tube, 0.99};
-  const double thin = 4 / (3 * pi) * (1 - std::pow(.99, 3)) / (1 - .99 * .99) /
-    std::sqrt((1 + .99 * .99) / 4);
-  EXPECT_NEAR(moment(plane_fibres({Kind::rectangle, 0}, numbers)),
-              std::sqrt(3.) / 2,
-              0.003);
-  EXPECT_NEAR(moment(plane_fibres({Kind::circle, 0}, numbers)),
-              8 / (3 * pi),
-              0.004);
-  EXPECT_NEAR(moment(plane_fibres(tube, numbers)), thin, 0.003);
-  EXPECT_NEAR(moment(space_fibres({Kind::rectangle, 0}, numbers)),
-              std::sqrt(3.) / 2,
-              0.012);
-  EXPECT_NEAR(moment(space_fibres({Kind::circle, 0}, numbers)),
-              8 / (3 * pi),
-              0.013);
-  EXPECT_NEAR(moment(space_fibres(tube, numbers)), thin, 0.013);
 }
 
 TEST(ElasticPlastic, RefusesWhatIsNoMaterial)

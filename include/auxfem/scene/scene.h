@@ -101,6 +101,13 @@ namespace auxfem
                               Model                      model,
                               Mistakes                  &mistakes);
 
+  /** Whether inertia plays no part; paths and buckling are static with any
+   * scheme. */
+  bool is_static(const Scene &scene);
+
+  /** Adds what the materials of @p scene cannot do there to @p mistakes. */
+  void check_materials(const Scene &scene, Mistakes &mistakes);
+
   /** Adds contradictions between subsections of @p scene to @p mistakes. */
   void check_consistency(const Scene &scene, Mistakes &mistakes);
 } // namespace auxfem
