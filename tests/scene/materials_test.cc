@@ -199,9 +199,9 @@ TEST(Materials, MayBeGivenByMeasuredModuli)
     .remove("Materials/polymer/Relaxation times")
     .remove("Materials/polymer/Young's modulus")
     .add("Materials/polymer",
-         "Measured frequencies = 0.1, 1, 10, 100 Hz | "
-         "Storage moduli = 1, 1.3, 1.7, 2 MPa | "
-         "Loss moduli = 0.15, 0.2, 0.2, 0.15 MPa");
+         "Measured frequencies = 0.1, 1, 10, 100 | "
+         "Storage moduli = 1 MPa, 1.3 MPa, 1.7 MPa, 2 MPa | "
+         "Loss moduli = 150 kPa, 200 kPa, 200 kPa, 150 kPa");
   const Scene read = read_scene_from_text(scene, "test.prm");
   EXPECT_GT(read.sections.front().section.youngs_modulus, 2e6);
   EXPECT_LT(read.sections.front().section.youngs_modulus, 3e6);
