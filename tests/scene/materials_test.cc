@@ -183,6 +183,14 @@ TEST(Materials, ThatYieldRefuseWhatTheyCannotFollow)
   expect_parts(refusal_of(
                  metal_strut().set("Materials/metal/Failure strain", "10 %")),
                {"Failure time", "ten time steps"});
+  SceneText breaking = metal_strut();
+  breaking.add("Materials/metal",
+               "Failure strain = 10 % | Failure time = 1 ms");
+  expect_parts(refusal_of(breaking),
+               {"Materials/metal/Failure time", "cannot break in motion"});
+  EXPECT_EQ(refusal_of(SceneText(breaking).set("Time/Scheme", "static")), "");
+  EXPECT_EQ(refusal_of(SceneText(breaking).set("Materials/metal/Density", 0)),
+            "");
   SceneText given = metal_strut();
   given.remove("Sections/bar/Width")
     .remove("Sections/bar/Height")
