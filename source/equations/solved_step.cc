@@ -52,9 +52,9 @@ namespace auxfem
       effect->add_failures(solved, mine);
     const MPI_Comm         communicator = unknowns().layout.communicator();
     std::set<unsigned int> struts;
-    for (const auto &of_rank :
+    for (const auto &rank_struts :
          dealii::Utilities::MPI::all_gather(communicator, mine))
-      struts.insert(of_rank.begin(), of_rank.end());
+      struts.insert(rank_struts.begin(), rank_struts.end());
     if (struts.empty())
       return;
     const std::vector<unsigned int> sorted(struts.begin(), struts.end());

@@ -19,10 +19,10 @@ namespace auxfem
     for (const BrokenStrut &broken : mine)
       pairs.emplace_back(broken.strut, broken.time);
     std::vector<BrokenStrut> all;
-    for (const auto &of_rank : dealii::Utilities::MPI::all_gather(
+    for (const auto &rank_pairs : dealii::Utilities::MPI::all_gather(
            equations.unknowns().layout.communicator(),
            pairs))
-      for (const auto &[strut, time] : of_rank)
+      for (const auto &[strut, time] : rank_pairs)
         all.push_back({strut, time});
     std::sort(all.begin(),
               all.end(),

@@ -126,12 +126,12 @@ namespace auxfem
   {
     std::shared_ptr<const SectionLaw> law =
       find_entry(section_law_registry(), values[law_choice()]).make(values);
-    const std::optional<double> of_law =
+    const std::optional<double> law_modulus =
       law ? law->youngs_modulus() : std::nullopt;
     MaterialDefinition material = read_material_constants(
       values,
-      of_law ? *of_law
-             : read_youngs_modulus(values, example_of_youngs_modulus));
+      law_modulus ? *law_modulus
+                  : read_youngs_modulus(values, example_of_youngs_modulus));
     material.name = values.name();
     material.law  = law;
     if (material.law && material.law->yields() && material.yield_strain)

@@ -236,36 +236,34 @@ namespace
   }
 } // namespace
 
-TEST(ElasticPlastic, TangentsAreDerivativesOfForces)
-{
-  const auto law     = make_law(hardening);
-  const auto viscous = make_law(
-    with(hardening, {{"Reference strain rate", "2"}, {"Rate exponent", "3"}}));
-  for (const SectionStep::Kind kind : {at_end, mean})
-    for (const SectionLaw *any : {law.get(), viscous.get()})
-      {
-        check_tangent<PlanePoint, 3>(*any, {kind, 1e-3});
-        check_tangent<SpacePoint, 6>(*any, {kind, 1e-3});
-      }
-}
-
 namespace
 {
   const Entries with_shear =
     with(hardening, {{"Shear and torsion", "yield"}, {"Grid", "4"}});
+
+  /** Checks a material and the same one with rates. */
+  void check_tangents(const Entries &entries)
+  {
+    const auto law     = make_law(entries);
+    const auto viscous = make_law(
+      with(entries, {{"Reference strain rate", "2"}, {"Rate exponent", "3"}}));
+    for (const SectionStep::Kind kind : {at_end, mean})
+      for (const SectionLaw *any : {law.get(), viscous.get()})
+        {
+          check_tangent<PlanePoint, 3>(*any, {kind, 1e-3});
+          check_tangent<SpacePoint, 6>(*any, {kind, 1e-3});
+        }
+  }
 } // namespace
+
+TEST(ElasticPlastic, TangentsAreDerivativesOfForces)
+{
+  check_tangents(hardening);
+}
 
 TEST(ElasticPlastic, TangentsInShearAreDerivativesOfForces)
 {
-  const auto law     = make_law(with_shear);
-  const auto viscous = make_law(
-    with(with_shear, {{"Reference strain rate", "2"}, {"Rate exponent", "3"}}));
-  for (const SectionStep::Kind kind : {at_end, mean})
-    for (const SectionLaw *any : {law.get(), viscous.get()})
-      {
-        check_tangent<PlanePoint, 3>(*any, {kind, 1e-3});
-        check_tangent<SpacePoint, 6>(*any, {kind, 1e-3});
-      }
+  check_tangents(with_shear);
 }
 
 namespace

@@ -126,7 +126,7 @@ TEST(YieldingMotion, BrokenStrutsLoseTheirForces)
       EXPECT_LT(std::abs(run.balance()), 1e-12 * run.state.largest_energy);
       const double energy =
         0.5 * 9e-6 - lost - run.state.energies.sum(EnergyKind::numerical);
-      // Of the elastic strut of 1 N/m; the broken one keeps a millionth.
+      // The elastic strut has 1 N/m; the broken one keeps a millionth.
       EXPECT_NEAR(largest, std::sqrt(2 * energy), 1e-4 * largest);
     }
 }

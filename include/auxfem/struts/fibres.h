@@ -18,8 +18,8 @@ namespace auxfem
     };
 
     Kind kind = Kind::given;
-    /** Of a tube, inner over outer radius; of a rectangle, its side along axis
-     * 3 over that along axis 2. */
+    /** Inner over outer radius of a tube; side of a rectangle along axis 3 over
+     * that along axis 2. */
     double ratio = 0;
   };
 

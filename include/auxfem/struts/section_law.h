@@ -200,7 +200,7 @@ namespace auxfem
   public:
     virtual ~SectionLaw() = default;
 
-    /** What the law needs of a shape. */
+    /** The part of a shape that the law depends on. */
     virtual SectionShape needed_shape(const SectionShape & /*shape*/) const
     {
       return {};
@@ -236,7 +236,7 @@ namespace auxfem
       return std::nullopt;
     }
 
-    /** What users should know about the data of the law; empty: nothing. */
+    /** Note for users on the data of the law; empty: none. */
     virtual std::string note() const
     {
       return "";

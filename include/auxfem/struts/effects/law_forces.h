@@ -10,10 +10,9 @@ namespace auxfem
 {
   /**
    * Internal forces of struts whose sections have a SectionLaw. Adds to
-   * BeamForces what relaxation needs: history, losses, the equations of
-   * internal variables for Runge-Kutta schemes, and the complex stiffness of
-   * small
-   * motions. @p Beam is undamped.
+   * BeamForces what relaxing and yielding need: history, losses, the equations
+   * of internal variables for Runge-Kutta schemes, and the complex stiffness of
+   * small motions. @p Beam is undamped.
    */
   template <class Beam>
   class LawForces : public BeamForces<Beam, LawSections<Beam>>

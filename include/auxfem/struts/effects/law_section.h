@@ -17,7 +17,7 @@ namespace auxfem
     template <class PointLaw>
     struct LawSection
     {
-      /** Of the damping of high frequencies. */
+      /** Stiffness that the damping of high frequencies acts on. */
       StiffnessOf<Lanes> stiffness;
       const PointLaw     law;
 
@@ -88,7 +88,7 @@ namespace auxfem
     template <class PointLaw>
     struct LawSection
     {
-      /** Of the damping of high frequencies. */
+      /** Stiffness that the damping of high frequencies acts on. */
       StiffnessOf<Lanes> stiffness;
       const PointLaw     law;
 

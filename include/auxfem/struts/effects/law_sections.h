@@ -18,7 +18,7 @@
  */
 namespace auxfem
 {
-  /** What an evaluation of sections is for. */
+  /** Purpose of an evaluation of sections. */
   enum class SectionPurpose
   {
     tangent, ///< linearization at the strains of the end
