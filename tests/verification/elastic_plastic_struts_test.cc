@@ -357,8 +357,10 @@ TEST(ElasticPlasticStruts, DoNotDependOnTheFrame)
                    .set("Effects/Large rotation", "on")
                    .mesh(4, 1)
                    .set("Newton/Tolerance", 1e-11)
-                   .time(1, 0.01, "static"));
+                   .time(1, 0.0025, "static"));
     run.run();
+    // Steps that round-off cuts in one frame only would yield differently.
+    EXPECT_EQ(run.work().retries, 0u);
     return x * run.reaction("press", 0) + y * run.reaction("press", 1);
   };
   EXPECT_NEAR(sway("0 0; 0 1; 1 1; 1 0", "0.2 * t", "-0.02 * t", 1, 0) /
