@@ -331,3 +331,63 @@ TEST(ViscoelasticStruts, FrequencyResponseOfARod)
   ComparisonTable("Displacement of a relaxing rod under a harmonic force")
     .row("relative error", std::abs(found - exact) / std::abs(exact), 0, 1e-7);
 }
+
+// Struts of one batch with different directions and stiffnesses report the
+// forces of elastic ones, if nearly nothing relaxes.
+TEST(ViscoelasticStruts, ReportForcesOfTheirOwn)
+{
+  const auto forces = [](const unsigned int dimension, const bool relaxing) {
+    const bool is_plane = dimension == 2;
+    SceneRun   run(
+      polymer_material(1e-12, 1)
+        .dimension(dimension)
+        .frame(is_plane ? "0 0; 1 0; 1.5 1; 0.2 0.7"
+                        : "0 0 0; 1 0 0.2; 1.5 1 0; 0.2 0.7 0.6",
+               "0 1; 1 2; 2 3; 3 0; 0 2; 1 3")
+        .add("Materials/elastic",
+             "Young's modulus = " + text(polymer_modulus) +
+               " | Poisson's ratio = 0")
+        .add("Sections/thin",
+             std::string("Shape = rectangle | Width = 0.02 | Height = 0.02 | "
+                           "Material = ") +
+               (relaxing ? "polymer" : "elastic"))
+        .add("Sections/thick",
+             std::string("Shape = rectangle | Width = 0.02 | Height = 0.05 | "
+                           "Struts = 1 4 5 | Material = ") +
+               (relaxing ? "polymer" : "elastic"))
+        .support("clamp", "0", "clamp")
+        .add("Loads/pull",
+             "Joints = 2 | Force x = 0.2 * t | Force y = -0.1 * t")
+        .mesh(3)
+        .set("Newton/Tolerance", 1e-12)
+        .time(1, 0.5, "static"));
+    run.run();
+    std::vector<double> values;
+    for (unsigned int strut = 0; strut < 6; ++strut)
+      for (const StrutGroup &group : run.equations.reporting().struts)
+        {
+          const DofNumbering::Group &elements = group.forces->elements();
+          for (unsigned int e = elements.begin; e < elements.end; ++e)
+            if (run.model.numbering.elements()[e].interval.strut == strut)
+              for (const StrutPoint &point :
+                   group.forces->sample(run.state, e, 3))
+                {
+                  for (unsigned int c = 0; c < 3; ++c)
+                    {
+                      values.push_back(point.force[c]);
+                      values.push_back(point.moment[c]);
+                    }
+                  values.push_back(point.energy_density);
+                }
+        }
+    return values;
+  };
+  for (const unsigned int dimension : {2u, 3u})
+    {
+      const std::vector<double> elastic = forces(dimension, false),
+                                relaxed = forces(dimension, true);
+      ASSERT_EQ(relaxed.size(), elastic.size());
+      for (std::size_t i = 0; i < elastic.size(); ++i)
+        EXPECT_NEAR(relaxed[i], elastic[i], 1e-8) << dimension << "D, " << i;
+    }
+}

@@ -134,6 +134,14 @@ namespace auxfem
       return batches_at_rest[batch.number()];
     }
 
+    /** Element @p e at rest in every lane. */
+    AtRestInLanes at_rest_in_all_lanes(const unsigned int e) const
+    {
+      LaneArray<AtRest> copies;
+      copies.fill(at_rest(e));
+      return pack_lanes<AtRestInLanes>(copies);
+    }
+
     LaneArray<const int *> unknowns(const ElementBatch &batch) const
     {
       return batch.each([&](const unsigned int e) { return unknowns(e); });

@@ -198,7 +198,7 @@ namespace auxfem
           const unsigned int section      = beams.strut(e).section;
           const double       strain_limit = limits[section].strain,
                        least_strain       = largest.ratio * strain_limit;
-          if (!beams[e].owned ||
+          if (!beams[e].owned || !carries_load(e, state) ||
               bounds[section] * energies[e] <=
                 least_strain * least_strain * beams.at_rest(e).jacobian)
             continue;
@@ -234,6 +234,13 @@ namespace auxfem
     {
       return Beam::strain_product(beams.at_rest(e).stiffness, forces, forces) /
         2;
+    }
+
+    /** Whether the strut of element @p e has not begun to break. */
+    virtual bool carries_load(const unsigned int /*e*/,
+                              const State & /*state*/) const
+    {
+      return true;
     }
 
     /** Whether strains may be interpolated between Gauss points; not where a

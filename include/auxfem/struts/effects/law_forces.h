@@ -63,7 +63,7 @@ namespace auxfem
       if (!responses.law().yields())
         return largest;
       for (unsigned int e = 0; e < beams.size(); ++e)
-        if (beams[e].owned)
+        if (beams[e].owned && this->carries_load(e, state))
           for (const SectionYielding &point : yielding_in(e, state))
             if (const double strain = lane_value(point.plastic_strain, 0);
                 strain > largest.ratio)
@@ -295,8 +295,8 @@ namespace auxfem
     std::array<SectionYielding, order> yielding_in(const unsigned int e,
                                                    const State &state) const
     {
-      const ElementBatch                 batch   = batch_of(e);
-      const auto                        &at_rest = beams.at_rest(batch);
+      const ElementBatch batch   = batch_of(e);
+      const auto         at_rest = beams.at_rest_in_all_lanes(e);
       std::array<SectionYielding, order> reports;
       Lanes                              force[n];
       Beam::internal_force(
@@ -313,7 +313,8 @@ namespace auxfem
       return reports;
     }
 
-    /** Element @p e alone, in all lanes. */
+    /** Element @p e alone, in all lanes; see also
+     * BeamElements::at_rest_in_all_lanes(). */
     static ElementBatch batch_of(const unsigned int e)
     {
       ElementBatch batch;
@@ -375,7 +376,7 @@ namespace auxfem
       Lanes              force[n];
       integrate(
         batch,
-        beams.at_rest(batch),
+        beams.at_rest_in_all_lanes(e),
         state,
         [&](const SectionInstant &now, SectionResponse &) { action(g++, now); },
         force);
