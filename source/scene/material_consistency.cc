@@ -75,22 +75,22 @@ namespace auxfem
                "elements without shear correct bending by the elastic "
                "stiffness. Set it to on");
     }
-    /** Refuses struts with mass that break in motion: the inner nodes of a
-     * broken strut have no stiffness and would whip through the lattice. */
+    /** Refuses struts that break in motion if their nodes could not move
+     * without stiffness. */
     void check_failure(const Scene &scene, Mistakes &mistakes)
     {
-      if (is_static(scene) || scene.effects.plasticity == Switch::off)
+      if (is_static(scene) || scene.effects.plasticity == Switch::off ||
+          scene.effects.rotary_inertia != Switch::off)
         return;
       for (const SectionDefinition &definition : scene.sections)
         if (const Section &section = definition.section;
             section.law && section.law->failure_time() && section.density > 0)
-          mistakes.add(
-            problem(scene,
-                    definition.material_path +
-                      "/Failure time: struts with mass cannot break in motion "
-                      "yet, because what is left of them would have no "
-                      "stiffness. Use Time/Scheme = static, or Density = 0 "
-                      "with masses at the joints"));
+          mistakes.add(problem(
+            scene,
+            definition.material_path +
+              "/Failure time: with Effects/Rotary inertia = off nothing "
+              "would hold the rotations of struts with mass that have "
+              "broken. Set it to on"));
     }
   } // namespace
 

@@ -192,7 +192,7 @@ namespace auxfem
       "1",
       Range::positive(),
       "Accumulated plastic strain of a fibre at which its strut breaks and "
-      "loses its forces, not its contact; none: never.",
+      "loses its forces and then its contact; none: never.",
       {"none"}};
     const Quantity failure_stress = {
       "Failure stress",

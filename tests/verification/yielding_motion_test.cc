@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <verification/momenta.h>
+
 using namespace auxfem;
 using namespace auxfem::testing_support;
 
@@ -151,4 +153,91 @@ TEST(YieldingMotion, BrittleStrutsBreakAtTheirTensileStress)
   };
   EXPECT_NEAR(largest_force(1), 2e-3, 5e-5);
   EXPECT_NEAR(largest_force(-1), 4e-3, 1e-6);
+}
+
+namespace
+{
+  /** Two bodies of 1 kg that fly apart, 40 g of steel between them. */
+  SceneText torn_strut(const std::string &scheme)
+  {
+    return SceneText()
+      .add("Materials/steel",
+           "Law = elastic-plastic | Young's modulus = 200 GPa | "
+           "Density = 7800 | Poisson's ratio = 0.3 | Yield stress = 250 MPa | "
+           "Plastic strains = 0.1 | Flow stresses = 400 MPa | "
+           "Failure strain = 0.02 | Failure time = 2e-5")
+      .add("Sections/bar",
+           "Material = steel | Shape = rectangle | Width = 5 mm | "
+           "Height = 5 mm")
+      .mass("bodies", "0, 1", 1)
+      .set("Effects/Large rotation", "on")
+      .mesh(4, 2)
+      .time(6e-4, 2e-6, scheme);
+  }
+
+  /** Runs @p scene; the strut breaks and its remains stay between the
+   * bodies. */
+  void expect_torn(SceneRun &run)
+  {
+    double lost = 0;
+    run.run([&] {
+      const double now = run.state.energies.sum(EnergyKind::dissipated);
+      EXPECT_GE(now, lost - 1e-12 * run.state.largest_energy);
+      lost = now;
+    });
+    const StrutForces &strut = *run.equations.reporting().struts[0].forces;
+    std::vector<BrokenStrut> broken;
+    strut.add_broken_struts(run.state, broken);
+    ASSERT_EQ(broken.size(), 1u);
+    EXPECT_LT(broken.front().time, 4e-4);
+    EXPECT_LT(std::abs(run.balance()), 1e-9 * run.state.largest_energy);
+    // No force slows the bodies any more but that which drags 40 g along.
+    const double separation = run.velocity(1, 0) - run.velocity(0, 0);
+    for (unsigned int e = 0; e < 2; ++e)
+      for (const StrutPoint &point : strut.sample(run.state, e, 9))
+        {
+          EXPECT_EQ(std::round(1e6 * point.intactness), 0);
+          const double at = point.position[0] / 0.2;
+          EXPECT_NEAR(point.velocity[0],
+                      run.velocity(0, 0) + at * separation,
+                      0.02 * separation);
+        }
+  }
+} // namespace
+
+TEST(YieldingMotion, StrutsWithMassBreak)
+{
+  for (const char *scheme : {"newmark", "generalized-alpha", "energy-momentum"})
+    {
+      SCOPED_TRACE(scheme);
+      SceneRun run(
+        torn_strut(scheme)
+          .frame("0 0; 0.2 0", "0 1")
+          .add("Initial velocities/left",
+               "Joints = 0 | Velocity x = -10 | Velocity y = 1")
+          .add("Initial velocities/right", "Joints = 1 | Velocity x = 10"));
+      MomentumMeter meter(run);
+      const Momenta before = meter();
+      expect_torn(run);
+      const Momenta after = meter();
+      EXPECT_NEAR(after.x, before.x, 1e-9);
+      EXPECT_NEAR(after.y, before.y, 1e-9);
+    }
+}
+
+TEST(YieldingMotion, StrutsWithMassBreakInSpace)
+{
+  for (const char *scheme : {"newmark", "energy-momentum"})
+    {
+      SCOPED_TRACE(scheme);
+      SceneRun run(
+        torn_strut(scheme)
+          .dimension(3)
+          .frame("0 0 0; 0.2 0 0", "0 1")
+          .add("Initial velocities/left",
+               "Joints = 0 | Velocity x = -10 | Velocity y = 1 | "
+               "Velocity z = -1")
+          .add("Initial velocities/right", "Joints = 1 | Velocity x = 10"));
+      expect_torn(run);
+    }
 }

@@ -39,6 +39,13 @@ namespace auxfem
     std::optional<int> determinant_sign;
   };
 
+  /** Values in State::history of a strut that may break. */
+  struct FailureRecord
+  {
+    double is_broken; ///< 0 or 1
+    double time;      ///< at which its limit was passed (s)
+  };
+
   /** Parts of the state that a scene needs; effects request them. */
   struct StateLayout
   {
@@ -67,6 +74,9 @@ namespace auxfem
     std::vector<std::array<int, 3>> space_rotations;
     EnergyLedger                    energies;
     RecordLayout                    history; ///< internal variables
+    /** Position in the history of FailureRecord of every strut, equal on all
+     * ranks, if struts may break. */
+    std::optional<std::size_t> failures;
     /** Ranges of history that obey differential equations: begin, end. */
     std::vector<std::pair<std::size_t, std::size_t>> integrated;
   };

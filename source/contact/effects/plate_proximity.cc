@@ -346,7 +346,7 @@ namespace auxfem
     std::vector<PlatePair> mine;
     double                 clearance = std::numeric_limits<double>::infinity();
     for (unsigned int a = 0; a < axes.size(); ++a)
-      if (axes[a].is_owned)
+      if (axes[a].is_owned && !curves.is_removed(a))
         for (unsigned int p = 0; p < all_plates.size(); ++p)
           {
             double margin = least_margin();

@@ -238,7 +238,8 @@ namespace auxfem
   {
     const Strut &first  = model.lattice.struts[axes[one].strut],
                 &second = model.lattice.struts[axes[other].strut];
-    return (first.is_rigid() && first.rigid_part == second.rigid_part) ||
+    return is_removed(one) || is_removed(other) ||
+      (first.is_rigid() && first.rigid_part == second.rigid_part) ||
       !(thickness(one, other) > 0) || axes[one].stiffness == 0 ||
       axes[other].stiffness == 0 || (first.is_rigid() && first.sagitta != 0) ||
       (second.is_rigid() && second.sagitta != 0);

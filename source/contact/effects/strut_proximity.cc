@@ -261,8 +261,9 @@ namespace auxfem
       if (pair.is_near)
         now.push_back(pair.pair);
     for (unsigned int i = 0; i < connected.size(); ++i)
-      if (connected[i].is_near)
-        now.push_back(curves.connected()[i]);
+      if (const AxisPair &pair = curves.connected()[i];
+          connected[i].is_near && !never_touch(pair))
+        now.push_back(pair);
     std::sort(now.begin(), now.end());
     near_gaps.clear();
     for (const AxisPair &pair : now)
@@ -366,7 +367,8 @@ namespace auxfem
     if (way < unchecked_motion())
       return {};
     const auto is_bad = [&](const AxisPair &pair) {
-      return !std::binary_search(near_pairs.begin(), near_pairs.end(), pair) &&
+      return !never_touch(pair) &&
+        !std::binary_search(near_pairs.begin(), near_pairs.end(), pair) &&
         gap_falls_below(pair, from, to, 0.);
     };
     if (total_motion + way >= list_update_due + search_distance / 8)

@@ -42,7 +42,9 @@ namespace auxfem
                      model.plan.simulated.shear_flexibility,
                      has_damping(model,
                                  &Section::stiffness_proportional_damping),
-                     high_frequency_damping};
+                     high_frequency_damping,
+                     model.plan.simulated.inertia &&
+                       model.plan.simulated.rotary_inertia};
     std::vector<std::unique_ptr<StrutForces>> forces;
     for (const DofNumbering::Group &group : numbering.groups())
       {

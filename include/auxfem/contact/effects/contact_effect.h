@@ -108,6 +108,7 @@ namespace auxfem
     void register_in(StateLayout &layout) override
     {
       contact_entry = layout.energies.enter(contact_energy_entry());
+      failures      = layout.failures;
       if (friction.coefficient > 0)
         friction_account.register_in(layout);
     }
@@ -162,12 +163,15 @@ namespace auxfem
     bool update_couplings(const State      &accepted,
                           std::vector<int> &required_unknowns) override
     {
-      return couple(follow(accepted), required_unknowns);
+      return couple(remove_broken_struts(accepted) ? restart(accepted)
+                                                   : follow(accepted),
+                    required_unknowns);
     }
 
     bool restart_couplings(const State      &accepted,
                            std::vector<int> &required_unknowns) override
     {
+      remove_broken_struts(accepted);
       return couple(restart(accepted), required_unknowns);
     }
 
@@ -265,11 +269,32 @@ namespace auxfem
     const CoulombFriction          friction;
     const unsigned int             dimension;
     const std::vector<ContactAxis> axes;
-    const StrutCurves              curves;
+    StrutCurves                    curves;
     std::vector<Coupled>           coupled; ///< of this rank
     std::size_t                    first_block = 0;
 
   private:
+    /** Takes struts that have lost all their forces out of contact: nothing
+     * would carry its forces. Returns whether there are others than before. */
+    bool remove_broken_struts(const State &accepted)
+    {
+      if (!failures)
+        return false;
+      const std::vector<Strut> &struts = model.lattice.struts;
+      std::vector<bool>         removed(struts.size(), false);
+      for (unsigned int s = 0; s < struts.size(); ++s)
+        if (const double *record = &accepted.history[*failures + 2 * s];
+            record[0] > 0)
+          removed[s] = accepted.time - record[1] >=
+            *model.sections[struts[s].section].law->failure_time();
+      if (removed == curves.removed() ||
+          (curves.removed().empty() &&
+           std::find(removed.begin(), removed.end(), true) == removed.end()))
+        return false;
+      curves.set_removed(std::move(removed));
+      return true;
+    }
+
     /** If near() has changed, adds the unknowns of pairs with rows on this rank
      * to @p required_unknowns. Returns @p has_changed. */
     bool couple(const bool        has_changed,
@@ -308,8 +333,9 @@ namespace auxfem
       return result;
     }
 
-    unsigned int    contact_entry = 0;
-    FrictionAccount friction_account;
+    unsigned int               contact_entry = 0;
+    FrictionAccount            friction_account;
+    std::optional<std::size_t> failures; ///< StateLayout::failures
   };
 } // namespace auxfem
 

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace auxfem
@@ -62,8 +63,26 @@ namespace auxfem
      */
     bool are_neighbours(unsigned int one, unsigned int other) const;
 
-    /** Whether contact is impossible: both axes belong to one rigid part, or
-     * they have no thickness. */
+    /** Takes struts out of contact, or back into it.
+     * @param removed by strut */
+    void set_removed(std::vector<bool> removed)
+    {
+      removed_struts = std::move(removed);
+    }
+
+    /** By strut; empty: none. */
+    const std::vector<bool> &removed() const
+    {
+      return removed_struts;
+    }
+
+    bool is_removed(const unsigned int axis) const
+    {
+      return !removed_struts.empty() && removed_struts[axes[axis].strut];
+    }
+
+    /** Whether contact is impossible: an axis is removed, both belong to one
+     * rigid part, or they have no thickness. */
     bool never_touch(unsigned int one, unsigned int other) const;
 
     /** Ends of two axes that move together. */
@@ -142,6 +161,7 @@ namespace auxfem
 
     const LatticeModel                      &model;
     const std::vector<ContactAxis>          &axes;
+    std::vector<bool>                        removed_struts;
     std::map<unsigned int, Basis>            bases; ///< by order
     std::vector<const Basis *>               basis_of;
     std::map<unsigned int, AxisCurve>        arcs; ///< at rest

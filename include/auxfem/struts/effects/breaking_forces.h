@@ -1,15 +1,19 @@
 #ifndef auxfem_struts_effects_breaking_forces_h
 #define auxfem_struts_effects_breaking_forces_h
 
+#include <auxfem/struts/effects/broken_strut_drag.h>
 #include <auxfem/struts/effects/law_forces.h>
 
+#include <algorithm>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace auxfem
 {
   /** LawForces of struts that may break. A strut whose limit is passed at the
-   * end of a step loses its forces in the following steps. */
+   * end of a step loses its forces in the following steps; its mass is dragged
+   * along by its joints. */
   template <class Beam>
   class BreakingForces : public LawForces<Beam>
   {
@@ -18,13 +22,55 @@ namespace auxfem
   public:
     using Base::Base;
 
+    void add_residual(const Evaluation &evaluation,
+                      double           *residual,
+                      EffectCache      *results) const override
+    {
+      Base::add_residual(evaluation, residual, results);
+      if (!evaluation.to.velocity)
+        return;
+      std::vector<double> means;
+      const double       *v = evaluation.to.velocity->data();
+      if (evaluation.kind == Evaluation::Kind::discrete_gradient)
+        {
+          const double *before = evaluation.from.velocity->data();
+          means.resize(evaluation.to.velocity->size());
+          for (std::size_t i = 0; i < means.size(); ++i)
+            means[i] = (before[i] + v[i]) / 2;
+          v = means.data();
+        }
+      for_each_dragged(evaluation, [&](const unsigned int e, const double c) {
+        drag.add_force(c, beams.unknowns(e), v, residual);
+      });
+    }
+
+    void add_tangent(const Evaluation     &evaluation,
+                     const EffectCache    *results,
+                     const TangentFactors &factors,
+                     TangentMatrix        &matrix) const override
+    {
+      Base::add_tangent(evaluation, results, factors, matrix);
+      if (factors.damping == 0)
+        return;
+      for_each_dragged(evaluation, [&](const unsigned int e, const double c) {
+        double block[n * n] = {};
+        drag.add_block(factors.damping * c, block);
+        matrix.add(beams.group.begin + e, block);
+      });
+    }
+
     void register_in(StateLayout &layout) override
     {
       Base::register_in(layout);
-      first_time =
-        layout.history.keep(beams.record_name() + ": time of failure (s)",
-                            beams.numbers_in_lattice(),
-                            /*values_per_item=*/1);
+      if (!layout.failures)
+        {
+          std::vector<unsigned int> all(beams.lattice.struts.size());
+          std::iota(all.begin(), all.end(), 0u);
+          layout.failures = layout.history.keep("failures of struts",
+                                                all,
+                                                /*values_per_item=*/2);
+        }
+      failures        = *layout.failures;
       fracture_entry  = layout.energies.enter(fracture_energy_entry());
       numerical_entry = layout.energies.enter(numerical_energy_entry());
     }
@@ -35,18 +81,18 @@ namespace auxfem
       const std::vector<double> &before = solved.from.history;
       std::vector<double>       &now    = solved.to.history;
       for (unsigned int e = 0; e < beams.size(); ++e)
-        {
-          now[lost_part(e)] =
-            responses.lost_part_after(before[lost_part(e)], solved.dt);
-          now[first_time + e] = before[first_time + e];
-        }
+        now[lost_part(e)] =
+          responses.lost_part_after(before[lost_part(e)], solved.dt);
+      std::copy_n(before.begin() + failures,
+                  2 * beams.lattice.struts.size(),
+                  now.begin() + failures);
     }
 
     void add_failures(const Evaluation          &solved,
                       std::vector<unsigned int> &struts) const override
     {
       for (unsigned int e = 0; e < beams.size(); ++e)
-        if (beams[e].owned && !(solved.to.history[lost_part(e)] > 0))
+        if (beams[e].owned && carries_load(e, solved.to))
           for (const SectionYielding &point : this->yielding_in(e, solved.to))
             if (lane_value(point.failure, 0) >= 1)
               {
@@ -59,15 +105,17 @@ namespace auxfem
                       const Evaluation                &solved) const override
     {
       std::vector<double> &now = solved.to.history;
+      for (const unsigned int strut : struts)
+        {
+          now[failures + 2 * strut]     = 1;
+          now[failures + 2 * strut + 1] = solved.to.time;
+        }
       for (unsigned int e = 0; e < beams.size(); ++e)
         if (!(now[lost_part(e)] > 0) &&
             std::binary_search(struts.begin(),
                                struts.end(),
                                beams.interval(e).strut))
-          {
-            now[lost_part(e)]   = std::numeric_limits<double>::min();
-            now[first_time + e] = solved.to.time;
-          }
+          now[lost_part(e)] = std::numeric_limits<double>::min();
     }
 
     void add_broken_struts(const State              &state,
@@ -77,7 +125,8 @@ namespace auxfem
         if (beams[e].owned && state.history[lost_part(e)] > 0 &&
             beams.interval(e).begin == 0)
           broken.push_back(
-            {beams.interval(e).strut, state.history[first_time + e]});
+            {beams.interval(e).strut,
+             state.history[failures + 2 * beams.interval(e).strut + 1]});
     }
 
     std::vector<StrutPoint> sample(const State       &state,
@@ -99,38 +148,116 @@ namespace auxfem
       Base::account_step(step, results, account);
       if (!account.has_duration())
         return;
-      double fracture = 0, numerical = 0;
+      Losses losses;
       for (unsigned int e = 0; e < beams.size(); ++e)
         if (beams[e].owned && step.from.history[lost_part(e)] > 0)
-          account_fracture(e, step, account.motion(), fracture, numerical);
-      account.add_in_step(fracture_entry, fracture);
-      account.add_in_step(numerical_entry, numerical);
+          {
+            account_fracture(e, step, account.motion(), losses);
+            if (step.to.velocity)
+              account_drag(e, step, account.motion(), losses);
+          }
+      account.add_in_step(fracture_entry, losses.fracture);
+      account.add_in_step(numerical_entry, losses.numerical);
+    }
+
+  protected:
+    bool carries_load(const unsigned int e, const State &state) const override
+    {
+      return !(state.history[lost_part(e)] > 0);
     }
 
   private:
     using Base::beams;
     using Base::n;
+    using Base::order;
     using Base::responses;
+
+    /** Energies that broken struts lose in a step (J). */
+    struct Losses
+    {
+      double fracture = 0, numerical = 0;
+    };
 
     std::size_t lost_part(const unsigned int e) const
     {
       return responses.lost_parts() + e;
     }
 
+    /** Part of its forces that element @p e has lost @p dt (s) after @p state. */
+    double lost_fraction(const unsigned int e,
+                         const State       &state,
+                         const double       dt) const
+    {
+      return 1 -
+        lane_value(responses.intactness(state.history, this->batch_of(e), dt),
+                   0);
+    }
+
+    /** Coefficient of the drag of element @p e when all its forces are lost
+     * (N s/m): its nodes then follow its ends within about the time of failure.
+     * Without inertia, 0. */
+    double drag_coefficient(const unsigned int e) const
+    {
+      if (!responses.moves_by_inertia(e))
+        return 0;
+      const double mass = beams.section(e).mass_per_length() * beams[e].length *
+        (beams.interval(e).end - beams.interval(e).begin);
+      return 2 * order * mass / *responses.failure_time();
+    }
+
+    /** Calls @p action with each broken element and the coefficient of its drag
+     * in an evaluation. */
+    template <class Action>
+    void for_each_dragged(const Evaluation &evaluation,
+                          const Action     &action) const
+    {
+      for (unsigned int e = 0; e < beams.size(); ++e)
+        if (evaluation.from.history[lost_part(e)] > 0)
+          {
+            double lost = lost_fraction(e, evaluation.from, evaluation.dt);
+            if (evaluation.kind == Evaluation::Kind::discrete_gradient)
+              lost = (lost + lost_fraction(e, evaluation.from, 0)) / 2;
+            action(e, lost * drag_coefficient(e));
+          }
+    }
+
+    /** Adds the energy that the drag takes from element @p e: the work of the
+     * mean velocity. That of the forces of both ends differs by a numerical
+     * energy. */
+    void account_drag(const unsigned int e,
+                      const Evaluation  &step,
+                      const StepMotion  &motion,
+                      Losses            &losses) const
+    {
+      const double c      = motion.dt * drag_coefficient(e),
+                   before = lost_fraction(e, step.from, 0),
+                   now    = lost_fraction(e, step.to, 0);
+      const auto power    = [&](const Vector &v, const Vector &w) {
+        return drag.power(beams.unknowns(e), v.data(), w.data());
+      };
+      const double dissipated =
+        c * (before + now) / 2 * power(motion.velocity, motion.velocity);
+      losses.fracture += dissipated;
+      if (step.kind != Evaluation::Kind::discrete_gradient)
+        losses.numerical += c / 2 *
+            (before * power(*step.from.velocity, motion.rate) +
+             now * power(*step.to.velocity, motion.rate)) -
+          dissipated;
+    }
+
     /**
      * Adds the energy that element @p e loses because its stiffness falls in a
-     * step: the mean of the energies of both ends that an intact strut would
-     * store, times the lost part. Mean forces do exactly this work; that of the
-     * forces of both ends exceeds it by a numerical energy.
+     * step: what the forces of both ends do beyond the growth of stored and
+     * plastic energy. Mean forces lose the mean of the energies of both ends
+     * that an intact strut would store, times the lost part.
      */
     void account_fracture(const unsigned int e,
                           const Evaluation  &step,
                           const StepMotion  &motion,
-                          double            &fracture,
-                          double            &numerical) const
+                          Losses            &losses) const
     {
       const ElementBatch batch   = this->batch_of(e);
-      const auto        &at_rest = beams.at_rest(batch);
+      const auto         at_rest = beams.at_rest_in_all_lanes(e);
       struct End
       {
         double stored, power;
@@ -160,20 +287,24 @@ namespace auxfem
       const double before = intact(step.from), now = intact(step.to);
       if (before == now)
         return;
-      const End    start = at(step.from), end = at(step.to);
-      const double lost =
-        (before - now) * (start.stored / before + end.stored / now) / 2;
-      fracture += lost;
+      const End start = at(step.from), end = at(step.to);
       if (step.kind == Evaluation::Kind::discrete_gradient)
-        return;
+        {
+          losses.fracture +=
+            (before - now) * (start.stored / before + end.stored / now) / 2;
+          return;
+        }
       const double plastic = step.to.history[this->lost_energies() + e] -
         step.from.history[this->lost_energies() + e];
-      numerical += motion.dt / 2 * (start.power + end.power) -
-        (end.stored - start.stored) - plastic - lost;
+      const double lost = motion.dt / 2 * (start.power + end.power) -
+        (end.stored - start.stored) - plastic;
+      // A loss is never negative.
+      (lost > 0 ? losses.fracture : losses.numerical) += lost;
     }
 
-    unsigned int fracture_entry = 0, numerical_entry = 0;
-    std::size_t  first_time = 0; ///< in State::history
+    const BrokenStrutDrag drag{order + 1, Beam::n_components};
+    unsigned int          fracture_entry = 0, numerical_entry = 0;
+    std::size_t           failures = 0; ///< StateLayout::failures
   };
 } // namespace auxfem
 

@@ -5,6 +5,7 @@
 #include <auxfem/struts/effects/beam_elements.h>
 #include <auxfem/struts/effects/law_section.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <vector>
@@ -72,6 +73,7 @@ namespace auxfem
       : beams(beams)
       , section_law(model.law)
       , time_of_failure(section_law->failure_time())
+      , has_inertia(model.has_inertia)
     {
       for (std::size_t k = 0; k < types.size(); ++k)
         types[k] = Beam::strain_type(k, beams.shear > 0);
@@ -118,6 +120,22 @@ namespace auxfem
       return time_of_failure.has_value();
     }
 
+    /** Whether all nodes of element @p e move by inertia. */
+    bool moves_by_inertia(const unsigned int e) const
+    {
+      const Section &section = beams.section(e);
+      const auto     rotary  = section.rotary_inertia_per_length();
+      return has_inertia && section.density > 0 &&
+        (n_strains == 3 ? rotary[2]
+                        : *std::min_element(rotary.begin(), rotary.end())) > 0;
+    }
+
+    /** Time in which a broken strut loses its forces (s), if it may break. */
+    const std::optional<double> &failure_time() const
+    {
+      return time_of_failure;
+    }
+
     /** Position in State::history of the part of their forces that broken
      * elements have lost, above 0 from the moment of failure on; it may pass
      * 1. */
@@ -139,7 +157,7 @@ namespace auxfem
                      const double               dt) const
     {
       return batch.numbers([&](const unsigned int e) {
-        return std::max(remaining_part,
+        return std::max(remaining_part(e),
                         1 - lost_part_after(history[first_lost_part + e], dt));
       });
     }
@@ -356,13 +374,18 @@ namespace auxfem
   private:
     static constexpr unsigned int n_strains = Beam::n_strains;
 
-    /** Part of its stiffness that a broken strut keeps: without inertia its
-     * nodes would have no place. */
-    static constexpr double remaining_part = input_precision;
+    /** Part of its stiffness that a broken element keeps. Without inertia its
+     * nodes would have no place; with inertia that part only makes sure that
+     * energies can be compared with those of an intact element. */
+    double remaining_part(const unsigned int e) const
+    {
+      return moves_by_inertia(e) ? 1e-12 : input_precision;
+    }
 
     const BeamElements<typename Beam::Undamped> &beams;
     const std::shared_ptr<const SectionLaw>      section_law;
     const std::optional<double>                  time_of_failure; ///< s
+    const bool                                   has_inertia;
     std::array<StrainType, Beam::n_strains>      types;
     unsigned int                                 n_internal, n_kept;
     std::size_t first_internal = 0, first_kept = 0, first_lost_part = 0;

@@ -84,6 +84,8 @@ namespace auxfem
     bool damping           = false; ///< stiffness-proportional
     /** ImplicitScheme::high_frequency_damping(). */
     double high_frequency_damping = 0;
+    /** Translational and rotary. */
+    bool has_inertia = false;
     /** Law of the sections; empty: linear elastic. */
     std::shared_ptr<const SectionLaw> law = nullptr;
   };
