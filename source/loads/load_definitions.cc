@@ -144,8 +144,8 @@ namespace auxfem
 
     const Choice load_type = {"Type",
                               "joint",
-                              {"joint", "line"},
-                              "Whether joints or struts are loaded."};
+                              {"joint", "line", "temperature", "pretension"},
+                              "What loads joints or struts."};
 
     const auto joint_load = for_components<TimeExpression>(
       {"Force", "0", "N", "Force on every joint of the set"},
@@ -160,6 +160,34 @@ namespace auxfem
 
     const auto line_load = for_axes<TimeExpression>(
       {"Force per length", "0", "N/m", "Force per undeformed length"});
+
+    const TimeExpression temperature = {
+      "Temperature",
+      "0",
+      "K",
+      "Time history of the temperature above that at rest; free struts grow by "
+      "Thermal expansion of their material"};
+
+    const TimeExpression gradient_2 = {
+      "Temperature gradient 2",
+      "0",
+      "K/m",
+      "Time history of the temperature's slope along axis 2 of the section, in "
+      "the plane the axis to the left of the strut; free struts curve"};
+
+    const TimeExpression gradient_3 = {
+      "Temperature gradient 3",
+      "0",
+      "K/m",
+      "The same along axis 3, unused in the plane"};
+
+    const TimeExpression pretension = {
+      "Pretension",
+      "0",
+      "N",
+      "Time history of the axial force while both ends of a strut are where "
+      "they were drawn, tension positive; the equilibrium of the structure "
+      "changes it"};
 
     JointLoadDefinition read_joint_load(ParameterValues &values)
     {
@@ -187,6 +215,33 @@ namespace auxfem
       for (unsigned int c = 0; c < line_load.size(); ++c)
         load.components[c] = read_time_function(values, line_load[c]);
       return load;
+    }
+
+    /** The initial strains of one load; those that stay zero are left out. */
+    std::vector<InitialStrainDefinition>
+    read_initial_strains(ParameterValues &values)
+    {
+      using Cause = InitialStrainDefinition::Cause;
+      std::vector<InitialStrainDefinition> strains;
+      const auto add = [&](const TimeExpression &parameter, const Cause cause) {
+        InitialStrainDefinition strain{values.name(),
+                                       values[loaded_struts],
+                                       cause,
+                                       read_time_function(values, parameter),
+                                       values.context.path};
+        if (!strain.history.is_zero())
+          strains.push_back(strain);
+      };
+      if (values[load_type] == "pretension")
+        {
+          add(pretension, Cause::pretension);
+          return strains;
+        }
+      require_space(values, gradient_3);
+      add(temperature, Cause::temperature);
+      add(gradient_2, Cause::gradient_2);
+      add(gradient_3, Cause::gradient_3);
+      return strains;
     }
 
     // Gravity
@@ -241,7 +296,8 @@ namespace auxfem
   {
     return {"Loads",
             SubsectionSchema::Form::named_groups,
-            "Forces and moments; loads of a joint or strut add up.",
+            "Forces, moments, temperatures and pretension; loads of a joint or "
+            "strut add up.",
             {load_type},
             "Type",
             {{"joint",
@@ -249,17 +305,28 @@ namespace auxfem
               with({set_of_joints, load_direction}, joint_load)},
              {"line",
               "Dead force per length on struts.",
-              with({loaded_struts}, line_load)}}};
+              with({loaded_struts}, line_load)},
+             {"temperature",
+              "Temperature of struts, uniform along them.",
+              {loaded_struts, temperature, gradient_2, gradient_3}},
+             {"pretension",
+              "Struts built in too short, as cables that are tightened. With "
+              "inertia, Static start = on begins in the equilibrium.",
+              {loaded_struts, pretension}}}};
   }
 
 
 
-  std::variant<JointLoadDefinition, LineLoadDefinition>
+  std::variant<JointLoadDefinition,
+               LineLoadDefinition,
+               std::vector<InitialStrainDefinition>>
   read_load(ParameterValues &values)
   {
     if (values[load_type] == "joint")
       return read_joint_load(values);
-    return read_line_load(values);
+    if (values[load_type] == "line")
+      return read_line_load(values);
+    return read_initial_strains(values);
   }
 
 

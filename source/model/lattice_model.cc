@@ -63,9 +63,12 @@ namespace auxfem
     }
 
     /** Sections as the run simulates them. */
-    std::vector<Section> sections_of(const RunPlan &plan)
+    std::vector<Section> sections_of(const RunPlan &plan,
+                                     const Lattice &lattice)
     {
-      std::vector<Section> sections;
+      std::vector<Section>    sections;
+      const std::vector<bool> strained =
+        sections_with_initial_strains(plan, lattice);
       for (const SectionDefinition &definition : plan.scene.sections)
         {
           const Section &section = definition.section;
@@ -74,6 +77,8 @@ namespace auxfem
                                 : plan.simulated.strut_relaxation)
                                ? section
                                : section.relaxed());
+          if (!sections.back().law && strained[sections.size() - 1])
+            sections.back().law = make_elastic_law();
         }
       return sections;
     }
@@ -93,13 +98,14 @@ namespace auxfem
      * simulated. */
     std::vector<std::shared_ptr<const SectionLaw>>
     simulated_laws(std::vector<std::shared_ptr<const SectionLaw>> laws,
-                   const SimulatedEffects                        &simulated)
+                   const InitialStrains   &initial_strains,
+                   const SimulatedEffects &simulated)
     {
       for (auto &law : laws)
-        if (law &&
+        if (law && law->loses_energy() &&
             !(law->yields() ? simulated.plasticity
                             : simulated.strut_relaxation))
-          law = nullptr;
+          law = initial_strains.strains.empty() ? nullptr : make_elastic_law();
       return laws;
     }
 
@@ -159,7 +165,8 @@ namespace auxfem
                              const MPI_Comm communicator)
     : plan(with_effects(given, decide_effects(given, lattice)))
     , lattice(lattice)
-    , sections(sections_of(plan))
+    , sections(sections_of(plan, lattice))
+    , initial_strains(make_initial_strains(plan, lattice, sections))
     , laws(laws_of(sections))
     , mean_strut_length(mean_length(lattice))
     , releases(plan.simulated.hinges ? joint_releases(plan.scene, lattice)
@@ -185,8 +192,9 @@ namespace auxfem
                              SimulatedEffects    simulated)
     : plan(with_effects(other.plan, std::move(simulated)))
     , lattice(other.lattice)
-    , sections(sections_of(plan))
-    , laws(simulated_laws(other.laws, plan.simulated))
+    , sections(sections_of(plan, lattice))
+    , initial_strains(other.initial_strains)
+    , laws(simulated_laws(other.laws, initial_strains, plan.simulated))
     , mean_strut_length(other.mean_strut_length)
     , releases(other.releases)
     , free_spins(other.free_spins)

@@ -22,15 +22,16 @@ namespace auxfem
       Unit        unit;
     };
 
-    constexpr std::array<int, 4> none     = {{0, 0, 0, 0}};
-    constexpr std::array<int, 4> length   = {{1, 0, 0, 0}};
-    constexpr std::array<int, 4> mass     = {{0, 1, 0, 0}};
-    constexpr std::array<int, 4> time     = {{0, 0, 1, 0}};
-    constexpr std::array<int, 4> angle    = {{0, 0, 0, 1}};
-    constexpr std::array<int, 4> force    = {{1, 1, -2, 0}};
-    constexpr std::array<int, 4> pressure = {{-1, 1, -2, 0}};
-    constexpr std::array<int, 4> energy   = {{2, 1, -2, 0}};
-    constexpr std::array<int, 4> rate     = {{0, 0, -1, 0}};
+    constexpr Dimensions none        = {{0, 0, 0, 0, 0}};
+    constexpr Dimensions length      = {{1, 0, 0, 0, 0}};
+    constexpr Dimensions mass        = {{0, 1, 0, 0, 0}};
+    constexpr Dimensions time        = {{0, 0, 1, 0, 0}};
+    constexpr Dimensions angle       = {{0, 0, 0, 1, 0}};
+    constexpr Dimensions force       = {{1, 1, -2, 0, 0}};
+    constexpr Dimensions pressure    = {{-1, 1, -2, 0, 0}};
+    constexpr Dimensions energy      = {{2, 1, -2, 0, 0}};
+    constexpr Dimensions rate        = {{0, 0, -1, 0, 0}};
+    constexpr Dimensions temperature = {{0, 0, 0, 0, 1}};
 
     const std::vector<Symbol> &symbols()
     {
@@ -73,6 +74,7 @@ namespace auxfem
         {"J", {energy, 1}},
         {"Hz", {rate, 1}},
         {"kHz", {rate, 1e3}},
+        {"K", {temperature, 1}},
         {"rad", {angle, 1}},
         {"deg", {angle, dealii::numbers::PI / 180}},
         {"%", {none, 1e-2}}};
@@ -314,7 +316,7 @@ namespace auxfem
 
   std::vector<std::string> unit_words()
   {
-    const std::vector<std::pair<const char *, std::array<int, 4>>> measures = {
+    const std::vector<std::pair<const char *, Dimension>> measures = {
       {"length", length},
       {"mass", mass},
       {"time", time},
@@ -323,6 +325,7 @@ namespace auxfem
       {"pressure", pressure},
       {"energy", energy},
       {"rate", rate},
+      {"temperature", temperature},
       {"part of one", none}};
     std::vector<std::string> lines;
     for (const auto &[name, dimension] : measures)

@@ -167,8 +167,12 @@ namespace auxfem
       const auto load = read_load(values);
       if (const auto *on_joints = std::get_if<JointLoadDefinition>(&load))
         scene.joint_loads.push_back(*on_joints);
+      else if (const auto *on_struts = std::get_if<LineLoadDefinition>(&load))
+        scene.line_loads.push_back(*on_struts);
       else
-        scene.line_loads.push_back(std::get<LineLoadDefinition>(load));
+        for (const InitialStrainDefinition &strain :
+             std::get<std::vector<InitialStrainDefinition>>(load))
+          scene.initial_strains.push_back(strain);
     }
 
     void add_plate(ParameterValues &values, Scene &scene)

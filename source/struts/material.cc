@@ -44,6 +44,14 @@ namespace auxfem
       "1/s",
       Range::non_negative(),
       "Rate a of the damping force = a mass velocity."};
+    const Quantity thermal_expansion = {
+      "Thermal expansion",
+      "none",
+      "1/K",
+      Range::any(),
+      "Strain of a free strut per temperature; none: refused under a load of "
+      "Type = temperature.",
+      {"none"}};
 
     Choice law_choice()
     {
@@ -61,7 +69,8 @@ namespace auxfem
             density,
             yield_strain,
             stiffness_damping,
-            mass_damping};
+            mass_damping,
+            thermal_expansion};
   }
 
   const Quantity &youngs_modulus_parameter()
@@ -95,6 +104,8 @@ namespace auxfem
       material.yield_strain = values[yield_strain];
     material.stiffness_proportional_damping = values[stiffness_damping];
     material.mass_proportional_damping      = values[mass_damping];
+    if (!values.is_word(thermal_expansion))
+      material.thermal_expansion = values[thermal_expansion];
     return material;
   }
 

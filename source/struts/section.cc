@@ -311,6 +311,7 @@ namespace auxfem
       section.stiffness_proportional_damping =
         material.stiffness_proportional_damping;
       section.mass_proportional_damping = material.mass_proportional_damping;
+      section.thermal_expansion         = material.thermal_expansion;
       definition.material_path =
         material.name.empty() ? definition.path : "Materials/" + material.name;
       section.law            = law_of(material, definition, others);

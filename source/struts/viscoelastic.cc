@@ -36,6 +36,11 @@ namespace auxfem
         return fit->instantaneous_modulus;
       }
 
+      bool loses_energy() const override
+      {
+        return !series.normal.terms.empty();
+      }
+
       std::string note() const override
       {
         if (!fit)
@@ -299,5 +304,15 @@ namespace auxfem
              volume_change,
              start},
             make_viscoelastic};
+  }
+
+  std::shared_ptr<const SectionLaw> make_elastic_law()
+  {
+    // A series without terms does not relax.
+    static const auto law =
+      std::make_shared<const Viscoelastic>(ModulusSeries{{1, {}}, {1, {}}},
+                                           /*starts_relaxed=*/true,
+                                           std::nullopt);
+    return law;
   }
 } // namespace auxfem

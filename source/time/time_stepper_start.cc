@@ -10,6 +10,8 @@ namespace auxfem
     update_couplings(state);
     if (parameters.static_start)
       find_static_equilibrium(state);
+    else
+      strain_materials(state);
     if (!scheme.is_dynamic())
       {
         update_results(solution, State(state), nullptr, 0.);
@@ -23,6 +25,17 @@ namespace auxfem
     update_results(solution, before, &rates, 0.);
     scene_watches.start(state);
     solvers->newton.drop_factorization();
+  }
+
+  void TimeStepper::strain_materials(State &state)
+  {
+    if (equations.model().initial_strains.strains.empty())
+      return;
+    trial.state           = state;
+    Evaluation evaluation = Evaluation::equilibrium(state, trial.state);
+    evaluation.starts_run = true;
+    equations.update_history(evaluation);
+    state.history = trial.state.history;
   }
 
   void TimeStepper::adopt_rest_factorization(const State &rest)

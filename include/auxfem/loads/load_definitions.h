@@ -128,11 +128,34 @@ namespace auxfem
     std::string                 path;       ///< for messages
   };
 
+  /**
+   * `Loads/NAME` of type `temperature` or `pretension`: strains that the struts
+   * of a set would take on if they were free.
+   */
+  struct InitialStrainDefinition
+  {
+    /** What causes the strain. */
+    enum class Cause
+    {
+      temperature, ///< change since rest (K)
+      gradient_2,  ///< of the temperature along axis 2 (K/m)
+      gradient_3,  ///< along axis 3 (K/m)
+      pretension   ///< axial force of struts held at both ends (N)
+    };
+    std::string  name;
+    std::string  struts;
+    Cause        cause = Cause::temperature;
+    TimeFunction history; ///< K, K/m or N
+    std::string  path;    ///< for messages
+  };
+
   /** Schema of `Loads`. */
   SubsectionSchema loads_schema();
 
   /** Reads `Loads/NAME`. Throws InputError if values contradict each other. */
-  std::variant<JointLoadDefinition, LineLoadDefinition>
+  std::variant<JointLoadDefinition,
+               LineLoadDefinition,
+               std::vector<InitialStrainDefinition>>
   read_load(ParameterValues &values);
 
   /** `Gravity`: the acceleration of free fall. */

@@ -2,6 +2,7 @@
 #define auxfem_model_lattice_model_h
 
 #include <auxfem/model/effect_decisions.h>
+#include <auxfem/model/initial_strains.h>
 #include <auxfem/model/joint_releases.h>
 #include <auxfem/model/rigid_bodies.h>
 #include <auxfem/model/supports.h>
@@ -39,8 +40,9 @@ namespace auxfem
     RunPlan                    plan; ///< with decided effects
     const Lattice             &lattice;
     const std::vector<Section> sections; ///< by Strut::section
+    const InitialStrains       initial_strains;
     /** Laws of the sections by DofNumbering::Group::law; the first is empty:
-     * the elastic law. */
+     * the elastic law. Struts with initial strains have one that is not. */
     const std::vector<std::shared_ptr<const SectionLaw>> laws;
     /** Reference length (m) that converts moments to forces. */
     const double mean_strut_length;

@@ -7,12 +7,14 @@
 
 namespace auxfem
 {
+  /** Exponents of length, mass, time, angle, temperature. */
+  using Dimension = std::array<int, 5>;
+
   /** A unit of measurement, reduced to SI. */
   struct Unit
   {
-    /** Exponents of length, mass, time, angle. */
-    std::array<int, 4> dimension = {{0, 0, 0, 0}};
-    /** Value of one unit in m, kg, s, rad. */
+    Dimension dimension = {{0, 0, 0, 0, 0}};
+    /** Value of one unit in m, kg, s, rad, K. */
     double factor = 1;
   };
 

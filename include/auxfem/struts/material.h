@@ -23,6 +23,8 @@ namespace auxfem
     double stiffness_proportional_damping = 0;
     /** The rate alpha: damping force per mass and velocity (1/s). */
     double mass_proportional_damping = 0;
+    /** Strain per temperature (1/K); empty: not given. */
+    std::optional<double> thermal_expansion;
     /** Empty: linear elastic. */
     std::shared_ptr<const SectionLaw> law;
   };

@@ -223,6 +223,12 @@ namespace auxfem
       return yield_strain().has_value();
     }
 
+    /** Whether struts lose energy. */
+    virtual bool loses_energy() const
+    {
+      return true;
+    }
+
     /** Strain of a fibre at which it begins to yield, if it does. */
     virtual std::optional<double> yield_strain() const
     {
@@ -303,6 +309,9 @@ namespace auxfem
   /** Registry of all laws (source/struts/section_law.cc); the entry of the
    * elastic law makes no object. */
   const Registry<SectionLaw> &section_law_registry();
+
+  /** The elastic law as an object, for struts with initial strains. */
+  std::shared_ptr<const SectionLaw> make_elastic_law();
 
   /**
    * @name Registry entries of the laws, one per file in source/struts/.

@@ -98,6 +98,9 @@ namespace auxfem
   private:
     void find_static_equilibrium(State &state);
 
+    /** Gives the history of materials the initial strains at t = 0. */
+    void strain_materials(State &state);
+
     /** @name One step of the scene, in the order of its execution. */
     ///@{
     /** Detects contact candidates in an accepted state. */

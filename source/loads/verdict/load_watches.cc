@@ -120,6 +120,9 @@ namespace auxfem
           add(loads.components, run.statistics);
         for (const auto &loads : run.plan.scene.line_loads)
           add(loads.components, run.statistics);
+        for (const InitialStrainDefinition &strain :
+             run.plan.scene.initial_strains)
+          add(strain.history, run.statistics);
         add(run.plan.scene.gravity.acceleration, run.statistics);
       }
 
@@ -169,14 +172,18 @@ namespace auxfem
       void add(const Components &components, RunStatistics &statistics)
       {
         for (const TimeFunction &load : components)
-          if (!load.is_zero())
-            {
-              const std::string name =
-                "loads within steps: " + std::to_string(impulses.size());
-              impulses.push_back({&load,
-                                  statistics.number(name + ", missed (N s)"),
-                                  statistics.number(name + ", whole (N s)")});
-            }
+          add(load, statistics);
+      }
+
+      void add(const TimeFunction &load, RunStatistics &statistics)
+      {
+        if (load.is_zero())
+          return;
+        const std::string name =
+          "loads within steps: " + std::to_string(impulses.size());
+        impulses.push_back({&load,
+                            statistics.number(name + ", missed (N s)"),
+                            statistics.number(name + ", whole (N s)")});
       }
 
       Finding finding(const std::string &load, const double missed) const

@@ -44,7 +44,9 @@ namespace auxfem
                                  &Section::stiffness_proportional_damping),
                      high_frequency_damping,
                      model.plan.simulated.inertia &&
-                       model.plan.simulated.rotary_inertia};
+                       model.plan.simulated.rotary_inertia,
+                     nullptr,
+                     &model.initial_strains};
     std::vector<std::unique_ptr<StrutForces>> forces;
     for (const DofNumbering::Group &group : numbering.groups())
       {

@@ -256,6 +256,13 @@ namespace auxfem
       return 1;
     }
 
+    /** Takes initial strains from @p forces, as of elastic_forces(). */
+    virtual void
+    subtract_initial_strains(const unsigned int /*e*/,
+                             const State & /*state*/,
+                             SectionForces (&/*forces*/)[order]) const
+    {}
+
     /** Forces of the elastic stiffness at the Gauss points of element @p e,
      * which measure strains; moments as in section_forces(). */
     void elastic_forces(const unsigned int e,
@@ -398,6 +405,7 @@ namespace auxfem
       const Section &section = beams.section(e);
       SectionForces  elastic[order];
       elastic_forces(e, state, elastic);
+      subtract_initial_strains(e, state, elastic);
       find_moments(elastic);
       const auto at_forces = [&](const double(&H)[order]) {
         double N = 0, M_2 = 0, M_3 = 0;

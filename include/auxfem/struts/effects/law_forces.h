@@ -26,11 +26,14 @@ namespace auxfem
     {
       Base::register_in(layout);
       responses.register_in(layout);
+      layout.mean_work = true;
+      enter_initial_strains(layout);
+      if (!responses.law().loses_energy())
+        return;
       first_lost = layout.history.keep(beams.record_name() + ": lost energy",
                                        beams.numbers_in_lattice(),
                                        /*values_per_item=*/1);
-      layout.mean_work = true;
-      lost_entry       = layout.energies.enter(responses.law().yields()
+      lost_entry = layout.energies.enter(responses.law().yields()
                                            ? plastic_energy_entry()
                                            : relaxation_energy_entry());
       if (!responses.finds_history_after_step())
@@ -42,7 +45,9 @@ namespace auxfem
                                    const unsigned int n_points) const override
     {
       std::vector<StrutPoint> points = Base::sample(state, element, n_points);
-      const unsigned int      e      = element - beams.group.begin;
+      if (!responses.law().loses_energy())
+        return points;
+      const unsigned int                       e = element - beams.group.begin;
       const std::array<SectionYielding, order> yielding = yielding_in(e, state);
       for (unsigned int i = 0; i < n_points; ++i)
         {
@@ -94,7 +99,8 @@ namespace auxfem
                       EnergyAccount     &account) const override
     {
       Base::account_step(step, results, account);
-      if (!account.has_duration())
+      account_initial_strains(step, account);
+      if (!account.has_duration() || !responses.law().loses_energy())
         return;
       const auto   losses = responses.law().losses(responses.step(step));
       const double lost =
@@ -114,6 +120,16 @@ namespace auxfem
                        const EffectCache * /*results*/,
                        EnergyAccount &account) const override
     {
+      const GroupInitialStrains &initial = responses.initial_strains();
+      if (initial.exist())
+        {
+          const InitialStrainLoads rates = initial.rates(stage);
+          for (unsigned int i = 0; i < initial.n_loads(); ++i)
+            account.add_power(initial_entries[i],
+                              -rates[i] * force_along(i, stage.to));
+        }
+      if (!responses.law().loses_energy())
+        return;
       const double power =
         lose(stage,
              stage.weight,
@@ -129,6 +145,36 @@ namespace auxfem
                  force);
              });
       account.add_power(lost_entry, power);
+    }
+
+    void add_load_derivative(const Evaluation &evaluation,
+                             double           *derivative) const override
+    {
+      const GroupInitialStrains &initial = responses.initial_strains();
+      if (!initial.exist())
+        return;
+      const InitialStrainLoads rates = initial.rates(evaluation);
+      beams.for_each_batch([&](const ElementBatch &batch) {
+        const auto &at_rest   = beams.at_rest(batch);
+        const auto  stiffness = Beam::stiffness_by_strain(at_rest);
+        Lanes       strains[Beam::n_strains] = {}, force[n];
+        initial.add(1, rates, batch, strains);
+        integrate(
+          batch,
+          at_rest,
+          evaluation.to,
+          [&](const SectionInstant &, SectionResponse &r) {
+            for (unsigned int k = 0; k < Beam::n_strains; ++k)
+              r.forces[k] = -stiffness[k] * strains[k] *
+                responses.law().long_time_ratio(
+                  Beam::strain_type(k, beams.shear > 0));
+          },
+          force);
+        for (unsigned int lane = 0; lane < batch.size; ++lane)
+          for (int i = 0; i < n; ++i)
+            derivative[beams.unknowns(batch.elements[lane])[i]] +=
+              lane_value(force[i], lane);
+      });
     }
 
     void find_internal_rates(const State &state,
@@ -230,6 +276,26 @@ namespace auxfem
         density += H[g] * lane_value(now.stored, 0);
       });
       return std::max(0., density);
+    }
+
+    void subtract_initial_strains(const unsigned int e,
+                                  const State       &state,
+                                  SectionForces (&forces)[order]) const override
+    {
+      const GroupInitialStrains &initial = responses.initial_strains();
+      if (!initial.exist())
+        return;
+      const ElementBatch batch = batch_of(e);
+      const auto         stiffness =
+        Beam::stiffness_by_strain(beams.at_rest_in_all_lanes(e));
+      Lanes strains[Beam::n_strains] = {};
+      initial.add(1, initial.at(state), batch, strains);
+      for (unsigned int k = 0; k < Beam::n_strains; ++k)
+        strains[k] *= stiffness[k];
+      const SectionForces added = Beam::section_forces(strains);
+      for (SectionForces &at_point : forces)
+        for (unsigned int k = 0; k < at_point.size(); ++k)
+          at_point[k] -= added[k];
     }
 
     bool has_smooth_strains() const override
@@ -352,6 +418,55 @@ namespace auxfem
     }
 
   private:
+    void enter_initial_strains(StateLayout &layout)
+    {
+      const GroupInitialStrains &initial = responses.initial_strains();
+      for (unsigned int i = 0; i < initial.n_loads(); ++i)
+        initial_entries.push_back(
+          layout.energies.enter({EnergyKind::work,
+                                 initial.load(i).name + ".load_work",
+                                 "work of the load since the start"}));
+    }
+
+    /** Adds the work of initial strains that change: minus the mean forces of
+     * both ends times the change. */
+    void account_initial_strains(const Evaluation &step,
+                                 EnergyAccount    &account) const
+    {
+      const GroupInitialStrains &initial = responses.initial_strains();
+      if (!initial.exist())
+        return;
+      const InitialStrainLoads start = initial.at_start(step),
+                               end   = initial.at_end(step);
+      for (unsigned int i = 0; i < initial.n_loads(); ++i)
+        if (start[i] != end[i])
+          account.add_in_step(initial_entries[i],
+                              (start[i] - end[i]) / 2 *
+                                (force_along(i, step.from) +
+                                 force_along(i, step.to)));
+    }
+
+    /** Section forces along the strain by a unit of initial load @p i,
+     * integrated over the elements owned by this rank. */
+    double force_along(const unsigned int i, const State &state) const
+    {
+      return sum_over_owned(
+        [&](const ElementBatch &batch, const auto &at_rest) {
+          Lanes unit[Beam::n_strains] = {}, force[n];
+          responses.initial_strains().add_one(i, 1., batch, unit);
+          return integrate(
+            batch,
+            at_rest,
+            state,
+            [&](const SectionInstant &now, SectionResponse &r) {
+              r.stored = 0;
+              for (unsigned int k = 0; k < Beam::n_strains; ++k)
+                r.stored += now.forces[k] * unit[k];
+            },
+            force);
+        });
+    }
+
     /** Gauss point nearest to @p xi in [-1, 1]. */
     unsigned int nearest_point(const double xi) const
     {
@@ -444,8 +559,10 @@ namespace auxfem
         matrix);
     }
 
-    unsigned int lost_entry = 0, numerical_entry = 0;
-    std::size_t  first_lost = 0; ///< in State::history
+    /** Of the work of initial strains, by load of the group. */
+    std::vector<unsigned int> initial_entries;
+    unsigned int              lost_entry = 0, numerical_entry = 0;
+    std::size_t               first_lost = 0; ///< in State::history
   };
 } // namespace auxfem
 

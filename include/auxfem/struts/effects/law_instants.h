@@ -32,10 +32,12 @@ namespace auxfem
     {}
 
     SectionResponse respond(const int g,
-                            const Lanes (&strains)[Beam::n_strains]) const
+                            const Lanes (&total)[Beam::n_strains]) const
     {
       const SectionHistory history = sections.history(state.history, batch, g);
       SectionInstant       now;
+      Lanes                strains[Beam::n_strains];
+      sections.set_strains(total, state, batch, strains);
       if (rates == nullptr)
         sections.law().instant(points.point(), strains, history, nullptr, now);
       else
@@ -78,8 +80,10 @@ namespace auxfem
   struct YieldingLaw
   {
     SectionResponse respond(const int g,
-                            const Lanes (&strains)[Beam::n_strains]) const
+                            const Lanes (&total)[Beam::n_strains]) const
     {
+      Lanes strains[Beam::n_strains];
+      sections.set_strains(total, state, batch, strains);
       reports[g] =
         sections.law().yielding(points.point(),
                                 strains,

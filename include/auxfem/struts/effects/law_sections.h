@@ -73,6 +73,7 @@ namespace auxfem
       : beams(beams)
       , section_law(model.law)
       , time_of_failure(section_law->failure_time())
+      , initial(*model.initial_strains, struts_of(beams), n_strains)
       , has_inertia(model.has_inertia)
     {
       for (std::size_t k = 0; k < types.size(); ++k)
@@ -80,6 +81,12 @@ namespace auxfem
       const SectionPoint point = {n_strains, types.data(), nullptr, nullptr};
       n_internal               = section_law->n_internal(point);
       n_kept                   = section_law->n_kept(point);
+    }
+
+    /** Strains without which sections would be free of forces. */
+    const GroupInitialStrains &initial_strains() const
+    {
+      return initial;
     }
 
     const SectionLaw &law() const
@@ -194,6 +201,18 @@ namespace auxfem
       return {first(first_internal, n_internal), first(first_kept, n_kept)};
     }
 
+    /** Sets @p strains, on which forces depend, from the @p total ones at an
+     * instant. */
+    void set_strains(const Lanes (&total)[Beam::n_strains],
+                     const State        &state,
+                     const ElementBatch &batch,
+                     Lanes (&strains)[Beam::n_strains]) const
+    {
+      std::copy_n(total, n_strains, strains);
+      if (initial.exist())
+        initial.add(-1, initial.at(state), batch, strains);
+    }
+
     /** The sections of a batch at a Gauss point, the input of the law. */
     struct PointsOf
     {
@@ -216,6 +235,12 @@ namespace auxfem
       const std::array<StrainType, Beam::n_strains> &types;
     };
 
+    /** Loads of initial strains at both ends of an evaluation. */
+    struct InitialLoads
+    {
+      InitialStrainLoads start, end;
+    };
+
     /** The law at the Gauss points of a batch in an evaluation. */
     class PointLaw
     {
@@ -226,13 +251,15 @@ namespace auxfem
                const Evaluation    &evaluation,
                const SectionPurpose purpose,
                const ElementBatch  &batch,
-               const AtRest        &at_rest)
+               const AtRest        &at_rest,
+               const InitialLoads  &initial)
         : sections(sections)
         , update(update)
         , evaluation(evaluation)
         , purpose(purpose)
         , batch(batch)
         , points(sections, at_rest)
+        , initial(initial)
       {
         if (!sections.may_fail())
           return;
@@ -266,7 +293,14 @@ namespace auxfem
             update.start_strains(point, committed, starts);
             for (unsigned int k = 0; k < n_strains; ++k)
               ends[k] = 2 * strains[k] - starts[k];
+            if (sections.initial.exist())
+              {
+                sections.initial.add(-1, initial.start, batch, ends);
+                sections.initial.add(-1, initial.end, batch, ends);
+              }
           }
+        else if (sections.initial.exist())
+          sections.initial.add(-1, initial.end, batch, ends);
         SectionResponse response;
         if (!writes_history())
           update.evaluate(point, ends, committed, nullptr, response);
@@ -309,6 +343,7 @@ namespace auxfem
       const SectionPurpose purpose;
       const ElementBatch  &batch;
       const PointsOf       points;
+      const InitialLoads  &initial;
       /** Factors of forces and of the energy at the end. */
       Lanes intact = 1, intact_at_end = 1;
     };
@@ -318,18 +353,37 @@ namespace auxfem
     {
       const std::shared_ptr<const SectionUpdate> update =
         section_law->update(step(evaluation));
-      return [this, &evaluation, purpose, update](const ElementBatch &batch,
-                                                  const auto         &at_rest) {
-        auto section = Beam::law_section(
-          at_rest,
-          PointLaw(*this, *update, evaluation, purpose, batch, at_rest));
-        if (may_fail())
-          section.stiffness =
-            Beam::scaled_stiffness(at_rest, [&](const unsigned int) {
-              return section.law.intactness();
-            });
-        return section;
-      };
+      const auto loads = initial_loads(evaluation);
+      return
+        [this, &evaluation, purpose, update, loads](const ElementBatch &batch,
+                                                    const auto &at_rest) {
+          auto section = Beam::law_section(at_rest,
+                                           PointLaw(*this,
+                                                    *update,
+                                                    evaluation,
+                                                    purpose,
+                                                    batch,
+                                                    at_rest,
+                                                    *loads));
+          if (may_fail())
+            section.stiffness =
+              Beam::scaled_stiffness(at_rest, [&](const unsigned int) {
+                return section.law.intactness();
+              });
+          return section;
+        };
+    }
+
+    /** The loads in @p evaluation; the start counts in steps of mean forces. */
+    std::shared_ptr<const InitialLoads>
+    initial_loads(const Evaluation &evaluation) const
+    {
+      const bool has_start =
+        evaluation.kind == Evaluation::Kind::discrete_gradient;
+      return std::make_shared<const InitialLoads>(
+        InitialLoads{has_start ? initial.at_start(evaluation)
+                               : InitialStrainLoads(),
+                     initial.at_end(evaluation)});
     }
 
     /** Energy lost in an accepted step by a batch (J). */
@@ -374,6 +428,15 @@ namespace auxfem
   private:
     static constexpr unsigned int n_strains = Beam::n_strains;
 
+    static std::vector<unsigned int>
+    struts_of(const BeamElements<typename Beam::Undamped> &beams)
+    {
+      std::vector<unsigned int> struts;
+      for (unsigned int e = 0; e < beams.size(); ++e)
+        struts.push_back(beams.interval(e).strut);
+      return struts;
+    }
+
     /** Part of its stiffness that a broken element keeps. Without inertia its
      * nodes would have no place; with inertia that part only makes sure that
      * energies can be compared with those of an intact element. */
@@ -385,6 +448,7 @@ namespace auxfem
     const BeamElements<typename Beam::Undamped> &beams;
     const std::shared_ptr<const SectionLaw>      section_law;
     const std::optional<double>                  time_of_failure; ///< s
+    const GroupInitialStrains                    initial;
     const bool                                   has_inertia;
     std::array<StrainType, Beam::n_strains>      types;
     unsigned int                                 n_internal, n_kept;

@@ -4,6 +4,7 @@
 #include <auxfem/equations/effect.h>
 #include <auxfem/model/numbering.h>
 #include <auxfem/struts/beam_shape.h>
+#include <auxfem/struts/effects/group_initial_strains.h>
 #include <auxfem/struts/section.h>
 
 #include <array>
@@ -88,6 +89,8 @@ namespace auxfem
     bool has_inertia = false;
     /** Law of the sections; empty: linear elastic. */
     std::shared_ptr<const SectionLaw> law = nullptr;
+    /** Of all struts; those that have some need a law. */
+    const InitialStrains *initial_strains = nullptr;
   };
 
   /** Internal forces of the struts of one polynomial order: geometrically exact

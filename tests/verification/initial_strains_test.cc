@@ -1,0 +1,299 @@
+#include <auxfem/analysis/small_motions/buckling_modes.h>
+#include <auxfem/analysis/small_motions/natural_modes.h>
+#include <auxfem/parameters/errors.h>
+
+#include <support/scene_run.h>
+#include <support/scene_text.h>
+#include <verification/result_table.h>
+
+#include <cmath>
+
+#include <support/messages.h>
+#include <support/pi.h>
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+// Temperature and pretension of struts, against closed forms.
+
+namespace
+{
+  constexpr double modulus = 2e11, expansion = 1.2e-5, height = 0.02,
+                   area          = height * height,
+                   second_moment = height * height * height * height / 12;
+
+  SceneText heated(const std::string &more = "")
+  {
+    return SceneText()
+      .add("Materials/steel",
+           "Young's modulus = " + text(modulus) +
+             " | Poisson's ratio = 0.3 | Thermal expansion = " +
+             text(expansion))
+      .add("Materials/steel", more)
+      .add("Sections/bar",
+           "Material = steel | Shape = rectangle | Width = " + text(height) +
+             " | Height = " + text(height));
+  }
+
+  SceneText one_strut(const unsigned int dimension,
+                      const std::string &more = "")
+  {
+    return heated(more).dimension(dimension).frame(dimension == 2
+                                                     ? "0 0; 1 0"
+                                                     : "0 0 0; 1 0 0",
+                                                   "0 1");
+  }
+
+  SceneText &warm(SceneText &scene, const std::string &history)
+  {
+    return scene.add("Loads/heat",
+                     "Type = temperature | Struts = all | Temperature = " +
+                       history);
+  }
+
+  double axial_force(const SceneRun &run, const unsigned int element = 0)
+  {
+    return run.equations.reporting().struts.front().forces->axial_force(
+      run.state,
+      element);
+  }
+} // namespace
+
+TEST(InitialStrains, HeldAndFreeBars)
+{
+  for (const unsigned int dimension : {2u, 3u})
+    {
+      SceneText held = one_strut(dimension)
+                         .support("ends", "0, 1", "clamp")
+                         .time(1, 0.5, "static");
+      SceneRun hot(warm(held, "40 * t"));
+      hot.run();
+      EXPECT_NEAR(axial_force(hot) / (-modulus * area * expansion * 40),
+                  1,
+                  1e-12);
+      EXPECT_LT(std::abs(hot.balance()), 1e-12 * hot.state.largest_energy);
+
+      SceneText free = one_strut(dimension)
+                         .support("end", "0", "clamp")
+                         .time(1, 0.5, "static");
+      SceneRun long_bar(warm(free, "40 * t"));
+      long_bar.run();
+      EXPECT_NEAR(long_bar.motion(1, 0), expansion * 40, 1e-15);
+      EXPECT_NEAR(axial_force(long_bar), 0, 1e-6);
+      EXPECT_NEAR(long_bar.state.energies.sum(EnergyKind::stored), 0, 1e-12);
+    }
+}
+
+// A free strut with a warm side is a circle, without forces.
+TEST(InitialStrains, GradientsBendFreeStruts)
+{
+  const double gradient = 5e4, curvature = expansion * gradient;
+  for (const unsigned int dimension : {2u, 3u})
+    for (const unsigned int axis : {2u, 3u})
+      {
+        if (axis == 3 && dimension == 2)
+          continue;
+        SCOPED_TRACE(std::to_string(dimension) + "D, axis " +
+                     std::to_string(axis));
+        SceneRun run(one_strut(dimension)
+                       .support("end", "0", "clamp")
+                       .add("Loads/sun",
+                            "Type = temperature | Struts = 0 | "
+                            "Temperature gradient " +
+                              std::to_string(axis) + " = " + text(gradient) +
+                              " * t")
+                       .set("Effects/Large rotation", "on")
+                       .mesh(4, 2)
+                       .time(1, 0.25, "static"));
+        run.run();
+        // In space the default axis 3 is along z, axis 2 along y: the warm
+        // side is outside.
+        EXPECT_NEAR(1 + run.motion(1, 0),
+                    std::sin(curvature) / curvature,
+                    1e-7);
+        EXPECT_NEAR(run.motion(1, axis - 1),
+                    -(1 - std::cos(curvature)) / curvature,
+                    1e-7);
+        EXPECT_LT(std::abs(run.balance()), 1e-6);
+      }
+}
+
+// Displacement of a mass on a rod that is warmed steadily from rest:
+// alpha T' L (t - sin(omega t) / omega).
+TEST(InitialStrains, WarmedRodShakesItsMass)
+{
+  const double mass = 1e6, omega = std::sqrt(modulus * area / mass), rate = 100;
+  ComparisonTable table("Mass on a rod that is warmed steadily");
+  for (const char *scheme :
+       {"newmark", "generalized-alpha", "energy-momentum", "esdirk"})
+    {
+      const auto error = [&](const double dt) {
+        SceneText scene = one_strut(2, "Density = 0");
+        warm(scene, text(rate) + " * t")
+          .support("wall", "0", "clamp")
+          .add("Supports/guide",
+               "Joints = 1 | Type = prescribed | Displacement y = 0 | "
+               "Rotation z = 0")
+          .mass("body", "1", mass)
+          .set("Effects/Large rotation", "off")
+          .mesh(1)
+          .time(0.5, dt, scheme);
+        SceneRun run(scene);
+        run.run();
+        EXPECT_LT(std::abs(run.balance()), 1e-9 * run.state.largest_energy)
+          << scheme;
+        return std::abs(run.motion(1, 0) -
+                        expansion * rate *
+                          (0.5 - std::sin(omega * 0.5) / omega));
+      };
+      const double order = std::log2(error(0.02) / error(0.01));
+      if (std::string(scheme) == "esdirk")
+        EXPECT_GT(order, 2.7);
+      else
+        table.row(scheme, order, 2, 0.1);
+    }
+}
+
+// Bars of equal stiffness in a row, one of them too short by 1 %.
+TEST(InitialStrains, TightenedBarStretchesItsNeighbour)
+{
+  const double force = modulus * area * 1e-4;
+  SceneRun     run(
+    heated()
+      .frame("0 0; 1 0; 2 0", "0 1; 1 2")
+      .support("ends", "0, 2", "clamp")
+      .add("Loads/turnbuckle",
+           "Type = pretension | Struts = 1 | Pretension = " + text(force))
+      .set("Effects/Large rotation", "off")
+      .time(1, 1, "static"));
+  run.run();
+  EXPECT_NEAR(axial_force(run, 0) / force, 0.5, 1e-10);
+  EXPECT_NEAR(axial_force(run, 1) / force, 0.5, 1e-10);
+  EXPECT_NEAR(run.motion(1, 0), 0.5e-4, 1e-12);
+  EXPECT_LT(std::abs(run.balance()), 1e-12 * run.state.largest_energy);
+}
+
+// omega^2 = (pi / L)^4 EI / rho A + (pi / L)^2 T / rho A.
+TEST(InitialStrains, PretensionTunesAString)
+{
+  const double density = 7800, thickness = 1e-3, wire = thickness * thickness,
+               tension = 50;
+  const Scene scene    = read_scene_from_text(
+    SceneText()
+      .add("Materials/steel",
+           "Young's modulus = " + text(modulus) +
+             " | Poisson's ratio = 0.3 | Density = " + text(density))
+      .add("Sections/wire",
+           "Material = steel | Shape = rectangle | Width = " + text(thickness) +
+             " | Height = " + text(thickness))
+      .frame("0 0; 1 0", "0 1")
+      .support("ends", "0, 1", "pin")
+      .add("Loads/peg",
+           "Type = pretension | Struts = all | Pretension = " + text(tension))
+      .set("Analysis", "modes")
+      .set("Modes/About", "static equilibrium")
+      .mesh(4, 3)
+      .time(1, 0.1, "newmark")
+      .str(),
+    "test.prm");
+  LatticeRun run(scene, MPI_COMM_SELF);
+  run.prepare();
+  run.start();
+  const NaturalModes found = natural_modes(run.solver(), run.solution.state, 1);
+  const double       EI    = modulus * wire * wire / 12;
+  EXPECT_NEAR(found.modes.front().angular_frequency() /
+                std::sqrt((std::pow(pi, 4) * EI + pi * pi * tension) /
+                          (density * wire)),
+              1,
+              1e-5);
+}
+
+// A clamped strut buckles at alpha T EA = 4 pi^2 EI / L^2, less by shear.
+TEST(InitialStrains, HeatBucklesClampedStruts)
+{
+  SceneText scene = one_strut(2);
+  warm(scene, "t")
+    .support("ends", "0, 1", "clamp")
+    .set("Analysis", "buckling")
+    .mesh(6, 3)
+    .time(1, 0.1, "static");
+  const Scene read = read_scene_from_text(scene.str(), "test.prm");
+  LatticeRun  run(read, MPI_COMM_SELF);
+  run.prepare();
+  const BucklingModes found =
+    buckling_modes(run.solver(), run.solution.state, {1, false}, 1);
+  // P + P^2 / kGA = P_E (Engesser).
+  const double euler = 4 * pi * pi * modulus * second_moment,
+               shear = 5. / 6. * area * modulus / 2.6,
+               force = 2 * euler / (1 + std::sqrt(1 + 4 * euler / shear));
+  EXPECT_NEAR(found.modes.at(0).factor / (force / (modulus * area * expansion)),
+              1,
+              1e-8);
+}
+
+// A held strut of a material that relaxes: P (1 - r + r exp(-t / tau)).
+TEST(InitialStrains, PretensionRelaxes)
+{
+  SceneRun run(
+    SceneText()
+      .add("Materials/polymer",
+           "Law = viscoelastic | Young's modulus = 1e6 | Poisson's ratio = 0 | "
+           "Relaxing parts = 0.6 | Relaxation times = 1 | "
+           "State at start = instantaneous")
+      .add("Sections/bar",
+           "Material = polymer | Shape = rectangle | Width = 0.1 | "
+           "Height = 0.1")
+      .frame("0 0; 1 0", "0 1")
+      .support("ends", "0, 1", "clamp")
+      .add("Loads/pull", "Type = pretension | Struts = all | Pretension = 10")
+      .set("Time/Start from", "static equilibrium")
+      .time(1, 0.01, "static"));
+  EXPECT_NEAR(axial_force(run), 10, 1e-9);
+  run.run();
+  EXPECT_NEAR(axial_force(run) / (10 * (0.4 + 0.6 * std::exp(-1.))), 1, 1e-4);
+  EXPECT_LT(std::abs(run.balance()), 1e-10 * run.state.largest_energy);
+}
+
+// Heated beyond yielding while held, a bar is under tension after cooling.
+TEST(InitialStrains, CoolingLeavesTensionInYieldedBars)
+{
+  SceneText scene =
+    one_strut(2, "Law = elastic-plastic | Yield stress = 200 MPa | Layers = 4");
+  warm(scene, "150 * sin(pi * t)")
+    .support("ends", "0, 1", "clamp")
+    .time(1, 0.05, "static");
+  SceneRun run(scene);
+  double   least = 0;
+  run.run([&] { least = std::min(least, axial_force(run)); });
+  const double yield = 2e8 * area;
+  EXPECT_NEAR(least / -yield, 1, 1e-8);
+  EXPECT_NEAR(axial_force(run) / (modulus * area * expansion * 150 - yield),
+              1,
+              1e-8);
+  EXPECT_LT(std::abs(run.balance()), 1e-9 * run.state.largest_energy);
+}
+
+TEST(InitialStrains, RefuseMaterialsThatDoNotKnowThem)
+{
+  const auto refusal = [](const SceneText &scene) {
+    try
+      {
+        SceneRun run(scene);
+      }
+    catch (const InputError &error)
+      {
+        return std::string(error.what());
+      }
+    return std::string();
+  };
+  SceneText no_expansion =
+    one_strut(2).set("Materials/steel/Thermal expansion", "none");
+  warm(no_expansion, "t").support("ends", "0, 1", "clamp").time(1, 1, "static");
+  expect_parts(refusal(no_expansion),
+               {"Loads/heat", "Materials/steel/Thermal expansion"});
+  SceneText damped =
+    one_strut(2, "Stiffness-proportional damping = 1e-5 | Density = 7800");
+  warm(damped, "t").support("ends", "0, 1", "clamp").time(1, 1, "newmark");
+  expect_parts(refusal(damped),
+               {"Stiffness-proportional damping", "Mass-proportional"});
+}
