@@ -125,6 +125,8 @@ namespace auxfem
       }
     if (auto springs = make_rotational_springs(structure))
       effects.push_back(std::move(springs));
+    for (auto &laws : make_rotational_laws(structure))
+      effects.push_back(std::move(laws));
     if (auto spin_holds = make_spin_holds(structure))
       effects.push_back(std::move(spin_holds));
 
@@ -133,8 +135,7 @@ namespace auxfem
       {
         ConnectorDefinition definition = scene.connectors[group];
         if (!simulated.connector_viscosity && definition.law->is_viscous())
-          definition.law =
-            make_spring_law(definition.law->long_time_stiffness());
+          definition.law = definition.law->without_viscosity();
         auto forces = make_connector_forces(definition,
                                             structure.connector_pairs[group],
                                             structure.lattice,

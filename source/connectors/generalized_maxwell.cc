@@ -142,13 +142,14 @@ namespace auxfem
         return response;
       }
 
-      double long_time_stiffness() const override
+      ConnectorResponse relaxed(const double extension) const override
       {
-        return stiffness;
+        return {stiffness * extension, stiffness, 0};
       }
 
       std::complex<double>
-      dynamic_stiffness(const std::complex<double> s) const override
+      dynamic_stiffness(const std::complex<double> s,
+                        const double /*extension*/) const override
       {
         std::complex<double> sum = stiffness;
         for (const MaxwellElement &element : elements)

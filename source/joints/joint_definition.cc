@@ -1,4 +1,5 @@
 #include <auxfem/joints/joint_definition.h>
+#include <auxfem/joints/rotational_law.h>
 #include <auxfem/mesh/lattice_definition.h>
 
 namespace auxfem
@@ -7,10 +8,17 @@ namespace auxfem
   {
     const Text released_struts =
       {"Struts", "all", "Set of struts whose ends are released there."};
-    const Choice       joint_type = {"Type",
-                                     "hinge",
-                                     {"hinge", "revolute", "rotational spring"},
-                                     "Connection of the struts."};
+
+    std::vector<SubsectionVariant> joint_types();
+
+    Choice joint_type()
+    {
+      return {"Type",
+              "hinge",
+              names_of(joint_types()),
+              "Connection of the struts."};
+    }
+
     const QuantityList joint_axis = {
       "Axis",
       "",
@@ -27,28 +35,36 @@ namespace auxfem
       "Stiffness between a released strut and the unreleased struts of the "
       "joint; without any, the first released strut; for a single strut, the "
       "ground."};
+
+    std::vector<SubsectionVariant> joint_types()
+    {
+      std::vector<SubsectionVariant> types = {
+        {"hinge",
+         "Struts turn freely, in space about every axis (a spherical joint).",
+         {}},
+        {"revolute",
+         "Struts turn freely about one axis only; with Dimension = 3.",
+         {joint_axis}},
+        {"rotational spring",
+         "A spring resists the relative rotation, in space about every "
+         "axis alike.",
+         {joint_stiffness}}};
+      for (const SubsectionVariant &law : rotational_laws())
+        types.push_back(law);
+      return types;
+    }
   } // namespace
 
 
 
   SubsectionSchema joints_schema()
   {
-    return {
-      "Joints",
-      SubsectionSchema::Form::named_groups,
-      "Joints at which struts are not rigidly connected.",
-      {set_of_joints, released_struts, joint_type},
-      "Type",
-      {{"hinge",
-        "Struts turn freely, in space about every axis (a spherical joint).",
-        {}},
-       {"revolute",
-        "Struts turn freely about one axis only; with Dimension = 3.",
-        {joint_axis}},
-       {"rotational spring",
-        "A spring resists the relative rotation, in space about every "
-        "axis alike.",
-        {joint_stiffness}}}};
+    return {"Joints",
+            SubsectionSchema::Form::named_groups,
+            "Joints at which struts are not rigidly connected.",
+            {set_of_joints, released_struts, joint_type()},
+            "Type",
+            joint_types()};
   }
 
 
@@ -60,11 +76,11 @@ namespace auxfem
     joint.path             = values.context.path;
     joint.joints           = values[set_of_joints];
     joint.struts           = values[released_struts];
-    const std::string type = values[joint_type];
+    const std::string type = values[joint_type()];
     if (type == "revolute")
       {
         require_space(values,
-                      joint_type,
+                      joint_type(),
                       "In the plane that is Type = hinge; set it");
         joint.type = JointDefinition::Type::revolute;
         joint.axis = unit_vector_of(values, joint_axis);
@@ -73,6 +89,16 @@ namespace auxfem
       {
         joint.type      = JointDefinition::Type::rotational_spring;
         joint.stiffness = values[joint_stiffness];
+      }
+    else if (type != "hinge" && type != "revolute")
+      {
+        if (values.context.dimension == 3)
+          values.refuse(joint_type(),
+                        "a law of the angle about one axis is for planar "
+                        "scenes. Choose Type = rotational spring");
+        joint.type      = JointDefinition::Type::rotational_spring;
+        joint.law       = make_rotational_law(type, values);
+        joint.stiffness = joint.law->relaxed(0).stiffness;
       }
     return joint;
   }

@@ -212,6 +212,10 @@ namespace auxfem
        "sum of the connectors' forces, positive in tension"});
     column_list.push_back(
       {group.name() + ".extension", "m", "sum of the connectors' extensions"});
+    if (group.may_break())
+      column_list.push_back({group.name() + ".broken",
+                             "1",
+                             "number of connectors that have broken"});
   }
 
   void History::define_plates(const PlateContact &plates)
@@ -276,6 +280,8 @@ namespace auxfem
                           sum(*within->to, &ConnectorReport::force))
                : sum(solution, &ConnectorReport::force);
         row[column++]      = sum(solution, &ConnectorReport::extension);
+        if (group.forces->may_break())
+          row[column++] = sum(solution, &ConnectorReport::is_broken);
       }
     return column;
   }

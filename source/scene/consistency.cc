@@ -432,6 +432,7 @@ namespace auxfem
   void check_consistency(const Scene &scene, Mistakes &mistakes)
   {
     check_materials(scene, mistakes);
+    check_connectors(scene, mistakes);
     check_steps(scene, mistakes);
     check_scheme(scene, mistakes);
     if (scene.context.model == Model::reduced_cell)

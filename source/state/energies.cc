@@ -81,9 +81,10 @@ namespace auxfem
 
   EnergyEntry fracture_energy_entry()
   {
-    return {EnergyKind::dissipated,
-            "fracture_dissipated",
-            "energy stored in struts that broke since the start"};
+    return {
+      EnergyKind::dissipated,
+      "fracture_dissipated",
+      "energy stored in struts and connectors that broke since the start"};
   }
 
   Energies::Energies() : entries(std::make_shared<const EnergyLedger>())

@@ -109,6 +109,17 @@ namespace auxfem
                          [](const auto &law) { return law && law->yields(); });
     }
 
+    bool has_kinked_laws(const Scene &scene)
+    {
+      const auto has_kinks = [](const auto &definition) {
+        return definition.law && definition.law->has_kinks();
+      };
+      return std::any_of(scene.connectors.begin(),
+                         scene.connectors.end(),
+                         has_kinks) ||
+        std::any_of(scene.joints.begin(), scene.joints.end(), has_kinks);
+    }
+
     /** Largest rotation increment of the step (rad) over all ranks. */
     double largest_increment(const LatticeModel &model, const Evaluation &step)
     {
@@ -131,6 +142,7 @@ namespace auxfem
     , rows(solver.equations(), parameters.tolerance)
     , is_linear(solver.equations().is_linear())
     , yields(has_yielding_struts(solver.model()))
+    , has_kinked_laws(auxfem::has_kinked_laws(solver.model().plan.scene))
     , supports_rest(supports_are_at_rest(solver.model()))
     , estimates_stages(parameters.estimates_stages &&
                        solver.equations().stages_need_no_residual() &&
@@ -151,7 +163,8 @@ namespace auxfem
     is_slack  = allows_slack && evaluation.from.largest_force == 0;
     // Stays set unless the iteration converges.
     has_failed = true;
-    has_kinks  = yields || solver.equations().has_contact_candidates();
+    has_kinks =
+      yields || has_kinked_laws || solver.equations().has_contact_candidates();
     solver.residual(evaluation, results);
     double norm = in_force_units(results);
     if (yields && scheme.is_dynamic() && added == nullptr)

@@ -10,31 +10,77 @@ using namespace auxfem;
 
 namespace
 {
-  const LawParameters two_terms = {{"Long-time stiffness", "400"},
-                                   {"Stiffnesses", "1000, 200"},
-                                   {"Relaxation times", "0.05, 0.4"}};
+  /** Suitable values of every registered law. Kinks lie away from the
+   * extensions 0 and 0.008 to 0.02 m at which the laws are tried. */
+  const std::vector<std::pair<std::string, LawParameters>> registered = {
+    {"spring", {{"Spring stiffness", "1000"}}},
+    {"dashpot", {{"Damping coefficient", "50"}}},
+    {"kelvin-voigt",
+     {{"Spring stiffness", "1000"}, {"Damping coefficient", "50"}}},
+    {"maxwell", {{"Spring stiffness", "1000"}, {"Damping coefficient", "50"}}},
+    {"standard-linear-solid",
+     {{"Long-time stiffness", "400"},
+      {"Spring stiffness", "1000"},
+      {"Damping coefficient", "50"}}},
+    {"generalized-maxwell",
+     {{"Long-time stiffness", "400"},
+      {"Stiffnesses", "1000, 200"},
+      {"Relaxation times", "0.05, 0.4"}}},
+    {"cubic",
+     {{"Spring stiffness", "1000"},
+      {"Cubic stiffness", "1e6"},
+      {"Damping coefficient", "50"}}},
+    {"bilinear",
+     {{"Spring stiffness", "1000"},
+      {"Second stiffness", "200"},
+      {"Kink extension", "0.005"},
+      {"Damping coefficient", "50"}}},
+    {"gap",
+     {{"Spring stiffness", "1000"}, {"Gap", "0.005"}, {"Stop damping", "2"}}},
+    {"hook",
+     {{"Spring stiffness", "1000"}, {"Slack", "0.005"}, {"Stop damping", "2"}}},
+    {"tabulated",
+     {{"Extensions", "-0.004, 0, 0.005, 0.007"},
+      {"Forces", "-3, 0, 5, 6"},
+      {"Damping coefficient", "50"}}},
+    {"buckling-link", {{"Spring stiffness", "1000"}, {"Buckling load", "5"}}},
+    {"power-law-dashpot", {{"Force at unit rate", "50"}, {"Exponent", "0.5"}}},
+    {"friction-slider",
+     {{"Spring stiffness", "1000"},
+      {"Slip force", "4.5"},
+      {"Hardening stiffness", "100"}}},
+    {"expression", {{"Force", "1000*u + 2e5*u^3 + 20*v + 5*v^3"}}}};
 
-  /** Every registered law with suitable values. */
   std::vector<std::unique_ptr<ConnectorLaw>> all_laws()
   {
     std::vector<std::unique_ptr<ConnectorLaw>> laws;
-    for (const RegistryEntry<ConnectorLaw> &entry : connector_law_registry())
-      {
-        LawParameters parameters = {{"Spring stiffness", "1000"},
-                                    {"Damping coefficient", "50"},
-                                    {"Long-time stiffness", "400"}};
-        if (entry.name == "spring" || entry.name == "dashpot" ||
-            entry.name == "kelvin-voigt" || entry.name == "maxwell")
-          parameters.erase("Long-time stiffness");
-        if (entry.name == "spring")
-          parameters.erase("Damping coefficient");
-        if (entry.name == "dashpot")
-          parameters.erase("Spring stiffness");
-        if (entry.name == "generalized-maxwell")
-          parameters = two_terms;
-        laws.push_back(make_law(entry.name, parameters));
-      }
+    for (const auto &[name, parameters] : registered)
+      laws.push_back(make_law(name, parameters));
     return laws;
+  }
+
+  /** Laws whose internal variables obey differential equations. */
+  std::vector<std::unique_ptr<ConnectorLaw>> laws_with_rates()
+  {
+    std::vector<std::unique_ptr<ConnectorLaw>> laws;
+    for (auto &law : all_laws())
+      if (!law->slips())
+        laws.push_back(std::move(law));
+    return laws;
+  }
+
+  /** Internal variables of a connector at the extension 0.008 m; the slider
+   * then sticks. */
+  std::vector<double> some_history(const ConnectorLaw &law)
+  {
+    return std::vector<double>(law.n_history(), law.slips() ? 0.004 : 3.);
+  }
+
+  /** Fourth-order difference. */
+  template <class Function>
+  double difference(const Function &f, const double h)
+  {
+    return (8 * (f(h) - f(-h)) - (f(2 * h) - f(-2 * h))) / (12 * h);
   }
 
   ConnectorResponse response_at(const ConnectorLaw        &law,
@@ -56,13 +102,10 @@ TEST(ConnectorLaws, NamesOfTheRegistry)
       names.push_back(entry.name);
       EXPECT_FALSE(entry.description.empty()) << entry.name;
     }
-  EXPECT_EQ(names,
-            (std::vector<std::string>{"spring",
-                                      "dashpot",
-                                      "kelvin-voigt",
-                                      "maxwell",
-                                      "standard-linear-solid",
-                                      "generalized-maxwell"}));
+  std::vector<std::string> tested;
+  for (const auto &[name, parameters] : registered)
+    tested.push_back(name);
+  EXPECT_EQ(names, tested);
 }
 
 TEST(ConnectorLaws, ValuesMustBeGiven)
@@ -88,44 +131,73 @@ TEST(ConnectorLaws, NoForceAtRest)
 
 TEST(ConnectorLaws, RelaxedResponseIsTheLimitOfALongHold)
 {
-  for (const auto &law : all_laws())
+  for (const auto &law : laws_with_rates())
     {
       // Held at 0.01 m for 1e9 s, far beyond all relaxation times.
-      const std::vector<double> history(law->n_history(), 3.);
-      const ConnectorResponse   held =
-        response_at(*law, {0.01, 0., 0.01, 1e9}, history);
+      const std::vector<double> history = some_history(*law);
+      const ConnectorMotion     held_motion{0.01, 0., 0.01, 1e9};
+      const ConnectorResponse   held = response_at(*law, held_motion, history);
       EXPECT_NEAR(law->relaxed(0.01).force, held.force, 1e-6 * held.force);
       EXPECT_EQ(law->relaxed(0.01).damping, 0.);
-      EXPECT_EQ(law->relaxed(0.01).stiffness, law->long_time_stiffness());
+      if (law->is_linear())
+        {
+          EXPECT_EQ(law->relaxed(0.01).stiffness, law->relaxed(0).stiffness);
+        }
+      std::vector<double> trial(history);
+      ConnectorResponse   equilibrium;
+      law->evaluate_relaxed(1,
+                            &held_motion,
+                            history.data(),
+                            trial.data(),
+                            &equilibrium);
+      EXPECT_EQ(equilibrium.force, law->relaxed(0.01).force);
     }
 }
 
-// The laws are linear, so central differences have only round-off, 1e-16 of the
-// force over the increment.
-TEST(ConnectorLaws, TangentsAgainstCentralDifferences)
+TEST(ConnectorLaws, StiffnessOfSlowMotionsIsThatOfTheRelaxedLaw)
+{
+  for (const auto &law : laws_with_rates())
+    for (const double u : {0., 0.01})
+      {
+        const double stiffness = law->relaxed(u).stiffness;
+        EXPECT_EQ(law->dynamic_stiffness(0., u), stiffness);
+        const auto elastic =
+          law->is_viscous() ? law->without_viscosity() : nullptr;
+        if (elastic)
+          {
+            EXPECT_FALSE(elastic->is_viscous());
+            EXPECT_EQ(elastic->relaxed(u).stiffness, stiffness);
+            EXPECT_EQ(elastic->relaxed(u).force, law->relaxed(u).force);
+          }
+      }
+}
+
+// Differences have round-off, 1e-16 of the force over the increment, and those
+// of roots their next term.
+TEST(ConnectorLaws, TangentsAgainstDifferences)
 {
   for (const auto &law : all_laws())
     for (const double dt : {1e-8, 1e-3, 0.05, 1e4})
       {
-        const std::vector<double> history(law->n_history(), 3.);
+        const std::vector<double> history  = some_history(*law);
         const ConnectorMotion     motion   = {0.01, 0.3, 0.008, dt};
         const ConnectorResponse   response = response_at(*law, motion, history);
-
-        ConnectorMotion plus = motion, minus = motion;
-        plus.extension += 1e-3;
-        minus.extension -= 1e-3;
-        EXPECT_NEAR((response_at(*law, plus, history).force -
-                     response_at(*law, minus, history).force) /
-                      2e-3,
+        EXPECT_NEAR(difference(
+                      [&](const double h) {
+                        ConnectorMotion moved = motion;
+                        moved.extension += h;
+                        return response_at(*law, moved, history).force;
+                      },
+                      1e-4),
                     response.stiffness,
                     1e-10 * (1 + response.stiffness));
-
-        plus = minus = motion;
-        plus.rate += 1e-2;
-        minus.rate -= 1e-2;
-        EXPECT_NEAR((response_at(*law, plus, history).force -
-                     response_at(*law, minus, history).force) /
-                      2e-2,
+        EXPECT_NEAR(difference(
+                      [&](const double h) {
+                        ConnectorMotion moved = motion;
+                        moved.rate += h;
+                        return response_at(*law, moved, history).force;
+                      },
+                      1e-3),
                     response.damping,
                     1e-10 * (1 + response.damping));
       }
@@ -138,18 +210,28 @@ TEST(ConnectorLaws, WorkOfTheMeanForceIsStoredOrLost)
   for (const auto &law : all_laws())
     for (const double dt : {1e-8, 1e-3, 0.024, 0.026, 0.05, 1., 1e4})
       {
-        const std::vector<double> history(law->n_history(), 3.);
-        const ConnectorMotion     motion = {0.01, 0.002 / dt, 0.008, dt};
+        const std::vector<double> history = some_history(*law);
+        const ConnectorMotion     motion  = {0.01, 0.002 / dt, 0.008, dt};
         std::vector<double>       trial(history.size());
-        ConnectorResponse         response;
-        law->evaluate_mean(1, &motion, history.data(), trial.data(), &response);
-        const ConnectorEnergy after =
+        const auto                mean = [&](const double h) {
+          ConnectorMotion moved = motion;
+          moved.extension += h;
+          ConnectorResponse response;
+          law->evaluate_mean(1,
+                             &moved,
+                             history.data(),
+                             trial.data(),
+                             &response);
+          return response;
+        };
+        const ConnectorResponse response = mean(0);
+        const ConnectorEnergy   after =
           law->energy(motion, history.data(), trial.data());
         const ConnectorEnergy before =
           law->energy({0.008, 0., 0.008, 0.}, history.data(), history.data());
         EXPECT_NEAR(response.force * 0.002,
                     after.stored - before.stored + after.dissipated,
-                    1e-15 * (1 + 1e3 * after.dissipated))
+                    2e-15 * (1 + 1e3 * after.dissipated))
           << dt;
         // The internal variables are those of evaluate().
         std::vector<double> other(history.size());
@@ -158,15 +240,10 @@ TEST(ConnectorLaws, WorkOfTheMeanForceIsStoredOrLost)
         for (unsigned int j = 0; j < trial.size(); ++j)
           EXPECT_NEAR(trial[j], other[j], 1e-14 * (3 + std::abs(trial[j])));
 
-        ConnectorMotion plus = motion, minus = motion;
-        plus.extension += 1e-3;
-        minus.extension -= 1e-3;
-        ConnectorResponse at_plus, at_minus;
-        law->evaluate_mean(1, &plus, history.data(), trial.data(), &at_plus);
-        law->evaluate_mean(1, &minus, history.data(), trial.data(), &at_minus);
-        EXPECT_NEAR((at_plus.force - at_minus.force) / 2e-3,
+        EXPECT_NEAR(difference([&](const double h) { return mean(h).force; },
+                               2e-6),
                     response.stiffness,
-                    1e-10 * (1 + response.stiffness));
+                    1e-9 * (1 + response.stiffness));
       }
 }
 
@@ -273,7 +350,7 @@ namespace
 // reference has an error below 1e-10.
 TEST(ConnectorLaws, SmallStepsTendToTheContinuousForm)
 {
-  const auto laws = all_laws();
+  const auto laws = laws_with_rates();
   for (unsigned int i = 0; i < laws.size(); ++i)
     {
       const Outcome exact = continuous(*laws[i], 4000);
@@ -281,14 +358,14 @@ TEST(ConnectorLaws, SmallStepsTendToTheContinuousForm)
       for (const unsigned int level : {0, 1})
         {
           const Outcome found =
-            by_steps(std::move(all_laws()[i]), 500u << level);
+            by_steps(std::move(laws_with_rates()[i]), 500u << level);
           EXPECT_NEAR(found.force, exact.force, 1e-3);
           EXPECT_NEAR(found.stored, exact.stored, 1e-5);
           EXPECT_NEAR(found.dissipated, exact.dissipated, 1e-5);
           error[level] = std::abs(found.force - exact.force) +
             std::abs(found.dissipated - exact.dissipated);
         }
-      if (error[0] > 1e-10)
+      if (laws[i]->is_linear() && error[0] > 1e-10)
         {
           const unsigned int order = laws[i]->n_history() > 0 ? 3 : 2;
           EXPECT_NEAR(std::log2(error[0] / error[1]), order, 0.05) << i;
@@ -300,7 +377,7 @@ TEST(ConnectorLaws, SmallStepsTendToTheContinuousForm)
 TEST(ConnectorLaws, StagesFollowTheContinuousForm)
 {
   const double dt = 3e-3;
-  for (const auto &law : all_laws())
+  for (const auto &law : laws_with_rates())
     {
       const unsigned int        m = law->n_history();
       const std::vector<double> base(m, 3.);
@@ -317,7 +394,8 @@ TEST(ConnectorLaws, StagesFollowTheContinuousForm)
       EXPECT_NEAR(response.force, exact.force, 1e-12);
       for (unsigned int i = 0; i < m; ++i)
         EXPECT_NEAR(stage[i], base[i] + dt * rates[i], 1e-12);
-      // All laws of the table are linear.
+      if (!law->is_linear())
+        continue;
       EXPECT_NEAR(at(0.02, 0.3).force - response.force,
                   0.01 * response.stiffness,
                   1e-11);
@@ -330,7 +408,7 @@ TEST(ConnectorLaws, StagesFollowTheContinuousForm)
 TEST(ConnectorLaws, ContinuousPowerBalance)
 {
   const double h = 1e-6, u = 0.01, rate = 0.3;
-  for (const auto &law : all_laws())
+  for (const auto &law : laws_with_rates())
     {
       const unsigned int       m = law->n_history();
       std::vector<double>      y(m, 3.), k(m), ignored(m), before(m), after(m);
@@ -347,7 +425,7 @@ TEST(ConnectorLaws, ContinuousPowerBalance)
          law->continuous(u - h * rate, rate, before.data(), ignored.data())
            .stored) /
         (2 * h);
-      // The stored energy is quadratic: the difference has only round-off.
+      // The difference has hardly more than round-off.
       EXPECT_NEAR(now.force * rate, stored_rate + now.lost_power, 1e-8);
       EXPECT_GE(now.lost_power, 0);
     }

@@ -23,7 +23,7 @@ TEST(Dashpot, HasNoForceAfterRelaxation)
   const ConnectorResponse response = dashpot->relaxed(0.02);
   EXPECT_EQ(response.force, 0.);
   EXPECT_EQ(response.damping, 0.);
-  EXPECT_EQ(dashpot->long_time_stiffness(), 0.);
+  EXPECT_EQ(dashpot->relaxed(0).stiffness, 0.);
 }
 
 TEST(Dashpot, RefusesNegativeDamping)

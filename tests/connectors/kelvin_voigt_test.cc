@@ -92,5 +92,5 @@ TEST(KelvinVoigt, AStepOfLengthZeroAndRest)
   EXPECT_EQ(law.dissipated, 0.);
   EXPECT_DOUBLE_EQ(law.law->relaxed(0.01).force, 10.);
   EXPECT_EQ(law.law->relaxed(0.01).damping, 0.);
-  EXPECT_DOUBLE_EQ(law.law->long_time_stiffness(), 1000.);
+  EXPECT_DOUBLE_EQ(law.law->relaxed(0).stiffness, 1000.);
 }

@@ -21,7 +21,7 @@ TEST(Spring, IsItsOwnLongTimeLimit)
   const auto law = make_law("spring", {{"Spring stiffness", "2 kN/m"}});
   EXPECT_FALSE(law->is_viscous());
   EXPECT_EQ(law->n_history(), 0u);
-  EXPECT_DOUBLE_EQ(law->long_time_stiffness(), 2000.);
+  EXPECT_DOUBLE_EQ(law->relaxed(0).stiffness, 2000.);
 }
 
 TEST(Spring, ReplacesLawsWithoutViscosity)

@@ -252,7 +252,7 @@ end
     EXPECT_EQ(damper.geometry, ConnectorDefinition::Geometry::line);
     ASSERT_NE(damper.law, nullptr);
     EXPECT_TRUE(damper.law->is_viscous());
-    expect_close(damper.law->long_time_stiffness(), 20e3);
+    expect_close(damper.law->relaxed(0).stiffness, 20e3);
     const ConnectorDefinition &bumper = scene.connectors[1];
     EXPECT_EQ(bumper.geometry, ConnectorDefinition::Geometry::direction);
     expect_close(bumper.direction[0], 0.6);

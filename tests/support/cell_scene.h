@@ -60,7 +60,8 @@ namespace auxfem
         << c.law << '\n';
       if (c.law != "dashpot" && c.law != "generalized-maxwell")
         text << "  set Spring stiffness = " << c.stiffness << '\n';
-      if (c.law != "spring" && c.law != "generalized-maxwell")
+      if (c.law != "spring" && c.law != "generalized-maxwell" &&
+          c.law != "friction-slider")
         text << "  set Damping coefficient = " << c.damping << '\n';
       text << c.connector_lines
            << " end\nend\nsubsection Time\n set Scheme = " << c.scheme

@@ -6,10 +6,18 @@
 #include <deal.II/base/tensor.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace auxfem
 {
+  /** Limits beyond which a connector breaks for good; empty: never. */
+  struct ConnectorLimits
+  {
+    std::optional<double> force;     ///< N, in tension and compression
+    std::optional<double> extension; ///< m
+  };
+
   /** `Connectors/NAME`: equal connectors between pairs of joints. */
   struct ConnectorDefinition
   {
@@ -28,7 +36,19 @@ namespace auxfem
     /** Vector from the joint at rest to the ground point, for `ground: SET`
      * (m). */
     dealii::Tensor<1, 3> ground_offset;
-    std::string          path;
+    /** Length without force (m); empty: that in the lattice at rest. */
+    std::optional<double> free_length;
+    /** Extension of the law in the lattice at rest (m), by the preload. */
+    double          preload_extension = 0;
+    ConnectorLimits limits;
+    std::string     path;
+
+    /** Extension of the law in the lattice at rest (m) of a connector with @p
+     * length (m) there. */
+    double extension_at_rest(const double length) const
+    {
+      return free_length ? length - *free_length : preload_extension;
+    }
   };
 
   /** `Connectors`. */

@@ -3,8 +3,11 @@
 
 #include <auxfem/parameters/registry.h>
 
+#include <algorithm>
 #include <complex>
+#include <cstddef>
 #include <map>
+#include <memory>
 #include <vector>
 
 namespace auxfem
@@ -38,7 +41,7 @@ namespace auxfem
   {
     /** Energy in the springs at the end of the step. */
     double stored;
-    /** Energy lost in the dashpots during the step. */
+    /** Energy lost in dashpots and friction during the step. */
     double dissipated;
   };
 
@@ -49,7 +52,7 @@ namespace auxfem
     double force;
     /** Energy in the springs (J). */
     double stored;
-    /** Power lost in the dashpots (W), >= 0. */
+    /** Power lost in dashpots and friction (W). */
     double lost_power;
   };
 
@@ -64,16 +67,34 @@ namespace auxfem
   public:
     virtual ~ConnectorLaw() = default;
 
-    /**
-     * Number of internal variables per connector; 0 without Maxwell elements.
-     */
+    /** Number of internal variables per connector. */
     virtual unsigned int n_history() const
     {
       return 0;
     }
 
-    /** Whether the law has a dashpot. */
+    /** Whether the force depends on rates: the law has a dashpot. */
     virtual bool is_viscous() const = 0;
+
+    /** Whether the law loses energy. */
+    virtual bool dissipates() const
+    {
+      return is_viscous();
+    }
+
+    /** Whether internal variables follow the extension by a return mapping
+     * instead of a differential equation, as in friction. */
+    virtual bool slips() const
+    {
+      return false;
+    }
+
+    /** Whether tangents jump or grow without bounds at some motions, so that
+     * Newton's method needs a line search. */
+    virtual bool has_kinks() const
+    {
+      return false;
+    }
 
     /** Whether the force is linear in extension, rate and internal variables,
      * so that tangents are constant. */
@@ -118,11 +139,21 @@ namespace auxfem
                                double                *trial,
                                ConnectorResponse     *response) const = 0;
 
-    /** Response at @p extension (m) after complete relaxation; the internal
-     * variables are then zero. */
-    ConnectorResponse relaxed(const double extension) const
+    /** Response (rate 0) of a connector that was extended from rest to @p
+     * extension (m) and relaxed completely. */
+    virtual ConnectorResponse relaxed(double extension) const = 0;
+
+    /** Same as evaluate() in a static equilibrium after complete relaxation, in
+     * which Maxwell elements carry nothing. */
+    virtual void evaluate_relaxed(const unsigned int     n,
+                                  const ConnectorMotion *motion,
+                                  const double * /*committed*/,
+                                  double            *trial,
+                                  ConnectorResponse *response) const
     {
-      return {long_time_stiffness() * extension, long_time_stiffness(), 0};
+      for (unsigned int i = 0; i < n; ++i)
+        response[i] = relaxed(motion[i].extension);
+      std::fill_n(trial, std::size_t(n) * n_history(), 0.);
     }
 
     /** Energies of one connector in a step; arguments as in evaluate(). */
@@ -142,14 +173,17 @@ namespace auxfem
                                           const double *internal,
                                           double *internal_rates) const = 0;
 
-    /** Stiffness after complete relaxation (N/m), used when the scene leaves
-     * out viscosity. */
-    virtual double long_time_stiffness() const = 0;
+    /** The elastic law that remains when the scene leaves out viscosity. Only
+     * called for viscous laws. */
+    virtual std::unique_ptr<ConnectorLaw> without_viscosity() const;
 
-    /** Complex stiffness (N/m): force over extension for motions e^(s t), s in
-     * 1/s. Nonlinear laws are linearized about rest. */
-    virtual std::complex<double>
-    dynamic_stiffness(std::complex<double> s) const = 0;
+    /**
+     * Complex stiffness (N/m): force over extension for small motions e^(s t),
+     * s in 1/s, about a relaxed state.
+     * @param extension of that state (m)
+     */
+    virtual std::complex<double> dynamic_stiffness(std::complex<double> s,
+                                                   double extension) const = 0;
 
     /** Terms k s tau / (1 + s tau) of dynamic_stiffness(): k (N/m) by
      * relaxation time tau (s). */
@@ -162,7 +196,7 @@ namespace auxfem
   /** Registry of all laws (source/connectors/connector_law.cc). */
   const Registry<ConnectorLaw> &connector_law_registry();
 
-  /** Linear spring (N/m), which replaces laws when viscosity is left out. */
+  /** Linear spring (N/m). */
   std::unique_ptr<ConnectorLaw> make_spring_law(double stiffness);
 
   /**
@@ -175,6 +209,15 @@ namespace auxfem
   RegistryEntry<ConnectorLaw> maxwell_entry();
   RegistryEntry<ConnectorLaw> standard_linear_solid_entry();
   RegistryEntry<ConnectorLaw> generalized_maxwell_entry();
+  RegistryEntry<ConnectorLaw> cubic_entry();
+  RegistryEntry<ConnectorLaw> bilinear_entry();
+  RegistryEntry<ConnectorLaw> gap_entry();
+  RegistryEntry<ConnectorLaw> hook_entry();
+  RegistryEntry<ConnectorLaw> tabulated_entry();
+  RegistryEntry<ConnectorLaw> buckling_link_entry();
+  RegistryEntry<ConnectorLaw> power_law_dashpot_entry();
+  RegistryEntry<ConnectorLaw> friction_slider_entry();
+  RegistryEntry<ConnectorLaw> expression_entry();
   ///@}
 
   /** Spring @p stiffness (N/m) and dashpot @p damping (N s/m) in parallel: F =

@@ -35,8 +35,13 @@ namespace auxfem
    */
   std::vector<std::unique_ptr<Effect>> make_masses(const LatticeModel &model);
 
-  /** Rotational springs of this rank; nullptr if the scene has none. */
+  /** Linear rotational springs of this rank; nullptr if the scene has no
+   * springs. */
   std::unique_ptr<Effect> make_rotational_springs(const LatticeModel &model);
+
+  /** Rotational springs by laws of connectors, one effect per `Joints/NAME`. */
+  std::vector<std::unique_ptr<Effect>>
+  make_rotational_laws(const LatticeModel &model);
 
   /**
    * Restrains the spin of bars between ball hinges without inertia; nullptr if

@@ -1,10 +1,12 @@
 #ifndef auxfem_joints_joint_definition_h
 #define auxfem_joints_joint_definition_h
 
+#include <auxfem/connectors/connector_law.h>
 #include <auxfem/parameters/subsection_schema.h>
 
 #include <deal.II/base/tensor.h>
 
+#include <memory>
 #include <string>
 
 namespace auxfem
@@ -22,8 +24,11 @@ namespace auxfem
     std::string joints; ///< joint set
     std::string struts; ///< strut set whose ends are released there
     Type        type = Type::hinge;
-    /** Rotational stiffness K' of a released strut end (N m/rad). */
+    /** Rotational stiffness K' of a released strut end at rest (N m/rad). */
     double stiffness = 0;
+    /** Law of its moment (N m) over its relative rotation (rad), in the plane;
+     * nullptr: linear, by the stiffness. */
+    std::shared_ptr<const ConnectorLaw> law;
     /** Unit vector of a revolute hinge's axis at rest. */
     dealii::Tensor<1, 3> axis;
     std::string          path; ///< for messages

@@ -109,6 +109,9 @@ namespace auxfem
   /** Adds what the materials of @p scene cannot do there to @p mistakes. */
   void check_materials(const Scene &scene, Mistakes &mistakes);
 
+  /** Adds what the connectors of @p scene cannot do there to @p mistakes. */
+  void check_connectors(const Scene &scene, Mistakes &mistakes);
+
   /** Adds contradictions between subsections of @p scene to @p mistakes. */
   void check_consistency(const Scene &scene, Mistakes &mistakes);
 } // namespace auxfem

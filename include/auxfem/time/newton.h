@@ -252,7 +252,7 @@ namespace auxfem
     TangentSolver         &solver;
     const NewtonParameters parameters;
     const RowCriterion     rows;
-    const bool             is_linear, yields, supports_rest;
+    const bool             is_linear, yields, has_kinked_laws, supports_rest;
     /** Whether residuals of stages can be predicted. */
     const bool          estimates_stages;
     const NodeRotations rotations;

@@ -51,6 +51,11 @@ namespace auxfem
         , y(first_internal + law.n_history() + 2)
         , ode(settings(scene))
       {
+        if (law.slips())
+          throw InputError(scene.connectors.front().path +
+                           ": Time/Scheme = arkode needs a law with "
+                           "differential equations, which friction has not. "
+                           "Use Time/Scheme = newmark");
         ode.explicit_function =
           [this](const double t, const StateVector &y, StateVector &rates) {
             evaluate(t, y, rates);

@@ -38,13 +38,13 @@ namespace auxfem
     {
       const ConnectorDefinition &group  = scene.connectors.front();
       const ConnectorLaw        &law    = *group.law;
-      const double               spring = law.long_time_stiffness();
-      if (law.n_history() == 0)
+      const double               spring = law.relaxed(0).stiffness;
+      if (law.n_history() == 0 && law.is_linear())
         // The power at unit rate is C.
         return {spring,
                 law.continuous(0, 1, nullptr, nullptr).lost_power,
                 false};
-      if (law.n_history() > 1 || spring > 0)
+      if (!law.is_linear() || law.n_history() > 1 || spring > 0)
         throw InputError(group.path +
                          ": Time/Scheme = as printed is the paper's, which has "
                          "equations for Kelvin-Voigt and Maxwell connectors "

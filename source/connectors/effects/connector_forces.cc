@@ -1,8 +1,10 @@
 #include <auxfem/connectors/effects/connector_forces.h>
 #include <auxfem/connectors/effects/connector_lines.h>
+#include <auxfem/connectors/effects/law_group.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace auxfem
 {
@@ -10,57 +12,50 @@ namespace auxfem
   {
     using Tensor = dealii::Tensor<2, 3>;
 
+    std::vector<unsigned int> numbers_of(const ConnectorLines &lines)
+    {
+      std::vector<unsigned int> numbers;
+      for (const ConnectorEnds &ends : lines.ends)
+        numbers.push_back(ends.number);
+      return numbers;
+    }
+
+    std::vector<unsigned int> owned_ones(const ConnectorLines &lines)
+    {
+      std::vector<unsigned int> owned;
+      for (unsigned int i = 0; i < lines.ends.size(); ++i)
+        if (lines.ends[i].owned)
+          owned.push_back(i);
+      return owned;
+    }
+
     /** Connector forces by the law of the group along its ConnectorLines. */
     class ConnectorGroupForces : public ConnectorForces
     {
     public:
       ConnectorGroupForces(const ConnectorDefinition &definition,
-                           ConnectorLines             lines,
+                           ConnectorLines             connector_lines,
                            const Lattice             &lattice)
-        : group_name(definition.name)
-        , law(definition.law)
-        , lines(std::move(lines))
-        , connectors(this->lines.ends)
+        : lines(std::move(connector_lines))
+        , connectors(lines.ends)
+        , owned(owned_ones(lines))
+        , group(definition.name,
+                definition.law,
+                definition.limits,
+                numbers_of(lines),
+                owned)
+        , law(*group.law)
         , lattice(lattice)
-      {
-        for (unsigned int i = 0; i < connectors.size(); ++i)
-          if (connectors[i].owned)
-            owned.push_back(i);
-      }
+      {}
 
       bool is_linear() const override
       {
-        return !lines.follow_ends && law->is_linear();
+        return !lines.follow_ends && group.is_linear();
       }
 
       void register_in(StateLayout &layout) override
       {
-        std::vector<unsigned int> numbers;
-        numbers.reserve(connectors.size());
-        for (const ConnectorEnds &ends : connectors)
-          numbers.push_back(ends.number);
-        if (law->n_history() > 0)
-          {
-            first_history =
-              layout.history.keep(group_name + ": internal variables",
-                                  numbers,
-                                  law->n_history());
-            layout.integrated.emplace_back(first_history,
-                                           layout.history.n_values());
-          }
-        stored_entry = layout.energies.enter(stored_energy_entry());
-        if (!law->is_viscous())
-          return;
-        layout.velocity = true;
-        first_dissipated =
-          layout.history.keep(group_name + ": dissipated energy",
-                              numbers,
-                              /*values_per_item=*/1);
-        dissipated_entry = layout.energies.enter(
-          {EnergyKind::dissipated,
-           group_name + ".dissipated",
-           "energy lost in the connectors since the start"});
-        numerical_entry = layout.energies.enter(numerical_energy_entry());
+        group.register_in(layout, stored_energy_entry());
       }
 
       void register_blocks(TangentPattern &pattern) override
@@ -80,7 +75,7 @@ namespace auxfem
       {
         auto &cache = static_cast<ConnectorResults &>(*results);
         lines.find_motion(evaluation, cache);
-        find_response(evaluation, cache);
+        group.evaluate(evaluation, cache.motion, cache.response);
         for (unsigned int i = 0; i < connectors.size(); ++i)
           for (unsigned int c = 0; c < 3; ++c)
             {
@@ -101,29 +96,13 @@ namespace auxfem
         if (factors.stiffness == 0 && factors.damping == 0)
           return;
         const ConnectorResults &cache = connector_cache(*results);
-        if (evaluation.kind == Evaluation::Kind::discrete_gradient)
-          return add_mean_tangent(evaluation, cache, matrix);
+        const bool              is_mean =
+          evaluation.kind == Evaluation::Kind::discrete_gradient;
         for (unsigned int i = 0; i < connectors.size(); ++i)
-          {
-            const auto  &n = cache.direction[i];
-            const double along =
-              factors.stiffness * cache.response[i].stiffness +
-              factors.damping * cache.response[i].damping;
-            Tensor by_motion = dealii::outer_product(along * n, n);
-            if (lines.follow_ends)
-              {
-                // The force and the rate change direction as the line rotates.
-                const double rotating =
-                  factors.stiffness / cache.current_length[i];
-                by_motion +=
-                  rotating * cache.response[i].force * normal_projector(n, n);
-                if (evaluation.kind != Evaluation::Kind::static_step)
-                  by_motion += dealii::outer_product(
-                    rotating * cache.response[i].damping * n,
-                    cache.velocity_difference[i] - cache.motion[i].rate * n);
-              }
-            add_block(i, by_motion, matrix);
-          }
+          add_block(i,
+                    is_mean ? lines.mean_tangent(i, evaluation, cache)
+                            : lines.tangent(i, evaluation, factors, cache),
+                    matrix);
       }
 
       void add_geometric_tangent(const ForceChange &change,
@@ -152,7 +131,7 @@ namespace auxfem
       void add_relaxation_times(const Unknowns      &unknowns,
                                 std::vector<double> &times) const override
       {
-        const std::map<double, double> relaxing = law->relaxing_stiffnesses();
+        const std::map<double, double> relaxing = law.relaxing_stiffnesses();
         for (const unsigned int i : owned)
           {
             const auto &ends = connectors[i].unknowns;
@@ -165,101 +144,92 @@ namespace auxfem
           }
       }
 
-      void add_relaxing_stiffness(const Evaluation & /*evaluation*/,
+      void add_relaxing_stiffness(const Evaluation  &evaluation,
                                   const EffectCache *results,
                                   const double       time,
                                   TangentMatrix     &matrix) const override
       {
-        const std::map<double, double> relaxing = law->relaxing_stiffnesses();
+        const std::map<double, double> relaxing = law.relaxing_stiffnesses();
         if (const auto found = relaxing.find(time); found != relaxing.end())
-          add_stiffness(found->second, *results, matrix);
+          for (unsigned int i = 0; i < connectors.size(); ++i)
+            if (!group.is_broken(evaluation.from, i))
+              add_stiffness(i,
+                            found->second,
+                            connector_cache(*results),
+                            matrix);
       }
 
-      void add_viscous_stiffness(const Evaluation & /*evaluation*/,
+      void add_viscous_stiffness(const Evaluation          &evaluation,
                                  const EffectCache         *results,
                                  const std::complex<double> s,
                                  TangentMatrix             &real,
                                  TangentMatrix &imaginary) const override
       {
-        if (!law->is_viscous())
+        if (!law.is_viscous())
           return;
-        const std::complex<double> stiffness =
-          law->dynamic_stiffness(s) - law->long_time_stiffness();
-        add_stiffness(stiffness.real(), *results, real);
-        add_stiffness(stiffness.imag(), *results, imaginary);
+        const ConnectorResults &cache = connector_cache(*results);
+        for (unsigned int i = 0; i < connectors.size(); ++i)
+          {
+            if (group.is_broken(evaluation.from, i))
+              continue;
+            const std::complex<double> stiffness =
+              law.dynamic_stiffness(s, cache.motion[i].extension) -
+              cache.response[i].stiffness;
+            add_stiffness(i, stiffness.real(), cache, real);
+            add_stiffness(i, stiffness.imag(), cache, imaginary);
+          }
       }
 
       void account(const Evaluation  &evaluation,
                    const EffectCache *results,
                    EnergyAccount     &account) const override
       {
-        std::vector<double> rates(law->n_history());
-        for (const unsigned int i : owned)
-          account.add(
-            stored_entry,
-            continuous(i, evaluation.to, *results, rates.data()).stored);
+        group.account(evaluation, connector_cache(*results).motion, account);
+      }
+
+      void update_history(const Evaluation &solved) const override
+      {
+        if (!group.may_break())
+          return;
+        ConnectorResults at_end(connectors.size());
+        lines.find_motion(solved, at_end);
+        group.update_history(solved, at_end.motion);
       }
 
       void account_step(const Evaluation  &step,
                         const EffectCache *results,
                         EnergyAccount     &account) const override
       {
-        if (!law->is_viscous())
-          return;
         const ConnectorResults &cache = connector_cache(*results);
-        for (unsigned int i = 0; i < connectors.size(); ++i)
-          {
-            const std::size_t     at = first_history + i * law->n_history();
-            const ConnectorEnergy energy =
-              law->energy(cache.motion[i],
-                          step.from.history.data() + at,
-                          step.to.history.data() + at);
-            step.to.history[first_dissipated + i] =
-              step.from.history[first_dissipated + i] + energy.dissipated;
-            if (!connectors[i].owned)
-              continue;
-            account.add_in_step(dissipated_entry, energy.dissipated);
-            // The mean force of Kind::discrete_gradient does exactly this work.
-            if (account.has_duration() &&
-                step.kind != Evaluation::Kind::discrete_gradient)
-              account.add_in_step(numerical_entry,
-                                  numerical_work(i, step, cache, energy));
-          }
+        group.account_step(
+          step,
+          cache.motion,
+          cache.response,
+          [&](const unsigned int i) {
+            return lines.rate_at(connectors[i], step.from);
+          },
+          account);
       }
 
       void account_stage(const Evaluation  &stage,
                          const EffectCache *results,
                          EnergyAccount     &account) const override
       {
-        if (!law->is_viscous())
-          return;
-        std::vector<double> rates(law->n_history());
-        for (unsigned int i = 0; i < connectors.size(); ++i)
-          {
-            const double power =
-              continuous(i, stage.to, *results, rates.data()).lost_power;
-            stage.to.history[first_dissipated + i] =
-              stage.from.history[first_dissipated + i] + stage.weight * power;
-            if (connectors[i].owned)
-              account.add_power(dissipated_entry, power);
-          }
+        group.account_stage(stage, connector_cache(*results).motion, account);
       }
 
       StageNeeds stage_needs() const override
       {
-        return law->is_viscous() ? StageNeeds::results : StageNeeds::state;
+        return law.dissipates() ? StageNeeds::results : StageNeeds::state;
       }
 
       void find_internal_rates(const State       &state,
                                const EffectCache *results,
                                double            *rates) const override
       {
-        if (law->n_history() > 0)
-          for (unsigned int i = 0; i < connectors.size(); ++i)
-            continuous(i,
-                       state,
-                       *results,
-                       rates + first_history + i * law->n_history());
+        group.find_internal_rates(state,
+                                  connector_cache(*results).motion,
+                                  rates);
       }
 
       void row_force_bounds(const Evaluation & /*evaluation*/,
@@ -285,43 +255,29 @@ namespace auxfem
           for (const int unknown : connectors[i].unknowns)
             raise_bound(forces,
                         unknown,
-                        cache.response[i].stiffness * largest.displacement +
-                          cache.response[i].damping * rate);
+                        std::abs(cache.response[i].stiffness) *
+                            largest.displacement +
+                          std::abs(cache.response[i].damping) * rate);
       }
 
       std::string nonfinite_reason(const Evaluation  &evaluation,
                                    const EffectCache *results) const override
       {
-        return lines.nonfinite_reason(group_name,
+        return lines.nonfinite_reason(group.name,
                                       evaluation.to.time,
                                       connector_cache(*results));
       }
 
       const std::string &name() const override
       {
-        return group_name;
+        return group.name;
       }
 
       ShortestConnector shortest(const Evaluation  &step,
                                  const EffectCache &results,
                                  const double       least) const override
       {
-        ShortestConnector shortest{least, invalid_index};
-        if (!lines.follow_ends)
-          return shortest;
-        const ConnectorResults &cache = connector_cache(results);
-        for (const unsigned int i : owned)
-          {
-            // A line that reverses has passed through zero length.
-            const ConnectorEnds &ends    = connectors[i];
-            const double         product = ends.line(step.from.displacement) *
-              ends.line(step.to.displacement);
-            const double length_ratio =
-              product < 0 ? 0. : cache.current_length[i] / ends.rest_length;
-            if (length_ratio < shortest.length_ratio)
-              shortest = {length_ratio, ends.first_joint};
-          }
-        return shortest;
+        return lines.shortest(step, connector_cache(results), least);
       }
 
       unsigned int n_reported() const override
@@ -343,119 +299,28 @@ namespace auxfem
           if (ends.unknowns[k] >= 0)
             report.displacements[k / 3][k % 3] =
               state.displacement[ends.unknowns[k]];
-        report.force     = cache.response[c].force;
-        report.extension = cache.motion[c].extension;
-        report.dissipated =
-          law->is_viscous() ? state.history[first_dissipated + c] : 0.;
-        report.cell = ends.cell;
+        report.force      = cache.response[c].force;
+        report.extension  = cache.motion[c].extension;
+        report.dissipated = group.dissipated(state, c);
+        report.cell       = ends.cell;
+        report.is_broken  = group.is_broken(state, c);
         return report;
       }
 
+      bool may_break() const override
+      {
+        return group.may_break();
+      }
+
     private:
-      /** Evaluates the law of connector @p i in continuous form at @p state,
-       * with @p results of its evaluation. */
-      ContinuousResponse continuous(const unsigned int i,
-                                    const State       &state,
-                                    const EffectCache &results,
-                                    double            *internal_rates) const
+      /** Adds the stiffness @p k (N/m) along connector @p i. */
+      void add_stiffness(const unsigned int      i,
+                         const double            k,
+                         const ConnectorResults &results,
+                         TangentMatrix          &matrix) const
       {
-        const ConnectorMotion &motion = connector_cache(results).motion[i];
-        return law->continuous(motion.extension,
-                               motion.rate,
-                               state.history.data() + first_history +
-                                 i * law->n_history(),
-                               internal_rates);
-      }
-
-      /**
-       * Computes forces and internal variables for the motion in @p results.
-       */
-      void find_response(const Evaluation &evaluation,
-                         ConnectorResults &results) const
-      {
-        double *const internal = evaluation.to.history.data() + first_history;
-        using Kind             = Evaluation::Kind;
-        if (evaluation.kind != Kind::equilibrium)
-          return std::invoke(evaluation.kind == Kind::discrete_gradient
-                               ? &ConnectorLaw::evaluate_mean
-                               : evaluation.kind == Kind::stage
-                               ? &ConnectorLaw::evaluate_stage
-                               : &ConnectorLaw::evaluate,
-                             *law,
-                             connectors.size(),
-                             results.motion.data(),
-                             evaluation.from.history.data() + first_history,
-                             internal,
-                             results.response.data());
-        for (unsigned int i = 0; i < connectors.size(); ++i)
-          results.response[i] = law->relaxed(results.motion[i].extension);
-        std::fill_n(internal, connectors.size() * law->n_history(), 0.);
-      }
-
-      /**
-       * Numerical work (J): trapezoidal work of the forces of connector @p i at
-       * both ends of the step, minus stored and dissipated energy of @p energy.
-       */
-      double numerical_work(const unsigned int      i,
-                            const Evaluation       &step,
-                            const ConnectorResults &results,
-                            const ConnectorEnergy  &energy) const
-      {
-        const double          extension = results.motion[i].previous_extension;
-        const ConnectorMotion start     = {extension,
-                                           lines.rate_at(connectors[i], step.from),
-                                           extension,
-                                           0};
-        const double         *committed =
-          step.from.history.data() + first_history + i * law->n_history();
-        std::vector<double> internal(law->n_history());
-        ConnectorResponse   before;
-        law->evaluate(1, &start, committed, internal.data(), &before);
-        const double stored_before =
-          law->energy(start, committed, committed).stored;
-        return (before.force + results.response[i].force) / 2 *
-          (results.motion[i].extension - start.extension) -
-          (energy.stored - stored_before) - energy.dissipated;
-      }
-
-      /** Adds the derivative of mean forces by the state at the end. */
-      void add_mean_tangent(const Evaluation       &evaluation,
-                            const ConnectorResults &results,
-                            TangentMatrix          &matrix) const
-      {
-        for (unsigned int i = 0; i < connectors.size(); ++i)
-          {
-            const ConnectorResponse   &response = results.response[i];
-            const dealii::Tensor<1, 3> e        = results.direction[i];
-            dealii::Tensor<1, 3>       now      = e;
-            double                     rotating = 0;
-            if (lines.follow_ends)
-              {
-                const ConnectorEnds &ends = connectors[i];
-                now = ends.line(evaluation.to.displacement) /
-                  results.current_length[i];
-                const double length_before =
-                  ends.line(evaluation.from.displacement).norm();
-                rotating =
-                  response.force / (length_before + results.current_length[i]);
-              }
-            add_block(i,
-                      dealii::outer_product(response.stiffness * e, now) +
-                        rotating * normal_projector(e, now),
-                      matrix);
-          }
-      }
-
-      /** Adds the stiffness @p k (N/m) along each connector. */
-      void add_stiffness(const double       k,
-                         const EffectCache &results,
-                         TangentMatrix     &matrix) const
-      {
-        for (unsigned int i = 0; i < connectors.size(); ++i)
-          {
-            const auto &n = connector_cache(results).direction[i];
-            add_block(i, dealii::outer_product(k * n, n), matrix);
-          }
+        const auto &n = results.direction[i];
+        add_block(i, dealii::outer_product(k * n, n), matrix);
       }
 
       /** Adds the derivative of the force on the second end of connector @p i
@@ -472,16 +337,13 @@ namespace auxfem
         matrix.add(first_block + i, block);
       }
 
-      const std::string                         group_name;
-      const std::shared_ptr<const ConnectorLaw> law;
-      const ConnectorLines                      lines;
+      const ConnectorLines              lines;
       const std::vector<ConnectorEnds> &connectors; ///< ends of the lines
+      const std::vector<unsigned int>   owned;
+      LawGroup                          group;
+      const ConnectorLaw               &law; ///< that of the group
       const Lattice                    &lattice;
-      std::vector<unsigned int>         owned;
-      /** Positions in State::history. */
-      std::size_t  first_history = 0, first_dissipated = 0;
-      unsigned int stored_entry = 0, dissipated_entry = 0, numerical_entry = 0;
-      std::size_t  first_block = 0;
+      std::size_t                       first_block = 0;
     };
   } // namespace
 

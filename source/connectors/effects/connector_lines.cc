@@ -39,9 +39,10 @@ namespace auxfem
           std::to_string(pair.first) +
           " has length zero, so its direction is undefined. Set `Geometry = "
           "direction` with a `Direction`, or a `Ground offset`.");
-      ends.direction = definition.geometry == Geometry::direction
-        ? definition.direction
-        : ends.span / ends.rest_length;
+      ends.extension_at_rest = definition.extension_at_rest(ends.rest_length);
+      ends.direction         = definition.geometry == Geometry::direction
+                ? definition.direction
+                : ends.span / ends.rest_length;
       return ends;
     }
   } // namespace
@@ -82,10 +83,10 @@ namespace auxfem
   {
     const dealii::Tensor<1, 3> du = ends.difference(displacement.data());
     if (!follow_ends)
-      return ends.direction * du;
+      return ends.extension_at_rest + ends.direction * du;
     // L^2 - L0^2 = du.(2 span + du) avoids the cancellation of L - L0.
-    return du * (2. * ends.span + du) /
-      ((ends.span + du).norm() + ends.rest_length);
+    return ends.extension_at_rest +
+      du * (2. * ends.span + du) / ((ends.span + du).norm() + ends.rest_length);
   }
 
   bool ConnectorLines::ends_coincide(const ConnectorEnds &ends,
@@ -114,6 +115,28 @@ namespace auxfem
           return text.str();
         }
     return "";
+  }
+
+  ShortestConnector ConnectorLines::shortest(const Evaluation       &step,
+                                             const ConnectorResults &results,
+                                             const double least) const
+  {
+    ShortestConnector shortest{least, invalid_index};
+    if (!follow_ends)
+      return shortest;
+    for (unsigned int i = 0; i < ends.size(); ++i)
+      {
+        if (!ends[i].owned)
+          continue;
+        // A line that reverses has passed through zero length.
+        const double product = ends[i].line(step.from.displacement) *
+          ends[i].line(step.to.displacement);
+        const double length_ratio =
+          product < 0 ? 0. : results.current_length[i] / ends[i].rest_length;
+        if (length_ratio < shortest.length_ratio)
+          shortest = {length_ratio, ends[i].first_joint};
+      }
+    return shortest;
   }
 
   void ConnectorLines::find_motion(const Evaluation &evaluation,
@@ -151,6 +174,47 @@ namespace auxfem
             connector.difference(to.velocity->data());
         motion.rate = rate(i, evaluation, results);
       }
+  }
+
+  dealii::Tensor<2, 3>
+  ConnectorLines::tangent(const unsigned int      i,
+                          const Evaluation       &evaluation,
+                          const TangentFactors   &factors,
+                          const ConnectorResults &results) const
+  {
+    const ConnectorResponse &response = results.response[i];
+    const auto              &n        = results.direction[i];
+    const double             along    = factors.stiffness * response.stiffness +
+      factors.damping * response.damping;
+    dealii::Tensor<2, 3> by_motion = dealii::outer_product(along * n, n);
+    if (!follow_ends)
+      return by_motion;
+    // The force and the rate change direction as the line rotates.
+    const double rotating = factors.stiffness / results.current_length[i];
+    by_motion += rotating * response.force * normal_projector(n, n);
+    if (evaluation.kind != Evaluation::Kind::static_step)
+      by_motion += dealii::outer_product(rotating * response.damping * n,
+                                         results.velocity_difference[i] -
+                                           results.motion[i].rate * n);
+    return by_motion;
+  }
+
+  dealii::Tensor<2, 3>
+  ConnectorLines::mean_tangent(const unsigned int      i,
+                               const Evaluation       &evaluation,
+                               const ConnectorResults &results) const
+  {
+    const ConnectorResponse    &response = results.response[i];
+    const dealii::Tensor<1, 3> &e        = results.direction[i];
+    if (!follow_ends)
+      return dealii::outer_product(response.stiffness * e, e);
+    const dealii::Tensor<1, 3> now =
+      ends[i].line(evaluation.to.displacement) / results.current_length[i];
+    const double length_before =
+      ends[i].line(evaluation.from.displacement).norm();
+    return dealii::outer_product(response.stiffness * e, now) +
+      response.force / (length_before + results.current_length[i]) *
+      normal_projector(e, now);
   }
 
   double ConnectorLines::rate(const unsigned int      i,

@@ -39,6 +39,12 @@ namespace auxfem
       return response.force;
     }
 
+    template <class Definition>
+    bool has_dashpot(const Definition &definition)
+    {
+      return definition.law && definition.law->is_viscous();
+    }
+
     std::optional<EffectMeasure>
     measure_connector_viscosity(const RunPlan &plan, const Lattice &lattice)
     {
@@ -50,12 +56,22 @@ namespace auxfem
       for (const ConnectorDefinition &connector : plan.scene.connectors)
         if (connector.law->is_viscous())
           {
+            // The size of the motion, which decides here, is not known.
+            if (!connector.law->is_linear())
+              {
+                largest = 1;
+                continue;
+              }
             const double ramp =
               ramp_stiffness(*connector.law, 1 / history.rate);
-            const double long_time = connector.law->long_time_stiffness();
+            const double long_time = connector.law->relaxed(0).stiffness;
             largest =
               std::max(largest, (ramp - long_time) / (ramp + strut_stiffness));
           }
+      if (std::any_of(plan.scene.joints.begin(),
+                      plan.scene.joints.end(),
+                      has_dashpot<JointDefinition>))
+        largest = 1;
       return EffectMeasure{history.lost(plan, largest),
                            "the connectors' stiffness"};
     }
@@ -71,9 +87,10 @@ namespace auxfem
                 return {false, no_rates_on_paths};
               return {std::any_of(plan.scene.connectors.begin(),
                                   plan.scene.connectors.end(),
-                                  [](const ConnectorDefinition &c) {
-                                    return c.law->is_viscous();
-                                  }),
+                                  has_dashpot<ConnectorDefinition>) ||
+                        std::any_of(plan.scene.joints.begin(),
+                                    plan.scene.joints.end(),
+                                    has_dashpot<JointDefinition>),
                       "no connector has a dashpot"};
             },
             measure_connector_viscosity};

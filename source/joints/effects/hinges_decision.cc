@@ -66,8 +66,8 @@ namespace auxfem
       return largest;
     }
 
-    /** Measure for rotational springs; nothing for hinges, without which the
-     * structure is another one. */
+    /** Measure for linear rotational springs; nothing for hinges, without which
+     * the structure is another one, and for laws, whose stiffness changes. */
     std::optional<EffectMeasure> measure_hinges(const RunPlan &plan,
                                                 const Lattice &lattice)
     {
@@ -76,7 +76,8 @@ namespace auxfem
         {
           const auto joints = joints_of(joint, lattice, plan.scene.context);
           if (joint.type != JointDefinition::Type::rotational_spring ||
-              !(joint.stiffness > 0) || has_lone_end(joints, lattice))
+              joint.law || !(joint.stiffness > 0) ||
+              has_lone_end(joints, lattice))
             return std::nullopt;
           largest =
             std::max(largest, added_compliance(joint, joints, plan, lattice));

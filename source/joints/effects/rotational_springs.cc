@@ -113,26 +113,17 @@ namespace auxfem
       void add_mean_moments(const Evaluation &evaluation,
                             double           *residual) const
       {
-        const double *u0       = evaluation.from.displacement.data();
-        const double *u1       = evaluation.to.displacement.data();
-        const bool    is_large = !evaluation.to.plane_rotations->empty();
+        const double *u0 = evaluation.from.displacement.data();
+        const double *u1 = evaluation.to.displacement.data();
         for (const RotationalSpring &spring : springs)
           {
-            const int base = spring.unknowns[0], end = spring.unknowns[1];
-            double    moment =
-              spring.stiffness * (angle(spring, u0) + angle(spring, u1)) / 2;
-            // Moments do work on Cayley's measure of the increments.
-            if (is_large)
-              {
-                const double d_base =
-                               base >= 0 ? (u1[base] - u0[base]) / 2 : 0.,
-                             d_end = (u1[end] - u0[end]) / 2;
-                moment *=
-                  std::cos(d_base) * std::cos(d_end) / sinc(d_end - d_base);
-              }
+            const int    base   = spring.unknowns[0];
+            const double moment = spring.stiffness *
+              (angle(spring, u0) + angle(spring, u1)) / 2 *
+              mean_moment_factor(spring.unknowns, evaluation);
             if (base >= 0)
               residual[base] -= moment;
-            residual[end] += moment;
+            residual[spring.unknowns[1]] += moment;
           }
       }
 
@@ -345,6 +336,21 @@ namespace auxfem
       unsigned int        strain_entry = 0;
     };
   } // namespace
+
+  double mean_moment_factor(const std::array<int, 2> &unknowns,
+                            const Evaluation         &step)
+  {
+    if (step.to.plane_rotations->empty())
+      return 1;
+    const auto half_increment = [&](const int unknown) {
+      return unknown < 0
+        ? 0.
+        : (step.to.displacement[unknown] - step.from.displacement[unknown]) / 2;
+    };
+    const double base = half_increment(unknowns[0]),
+                 end  = half_increment(unknowns[1]);
+    return std::cos(base) * std::cos(end) / sinc(end - base);
+  }
 
   std::unique_ptr<Effect>
   make_rotational_springs(const DofNumbering           &numbering,

@@ -180,26 +180,48 @@ namespace auxfem
       return unknowns;
     }
 
-    /** Calls @p add(number, stiffness, base, end) for the springs of this
-     * rank. */
+    /** Calls @p add(number, base, end) for the springs of @p release on this
+     * rank, numbered from @p number on. */
     template <class Add>
-    void for_each_spring(const LatticeModel &model, const Add &add)
+    void for_each_spring(const LatticeModel &model,
+                         const JointRelease &release,
+                         unsigned int       &number,
+                         const Add          &add)
     {
       const DofNumbering &numbering = model.numbering;
-      unsigned int        number    = 0;
+      for (const RotationPair &pair : release.pairs)
+        {
+          const std::array<int, 3> base = spins(numbering, pair.base),
+                                   end  = spins(numbering, pair.end);
+          if (end[2] >= 0 &&
+              (base[2] >= 0 || pair.base.kind == RotationOwner::Kind::ground))
+            add(number, base, end);
+          ++number;
+        }
+    }
+
+    bool is_spring(const JointRelease &release)
+    {
+      return release.definition->type ==
+        JointDefinition::Type::rotational_spring;
+    }
+
+    /** Calls @p add(number, stiffness, base, end) for the linear springs of
+     * this rank. */
+    template <class Add>
+    void for_each_linear_spring(const LatticeModel &model, const Add &add)
+    {
+      unsigned int number = 0;
       for (const JointRelease &release : model.releases)
-        if (release.definition->type ==
-            JointDefinition::Type::rotational_spring)
-          for (const RotationPair &pair : release.pairs)
-            {
-              const std::array<int, 3> base = spins(numbering, pair.base),
-                                       end  = spins(numbering, pair.end);
-              if (end[2] >= 0 &&
-                  (base[2] >= 0 ||
-                   pair.base.kind == RotationOwner::Kind::ground))
-                add(number, release.definition->stiffness, base, end);
-              ++number;
-            }
+        if (is_spring(release) && !release.definition->law)
+          for_each_spring(model,
+                          release,
+                          number,
+                          [&](const unsigned int i,
+                              const auto        &base,
+                              const auto        &end) {
+                            add(i, release.definition->stiffness, base, end);
+                          });
     }
   } // namespace
 
@@ -212,31 +234,65 @@ namespace auxfem
     if (model.plan.simulated.large_rotation && model.lattice.dimension == 3)
       {
         std::vector<SpaceSpring> springs;
-        for_each_spring(model,
-                        [&](const unsigned int number,
-                            const double       stiffness,
-                            const auto        &base,
-                            const auto        &end) {
-                          springs.push_back(
-                            {base[0] < 0 ? -1
-                                         : numbering.rotations().with(base[0]),
-                             numbering.rotations().with(end[0]),
-                             stiffness,
-                             number});
-                        });
+        for_each_linear_spring(model,
+                               [&](const unsigned int number,
+                                   const double       stiffness,
+                                   const auto        &base,
+                                   const auto        &end) {
+                                 springs.push_back(
+                                   {base[0] < 0
+                                      ? -1
+                                      : numbering.rotations().with(base[0]),
+                                    numbering.rotations().with(end[0]),
+                                    stiffness,
+                                    number});
+                               });
         return make_space_springs(numbering, springs);
       }
     std::vector<RotationalSpring> springs;
-    for_each_spring(model,
-                    [&](const unsigned int /*number*/,
-                        const double stiffness,
-                        const auto  &base,
-                        const auto  &end) {
-                      for (unsigned int c = 0; c < 3; ++c)
-                        if (end[c] >= 0)
-                          springs.push_back({{{base[c], end[c]}}, stiffness});
-                    });
+    for_each_linear_spring(
+      model,
+      [&](const unsigned int /*number*/,
+          const double stiffness,
+          const auto  &base,
+          const auto  &end) {
+        for (unsigned int c = 0; c < 3; ++c)
+          if (end[c] >= 0)
+            springs.push_back({{{base[c], end[c]}}, stiffness});
+      });
     return make_rotational_springs(numbering, std::move(springs));
+  }
+
+  std::vector<std::unique_ptr<Effect>>
+  make_rotational_laws(const LatticeModel &model)
+  {
+    std::vector<std::unique_ptr<Effect>> effects;
+    for (const JointRelease &release : model.releases)
+      {
+        std::shared_ptr<const ConnectorLaw> law = release.definition->law;
+        if (!is_spring(release) || !law)
+          continue;
+        if (!model.plan.simulated.connector_viscosity && law->is_viscous())
+          law = law->without_viscosity();
+        std::vector<RotationalSpring> springs;
+        std::vector<unsigned int>     numbers;
+        unsigned int                  number = 0;
+        for_each_spring(model,
+                        release,
+                        number,
+                        [&](const unsigned int i,
+                            const auto        &base,
+                            const auto        &end) {
+                          springs.push_back({{{base[2], end[2]}}, 0});
+                          numbers.push_back(i);
+                        });
+        effects.push_back(make_rotational_laws(model.numbering,
+                                               release.definition->name,
+                                               law,
+                                               std::move(springs),
+                                               numbers));
+      }
+    return effects;
   }
 
   std::unique_ptr<Constraints> make_revolute_hinges(const LatticeModel &model)

@@ -1,6 +1,7 @@
 #include <auxfem/connectors/effects/connector_forces.h>
 #include <auxfem/mesh/sets.h>
 
+#include <connectors/law_on_trial.h>
 #include <equations/effect_alone.h>
 #include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
@@ -371,87 +372,6 @@ TEST(ConnectorForces, AcceptedStepsRecordStoredAndDissipatedEnergy)
   EXPECT_EQ(energies.strain(), 0.);
 }
 
-namespace
-{
-  /** A spring that hardens: F = k u^3. */
-  class CubicSpring : public ConnectorLaw
-  {
-  public:
-    explicit CubicSpring(const double stiffness) : stiffness(stiffness)
-    {}
-
-    bool is_viscous() const override
-    {
-      return false;
-    }
-
-    bool is_linear() const override
-    {
-      return false;
-    }
-
-    void evaluate(const unsigned int     n,
-                  const ConnectorMotion *motion,
-                  const double * /*committed*/,
-                  double * /*trial*/,
-                  ConnectorResponse *response) const override
-    {
-      for (unsigned int i = 0; i < n; ++i)
-        {
-          const double u = motion[i].extension;
-          response[i]    = {stiffness * u * u * u, 3 * stiffness * u * u, 0.};
-        }
-    }
-
-    void evaluate_mean(const unsigned int     n,
-                       const ConnectorMotion *motion,
-                       const double * /*committed*/,
-                       double * /*trial*/,
-                       ConnectorResponse *response) const override
-    {
-      for (unsigned int i = 0; i < n; ++i)
-        {
-          const double u = motion[i].previous_extension,
-                       w = motion[i].extension;
-          response[i]    = {stiffness / 4 * (u * u + w * w) * (u + w),
-                            stiffness / 4 * (u * u + 2 * u * w + 3 * w * w),
-                            0.};
-        }
-    }
-
-    ConnectorEnergy energy(const ConnectorMotion &motion,
-                           const double * /*committed*/,
-                           const double * /*trial*/) const override
-    {
-      return {stiffness / 4 * std::pow(motion.extension, 4), 0.};
-    }
-
-    ContinuousResponse continuous(const double extension,
-                                  const double /*rate*/,
-                                  const double * /*internal*/,
-                                  double * /*internal_rates*/) const override
-    {
-      return {stiffness * std::pow(extension, 3),
-              stiffness / 4 * std::pow(extension, 4),
-              0.};
-    }
-
-    double long_time_stiffness() const override
-    {
-      return 0;
-    }
-
-    std::complex<double>
-    dynamic_stiffness(const std::complex<double> /*s*/) const override
-    {
-      return 0;
-    }
-
-  private:
-    const double stiffness;
-  };
-} // namespace
-
 TEST(ConnectorForces, ANonlinearLawMakesAllEquationsNonlinear)
 {
   Scene         scene = read_scene_from_text(with_connector(spring, along_1_1),
@@ -461,7 +381,8 @@ TEST(ConnectorForces, ANonlinearLawMakesAllEquationsNonlinear)
   const LatticeModel model(scene, lattice, MPI_COMM_SELF);
   EXPECT_TRUE(Equations(model).is_linear());
 
-  scene.connectors[0].law = std::make_shared<CubicSpring>(5.);
+  scene.connectors[0].law =
+    make_law("cubic", {{"Spring stiffness", "0"}, {"Cubic stiffness", "5"}});
   const Equations equations(model);
   EXPECT_FALSE(equations.is_linear());
 

@@ -18,7 +18,8 @@ namespace auxfem
     double                              force;      ///< N, positive in tension
     double                              extension;  ///< m
     double                              dissipated; ///< J since the start
-    unsigned int                        cell;
+    double       is_broken; ///< 1 if it has broken, else 0
+    unsigned int cell;
   };
 
   /** Connector with the smallest length relative to rest, whose direction may
@@ -48,6 +49,9 @@ namespace auxfem
     virtual ShortestConnector shortest(const Evaluation  &step,
                                        const EffectCache &results,
                                        double             least) const = 0;
+
+    /** Whether connectors of the group may break. */
+    virtual bool may_break() const = 0;
 
     /** Number of connectors that this rank owns. */
     virtual unsigned int n_reported() const = 0;

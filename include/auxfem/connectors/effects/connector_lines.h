@@ -1,10 +1,11 @@
 #ifndef auxfem_connectors_effects_connector_lines_h
 #define auxfem_connectors_effects_connector_lines_h
 
-#include <auxfem/connectors/connector_law.h>
+#include <auxfem/connectors/effects/connector_forces.h>
 #include <auxfem/equations/evaluation.h>
 #include <auxfem/model/numbering.h>
 #include <auxfem/scene/scene.h>
+#include <auxfem/time/schemes/time_scheme.h>
 
 #include <deal.II/base/symmetric_tensor.h>
 
@@ -56,6 +57,8 @@ namespace auxfem
     /** Vector from first to second end at rest (m). */
     dealii::Tensor<1, 3> span;
     double               rest_length; ///< m
+    /** Extension of the law at rest (m), by the free length. */
+    double extension_at_rest;
     /** Force direction at rest. */
     dealii::Tensor<1, 3> direction;
     unsigned int         first_joint, second_joint, cell;
@@ -94,6 +97,21 @@ namespace auxfem
     void find_motion(const Evaluation &evaluation,
                      ConnectorResults &results) const;
 
+    /**
+     * Derivative of the force on the second end of connector @p i by the
+     * relative motion.
+     * @param results of the evaluation with their response
+     */
+    dealii::Tensor<2, 3> tangent(unsigned int            i,
+                                 const Evaluation       &evaluation,
+                                 const TangentFactors   &factors,
+                                 const ConnectorResults &results) const;
+
+    /** Same as tangent() for the mean force of a discrete-gradient step. */
+    dealii::Tensor<2, 3> mean_tangent(unsigned int            i,
+                                      const Evaluation       &evaluation,
+                                      const ConnectorResults &results) const;
+
     /** Rate of extension of a connector at @p state (m/s). */
     double rate_at(const ConnectorEnds &ends, const State &state) const;
 
@@ -102,6 +120,11 @@ namespace auxfem
     std::string nonfinite_reason(const std::string      &group,
                                  double                  time,
                                  const ConnectorResults &results) const;
+
+    /** ConnectorForces::shortest(). */
+    ShortestConnector shortest(const Evaluation       &step,
+                               const ConnectorResults &results,
+                               double                  least) const;
 
     /** Whether the force acts along the current line between the ends. */
     const bool                 follow_ends;

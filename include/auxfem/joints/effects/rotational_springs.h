@@ -1,11 +1,13 @@
 #ifndef auxfem_joints_effects_rotational_springs_h
 #define auxfem_joints_effects_rotational_springs_h
 
+#include <auxfem/connectors/connector_law.h>
 #include <auxfem/equations/effect.h>
 #include <auxfem/model/numbering.h>
 
 #include <array>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace auxfem
@@ -21,6 +23,29 @@ namespace auxfem
   std::unique_ptr<Effect>
   make_rotational_springs(const DofNumbering           &numbering,
                           std::vector<RotationalSpring> springs);
+
+  /**
+   * Factor on mean moments between two plane rotations in a discrete-gradient
+   * step with large rotations: moments do work on Cayley's measure of the
+   * increments.
+   * @param unknowns of both rotations; first of -1: ground
+   */
+  double mean_moment_factor(const std::array<int, 2> &unknowns,
+                            const Evaluation         &step);
+
+  /**
+   * Makes the effect of springs in the plane whose moment M (N m) follows a law
+   * of the relative rotation (rad).
+   * @param name of the group
+   * @param springs numbered among those of the group on all ranks; their
+   *   stiffness is not used
+   */
+  std::unique_ptr<Effect>
+  make_rotational_laws(const DofNumbering                 &numbering,
+                       const std::string                  &name,
+                       std::shared_ptr<const ConnectorLaw> law,
+                       std::vector<RotationalSpring>       springs,
+                       const std::vector<unsigned int>    &numbers);
 
   /** A spring between two large rotations in space, numbered as in
    * DofNumbering::rotations(). */
