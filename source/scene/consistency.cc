@@ -415,8 +415,8 @@ namespace auxfem
       std::map<std::string, std::string> paths;
     };
 
-    /** Checks supports among each other (columns `.rx`), and probes and plates
-     * (`.ux`, `.fx`). Columns of connectors differ from all these. */
+    /** Checks supports among each other (columns `.rx`), probes and plates
+     * (`.ux`, `.fx`), and connectors and laws of joints (`.dissipated`). */
     void check_column_names(const Scene &scene, Mistakes &mistakes)
     {
       // Supports of plates are among the supports of the scene.
@@ -424,6 +424,13 @@ namespace auxfem
       ColumnNames motions(scene, mistakes);
       motions.enter(scene.output.probes);
       motions.enter(scene.plates);
+      std::vector<JointDefinition> laws;
+      for (const JointDefinition &joint : scene.joints)
+        if (joint.law)
+          laws.push_back(joint);
+      ColumnNames losses(scene, mistakes);
+      losses.enter(scene.connectors);
+      losses.enter(laws);
     }
   } // namespace
 

@@ -278,6 +278,42 @@ namespace auxfem
         .time(0.5, 0.05);
     }
 
+    /** star_with_everything() with connectors and rotational springs that are
+     * not linear, rub and break; not for schemes with stages. */
+    inline SceneText star_with_nonlinear_connectors(const unsigned int n_x,
+                                                    const unsigned int n_y)
+    {
+      return star_with_everything(n_x, n_y)
+        .connector("hardening",
+                   "cubic",
+                   "Spring stiffness = 0.3 | Cubic stiffness = 5 | "
+                   "Damping coefficient = 0.1 | Preload = 0.01")
+        .connector("stop",
+                   "gap",
+                   "Spring stiffness = 0.9 | Gap = 0.001 | "
+                   "Stop damping = 0.5 | Between = in-cell x")
+        .connector("viscous",
+                   "power-law-dashpot",
+                   "Force at unit rate = 0.1 | Exponent = 0.5 | "
+                   "Smoothing rate = 0.01 | Between = 0 5; 1 6")
+        .connector("formula",
+                   "expression",
+                   "Force = 0.3*u + 0.2*tanh(2*u) + 0.1*v*abs(v) | "
+                   "Between = ground: top | Ground offset = 0.3 1.5")
+        .connector("friction",
+                   "friction-slider",
+                   "Spring stiffness = 0.5 | Slip force = 0.002 | "
+                   "Hardening stiffness = 0.1 | Between = in-cell x")
+        .connector("fuse",
+                   "spring",
+                   "Spring stiffness = 0.5 | Failure force = 0.002 | "
+                   "Between = in-cell x")
+        .remove("Joints/springs/Stiffness")
+        .set("Joints/springs/Type", "rotational friction-slider")
+        .set("Joints/springs/Spring stiffness", 0.8)
+        .set("Joints/springs/Slip moment", 0.003);
+    }
+
     /** Struts that yield at a stress of 0.05. Few fibres rarely begin to yield
      * within a difference quotient. */
     inline SceneText yielding_struts(const std::string &struts)

@@ -297,6 +297,13 @@ TEST(Ranks, RigidPartsAreReportedOnceAndAlike)
     }
 }
 
+TEST(Ranks, ConnectorsRubAndBreakAsOnOneRank)
+{
+  for (const std::string scheme : {"newmark", "energy-momentum", "static"})
+    compare_runs({"Time/Scheme=" + scheme, "Solver/Type=klu"},
+                 star_with_nonlinear_connectors(3, 2));
+}
+
 TEST(Ranks, RigidPartsAloneMoveAsOnOneRank)
 {
   // A chain of six bars without finite elements.

@@ -49,6 +49,8 @@ namespace auxfem
             add_plate();
           // Last, so that the other features of a seed stay the same.
           add_law();
+          if (chance(0.3))
+            add_nonlinear_connector(!has_stages);
           scene_text.probe("tip", std::to_string(points.size() - 1));
           scene.text     = scene_text;
           scene.features = features;

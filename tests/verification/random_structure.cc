@@ -133,6 +133,40 @@ namespace auxfem
       note("rigid strut " + strut);
     }
 
+    void RandomStructure::add_nonlinear_connector(const bool rubs)
+    {
+      if (points.size() < 3)
+        return;
+      const double size  = force_scale * number(0.1, 1);
+      const double span  = 0.01 * length;
+      const auto   entry = [](const std::string &name, const double value) {
+        return " | " + name + " = " + text(value);
+      };
+      const std::string        stiff = entry("Spring stiffness", size / span);
+      std::vector<std::string> laws  = {
+         "cubic" + stiff + entry("Cubic stiffness", size / std::pow(span, 3)),
+         "bilinear" + stiff + entry("Second stiffness", 0.2 * size / span) +
+           entry("Kink extension", 0.3 * span),
+         "gap" + stiff + entry("Gap", 0.1 * span),
+         "hook" + stiff + entry("Slack", 0.1 * span),
+         "buckling-link" + stiff + entry("Buckling load", 0.2 * size),
+         "expression | Force = " + text(size) + " * tanh(u / " + text(span) +
+           ")" + entry("Typical extension", span)};
+      if (rubs)
+        laws.push_back("friction-slider" + stiff +
+                       entry("Slip force", 0.2 * size));
+      std::string law = one_of(laws);
+      note("connector " + law.substr(0, law.find(' ')));
+      if (rubs && chance(0.3))
+        {
+          law += entry("Failure force", 0.3 * size);
+          note("breaking");
+        }
+      scene_text.add("Connectors/stop", "Law = " + law);
+      scene_text.set("Connectors/stop/Between",
+                     "0 " + std::to_string(points.size() - 1));
+    }
+
     void RandomStructure::add_connector(const std::vector<std::string> &laws,
                                         const double relaxation_time)
     {

@@ -73,6 +73,13 @@ namespace auxfem
       void add_connector(const std::vector<std::string> &laws,
                          double                          relaxation_time);
 
+      /**
+       * A connector from the first to the last joint, if there are three, by a
+       * law that is not linear; after all else.
+       * @param rubs whether it may rub or break
+       */
+      void add_nonlinear_connector(bool rubs);
+
       /** On the last joint. */
       void add_mass();
 

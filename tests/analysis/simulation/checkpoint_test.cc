@@ -161,6 +161,22 @@ TEST(Checkpoint, ResumesAPlaneLatticeWithConnectors)
     }
 }
 
+TEST(Checkpoint, ResumesConnectorsThatRubAndBreak)
+{
+  for (const char *scheme : {"newmark", "energy-momentum", "static"})
+    {
+      const RunValues course =
+        compare_halves(star_with_nonlinear_connectors(2, 2),
+                       {std::string("Time/Scheme=") + scheme,
+                        "Solver/Type=klu"});
+      for (const char *loss : {"friction.dissipated",
+                               "springs.dissipated",
+                               "viscous.dissipated",
+                               "fuse.broken"})
+        EXPECT_GT(course.columns.at(loss)[0], 0) << scheme << loss;
+    }
+}
+
 TEST(Checkpoint, FactorizationsAreThoseOfTheWholeRun)
 {
   // KLU reuses pivots of another matrix, and the symmetric part of a tangent
