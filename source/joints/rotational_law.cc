@@ -19,7 +19,12 @@ namespace auxfem
         {"Force", "Moment"},
         {"extension", "rotation"},
         {"Extension", "Rotation"},
-        {"shortening", "negative rotation"}};
+        {"shortening", "negative rotation"},
+        {"Shortening", "Negative rotation"},
+        {"m/s", "rad/s"},
+        {"(m)", "(rad)"},
+        {"(N)", "(N m)"},
+        {"Law = ", "Type = " + prefix}};
       for (const auto &[word, other] : words)
         for (std::size_t at = text.find(word); at != std::string::npos;
              at             = text.find(word, at + other.size()))

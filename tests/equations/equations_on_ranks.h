@@ -302,16 +302,16 @@ namespace auxfem
                    "Between = ground: top | Ground offset = 0.3 1.5")
         .connector("friction",
                    "friction-slider",
-                   "Spring stiffness = 0.5 | Slip force = 0.002 | "
+                   "Spring stiffness = 0.5 | Slip force = 5e-5 | "
                    "Hardening stiffness = 0.1 | Between = in-cell x")
         .connector("fuse",
                    "spring",
-                   "Spring stiffness = 0.5 | Failure force = 0.002 | "
+                   "Spring stiffness = 0.5 | Failure force = 1e-4 | "
                    "Between = in-cell x")
         .remove("Joints/springs/Stiffness")
         .set("Joints/springs/Type", "rotational friction-slider")
         .set("Joints/springs/Spring stiffness", 0.8)
-        .set("Joints/springs/Slip moment", 0.003);
+        .set("Joints/springs/Slip moment", 1e-4);
     }
 
     /** Struts that yield at a stress of 0.05. Few fibres rarely begin to yield

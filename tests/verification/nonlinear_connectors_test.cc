@@ -1,9 +1,12 @@
+#include <auxfem/analysis/small_motions/dynamic_stiffness.h>
+
 #include <support/energy_amount.h>
 #include <support/scene_run.h>
 #include <verification/one_mass_scene.h>
 #include <verification/result_table.h>
 
 #include <cmath>
+#include <complex>
 
 #include <verification/label.h>
 #include <verification/schemes.h>
@@ -385,6 +388,57 @@ TEST(NonlinearConnectors, ConnectorsBreakForGood)
       }
 }
 
+// About an extension: f'(u) + i w (C + c |f(u)|); friction sticks.
+TEST(NonlinearConnectors, SmallMotionsSeeTheStiffnessAtTheExtension)
+{
+  ComparisonTable table("Stiffness of small motions of 3 rad/s about an "
+                        "extension of -0.1 m: real and imaginary part (N/m)");
+  struct Case
+  {
+    std::string          name, law;
+    std::complex<double> stiffness;
+  };
+  const std::vector<Case> cases = {
+    {"cubic",
+     "Law = cubic | Spring stiffness = 100 | Cubic stiffness = 2000 | "
+     "Damping coefficient = 4",
+     {100 + 3 * 2000 * 0.01, 3 * 4}},
+    {"gap",
+     "Law = gap | Spring stiffness = 100 | Gap = 0.04 | Stop damping = 2",
+     {100, 3 * 2 * 6}},
+    {"hook", "Law = hook | Spring stiffness = 100", {0, 0}},
+    {"expression",
+     "Law = expression | Force = 500*u^3 + 7*v + v^2",
+     {1500 * 0.01, 3 * 7}},
+    {"friction-slider",
+     "Law = friction-slider | Spring stiffness = 100 | Slip force = 2",
+     {100, 0}}};
+  for (const Case &one : cases)
+    {
+      SceneRun run(one_mass_scene(
+        one.law,
+        "Scheme = static | Time step = 1 | End time = 1",
+        SceneText().add("Supports/drive",
+                        "Joints = 0 | Type = prescribed | Displacement x = "
+                        "0.1 * t")));
+      run.run();
+      DynamicStiffness stiffness(run.computation.solver(), run.state);
+      stiffness.set({0, 3});
+      const int i = run.model.numbering.joint_unknown(0, 0);
+      Vector    unit(run.model.numbering.layout().n_local(), 0.), none(unit);
+      unit[i]           = 1;
+      const auto forces = stiffness.forces(unit, none);
+      table.row(one.name + ", real",
+                forces.first[i],
+                one.stiffness.real(),
+                1e-8);
+      table.row(one.name + ", imaginary",
+                forces.second[i],
+                one.stiffness.imag(),
+                1e-8);
+    }
+}
+
 // A stiff arm of 1 m on a bilinear hinge of 10 and 2 N m/rad with the kink at
 // 0.1 rad.
 TEST(NonlinearConnectors, RotationalSpringsTakeTheLaws)
@@ -409,7 +463,10 @@ TEST(NonlinearConnectors, RotationalSpringsTakeTheLaws)
       SceneRun run(text);
       run.run();
       const double angle = moment < 1 ? moment / 10 : 0.1 + (moment - 1) / 2;
-      table.relative(label("moment", moment), run.motion(1, rotation_z), angle, 1e-5);
+      table.relative(label("moment", moment),
+                     run.motion(1, rotation_z),
+                     angle,
+                     1e-5);
       EXPECT_NEAR(run.state.energies.strain(),
                   moment < 1 ? moment * angle / 2
                              : 0.05 + (1 + moment) / 2 * (angle - 0.1),
