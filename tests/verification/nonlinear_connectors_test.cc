@@ -8,6 +8,7 @@
 #include <cmath>
 #include <complex>
 
+#include <support/pi.h>
 #include <verification/label.h>
 #include <verification/schemes.h>
 
@@ -19,34 +20,32 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  const double pi = std::acos(-1.);
-
-  Scheme energy_momentum()
+  Scheme mean_force_scheme()
   {
     return {"energy-momentum", "Scheme = energy-momentum"};
   }
 
-  Scheme esdirk()
+  Scheme stage_scheme()
   {
     return {"esdirk", "Scheme = esdirk"};
   }
 
   const std::vector<Scheme> three_schemes = {newmark(),
-                                             energy_momentum(),
-                                             esdirk()};
+                                             mean_force_scheme(),
+                                             stage_scheme()};
 
   /** Displacement and velocity. */
-  struct Motion
+  struct MassMotion
   {
     double displacement, velocity;
   };
 
-  /** Motion at @p end (s) of the mass pushed off at @p velocity (m/s). */
-  Motion end_of(const std::string &law,
-                const Scheme      &scheme,
-                const double       velocity,
-                const double       end,
-                const unsigned int n_steps)
+  /** MassMotion at @p end (s) of the mass pushed off at @p velocity (m/s). */
+  MassMotion motion_at_end(const std::string &law,
+                           const Scheme      &scheme,
+                           const double       velocity,
+                           const double       end,
+                           const unsigned int n_steps)
   {
     SceneRun run(one_mass_scene(law,
                                 scheme.steps(end / n_steps, end),
@@ -96,29 +95,31 @@ namespace
     }
   };
 
-  constexpr BilinearOscillator oscillator{100, 400, 0.05, 1};
+  constexpr BilinearOscillator two_stiffnesses{100, 400, 0.05, 1};
 
-  const std::string bilinear = "Law = bilinear | Spring stiffness = 100 | "
-                               "Second stiffness = 400 | Kink extension = 0.05";
-  const std::string gap = "Law = gap | Spring stiffness = 400 | Gap = 0.05";
+  const std::string bilinear_law =
+    "Law = bilinear | Spring stiffness = 100 | "
+    "Second stiffness = 400 | Kink extension = 0.05";
+  const std::string gap_law = "Law = gap | Spring stiffness = 400 | Gap = 0.05";
 } // namespace
 
 TEST(NonlinearConnectors, BilinearOscillator)
 {
   ComparisonTable table("Bilinear oscillator: amplitude (m), and displacement "
                         "after a period, 400 steps (m); order in the step");
-  const double    period = 4 * oscillator.quarter_period();
+  const double    period = 4 * two_stiffnesses.quarter_period();
   for (const Scheme &scheme : three_schemes)
     {
       const double amplitude =
-        -end_of(bilinear, scheme, -1, period / 4, 200).displacement;
+        -motion_at_end(bilinear_law, scheme, -1, period / 4, 200).displacement;
       table.relative(scheme.name + ", amplitude",
                      amplitude,
-                     oscillator.amplitude(),
+                     two_stiffnesses.amplitude(),
                      2e-4);
-      const double coarse =
-                     end_of(bilinear, scheme, 1, period, 200).displacement,
-                   fine = end_of(bilinear, scheme, 1, period, 400).displacement;
+      const double
+        coarse =
+          motion_at_end(bilinear_law, scheme, 1, period, 200).displacement,
+        fine = motion_at_end(bilinear_law, scheme, 1, period, 400).displacement;
       table.row(scheme.name + ", period", fine, 0, 1e-4);
       // A kink within a step is an error of second order of its own.
       if (scheme.name != "esdirk")
@@ -137,7 +138,7 @@ TEST(NonlinearConnectors, GapOscillator)
   const double    contact = pi / std::sqrt(400.), end = 0.4;
   for (const Scheme &scheme : three_schemes)
     {
-      const Motion motion = end_of(gap, scheme, 1, end, 1000);
+      const MassMotion motion = motion_at_end(gap_law, scheme, 1, end, 1000);
       table.row(scheme.name,
                 motion.displacement,
                 0.05 - (end - 0.05 - contact),
@@ -153,8 +154,8 @@ TEST(NonlinearConnectors, EnergyMomentumKeepsTheEnergy)
   ComparisonTable table("Energy of undamped oscillators over that at the start "
                         "after 300 steps of a tenth of the period");
   const std::vector<std::pair<std::string, std::string>> elastic = {
-    {"bilinear", bilinear},
-    {"gap", gap},
+    {"bilinear", bilinear_law},
+    {"gap", gap_law},
     {"hook", "Law = hook | Spring stiffness = 400 | Slack = 0.05"},
     {"cubic", "Law = cubic | Spring stiffness = 100 | Cubic stiffness = 1e4"},
     {"tabulated",
@@ -168,7 +169,7 @@ TEST(NonlinearConnectors, EnergyMomentumKeepsTheEnergy)
       // Stops have a spring beside them that brings the mass back.
       SceneRun run(one_mass_scene(
         law,
-        energy_momentum().steps(0.05, 15),
+        mean_force_scheme().steps(0.05, 15),
         mass_and_velocity(1, 1).add(
           "Connectors/spring",
           "Between = ground: 0 | Geometry = direction | Direction = 1 0 | "
@@ -194,8 +195,9 @@ TEST(NonlinearConnectors, DuffingFrequency)
       const double omega = std::sqrt(k) * (1 + 3. / 8 * x - 21. / 256 * x * x);
       const std::string law =
         "Law = cubic | Spring stiffness = 100 | Cubic stiffness = " + text(k3);
-      const double period = 2 * pi / omega;
-      const Motion motion = end_of(law, newmark(), v0, 10 * period, 10 * 2000);
+      const double     period = 2 * pi / omega;
+      const MassMotion motion =
+        motion_at_end(law, newmark(), v0, 10 * period, 10 * 2000);
       // Shift of phase over ten periods.
       const double measured =
         omega * (1 + motion.displacement / (v0 * 10 * period));
@@ -221,10 +223,11 @@ TEST(NonlinearConnectors, PowerLawDamperStopsTheMass)
         {
           const std::string name = label(scheme.name + ", exponent", a);
           table.row(name + ", half-way",
-                    end_of(law, scheme, v0, stop / 2, 200).velocity,
+                    motion_at_end(law, scheme, v0, stop / 2, 200).velocity,
                     std::pow(0.5, 1 / (1 - a)),
                     1e-4);
-          const Motion at_end = end_of(law, scheme, v0, 2 * stop, 800);
+          const MassMotion at_end =
+            motion_at_end(law, scheme, v0, 2 * stop, 800);
           table.row(name + ", stopped", at_end.velocity, 0, 1e-3);
           // Integral of (1 - t / stop)^(1 / (1 - a)).
           table.row(name + ", place",
@@ -294,7 +297,7 @@ TEST(NonlinearConnectors, HysteresisOfAFrictionSlider)
 // A mass on a slider: friction stops it; v0^2 / 2 = F0 s + F0^2 / (2 k).
 TEST(NonlinearConnectors, FrictionSliderStopsAMass)
 {
-  for (const Scheme &scheme : {newmark(), energy_momentum()})
+  for (const Scheme &scheme : {newmark(), mean_force_scheme()})
     {
       SceneRun run(one_mass_scene("Law = friction-slider | Spring stiffness = "
                                   "1000 | Slip force = 5",
@@ -364,7 +367,7 @@ TEST(NonlinearConnectors, ConnectorsBreakForGood)
                         "velocity (m/s)");
   for (const std::string limit :
        {"Failure force = 3", "Failure extension = 0.03"})
-    for (const Scheme &scheme : {newmark(), energy_momentum()})
+    for (const Scheme &scheme : {newmark(), mean_force_scheme()})
       {
         // Against the extension, as that is minus the displacement.
         SceneRun run(
