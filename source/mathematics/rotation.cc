@@ -46,11 +46,24 @@ namespace auxfem
     return result;
   }
 
-  SpaceTensor section_frame(const SpaceVector                &tangent,
-                            const std::optional<SpaceVector> &reference)
+  SpaceTensor section_frame(const SpaceVector        &tangent,
+                            const SectionOrientation &orientation)
   {
-    return section_frame(tangent,
-                         reference ? *reference : default_reference(tangent));
+    const auto &reference = orientation.reference;
+    SpaceTensor frame =
+      section_frame(tangent,
+                    reference ? *reference : default_reference(tangent));
+    if (orientation.principal_angle == 0)
+      return frame;
+    const double c = std::cos(orientation.principal_angle),
+                 s = std::sin(orientation.principal_angle);
+    for (int i = 0; i < 3; ++i)
+      {
+        const double drawn_2 = frame[i][1], drawn_3 = frame[i][2];
+        frame[i][1] = c * drawn_2 + s * drawn_3;
+        frame[i][2] = c * drawn_3 - s * drawn_2;
+      }
+    return frame;
   }
 
   SpaceTensor inverse_tangent_operator(const SpaceVector &rotation_vector)

@@ -191,7 +191,7 @@ namespace auxfem
       for (const SectionDefinition &definition : scene.sections)
         {
           const Section &section = definition.section;
-          if (!section.yield_strain || section.fibre_distances[1] > 0)
+          if (!section.yield_strain || !section.outer_fibres.empty())
             continue;
           std::ostringstream text;
           text.precision(3);

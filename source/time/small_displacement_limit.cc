@@ -238,7 +238,7 @@ namespace auxfem
       yield_limits.push_back({section.yields()
                                 ? *section.law->yield_strain()
                                 : std::numeric_limits<double>::infinity(),
-                              section.fibre_distances});
+                              section.outer_fibres});
   }
 
   LargeRotationError SmallDisplacementLimit::check_static_answer()

@@ -168,6 +168,19 @@ TEST(Rotation, SectionFrameIsRightHandedWithAxisThreeTowardsTheReference)
   EXPECT_GT(column(frame, 2) * reference, 0);
 }
 
+TEST(Rotation, SectionFrameTurnsByThePrincipalAngle)
+{
+  const SpaceVector along({0.6, 0.8, 0});
+  const SpaceTensor drawn = section_frame(along, SectionOrientation()),
+                    principal =
+                      section_frame(along, SectionOrientation{{}, 0.4});
+  const Quaternion turn = exponential(0.4 * along);
+  for (int j = 0; j < 3; ++j)
+    EXPECT_LT(distance_between(column(principal, j),
+                               rotated(turn, column(drawn, j))),
+              rotation_round_off);
+}
+
 TEST(Rotation, DefaultFrameOfAPlanarStrutHasAxisThreeAlongZ)
 {
   const SpaceVector along({0.6, 0.8, 0});

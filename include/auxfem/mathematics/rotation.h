@@ -282,12 +282,20 @@ namespace auxfem
   SpaceTensor section_frame(const SpaceVector &tangent,
                             const SpaceVector &reference);
 
-  /**
-   * As section_frame(); a missing @p reference is replaced by
-   * default_reference().
-   */
-  SpaceTensor section_frame(const SpaceVector                &tangent,
-                            const std::optional<SpaceVector> &reference);
+  /** Directions of axes 2 and 3 of a section at rest. */
+  struct SectionOrientation
+  {
+    /** Vector whose projection normal to the strut gives the drawn axis 3;
+     * empty: default_reference(). */
+    std::optional<SpaceVector> reference;
+    /** Angle about axis 1 from the drawn axes to the principal ones (rad). */
+    double principal_angle = 0;
+  };
+
+  /** As section_frame() of the reference, turned about the tangent by the
+   * principal angle. */
+  SpaceTensor section_frame(const SpaceVector        &tangent,
+                            const SectionOrientation &orientation);
 
   /**
    * Material angular velocity W (rad/s), P' = P [W]x, and angular acceleration

@@ -14,10 +14,10 @@ namespace auxfem
       rectangle,
       circle,
       tube,
-      given ///< by area and moments only: no fibres
+      without_fibres ///< known by its constants only
     };
 
-    Kind kind = Kind::given;
+    Kind kind = Kind::without_fibres;
     /** Inner over outer radius of a tube; side of a rectangle along axis 3 over
      * that along axis 2. */
     double ratio = 0;

@@ -1,7 +1,9 @@
 #ifndef auxfem_struts_section_h
 #define auxfem_struts_section_h
 
+#include <auxfem/mathematics/rotation.h>
 #include <auxfem/struts/material.h>
+#include <auxfem/struts/shapes/cross_section.h>
 
 #include <deal.II/base/tensor.h>
 
@@ -17,36 +19,16 @@ namespace auxfem
    * Axis 1 is along the strut; axes 2 and 3 are principal axes of the section.
    * In the plane, axis 2 lies in it and axis 3 is its normal.
    */
-  struct Section
+  struct Section : CrossSection
   {
     double youngs_modulus = 0; ///< E (Pa), the instantaneous one
     double shear_modulus  = 0; ///< G = E / (2 (1 + nu)) (Pa)
     double density        = 0; ///< rho (kg/m3)
-    double area           = 0; ///< A (m2)
-    /** Shear areas k A along axes 2 and 3, shear correction included (m2). */
-    double shear_area_2 = 0, shear_area_3 = 0;
-    /** I about axes 2 and 3 (m4). */
-    double second_moment_2 = 0, second_moment_3 = 0;
-    /** Saint-Venant's torsion constant J (m4). */
-    double torsion_constant = 0;
-    /** Rotary inertia per length about axes 1, 2, 3 (kg m); empty: density
-     * times I_2 + I_3, I_2, I_3. */
-    std::optional<std::array<double, 3>> given_rotary_inertia;
-    /** Vector whose projection normal to the strut gives axis 3; empty:
-     * default_reference(). */
+    /** Vector whose projection normal to the strut gives the drawn axis 3;
+     * empty: default_reference(). */
     std::optional<dealii::Tensor<1, 3>> reference;
-    /** Distance of the outer fibres from axes 2 and 3 (m); 0: unknown, the
-     * section is given by its stiffnesses. */
-    std::array<double, 2> fibre_distances = {{0., 0.}};
-    /** Half thickness across axes 2 and 3 for contact (m); 0: unknown, the
-     * section is given by its stiffnesses. */
-    std::array<double, 2> half_thicknesses = {{0., 0.}};
     /** Outer-fibre strain at which the material yields; empty: not given. */
     std::optional<double> yield_strain;
-    /** Shape, for laws that need it. */
-    SectionShape shape;
-    /** Radius of the tube drawn in ParaView (m). */
-    double radius = 0;
     /** The time beta in stress = E (strain + beta strain rate) (s). */
     double stiffness_proportional_damping = 0;
     /** The rate alpha: damping force per mass and velocity (1/s). */
@@ -73,6 +55,12 @@ namespace auxfem
           section.law = nullptr;
         }
       return section;
+    }
+
+    /** Directions of axes 2 and 3. */
+    SectionOrientation orientation() const
+    {
+      return {reference, principal_angle};
     }
 
     /** EA (N). */

@@ -41,7 +41,8 @@ namespace auxfem
             std::copy_n(base.begin(), 3, hinge.unknowns.begin());
             std::copy_n(end.begin(), 3, hinge.unknowns.begin() + 3);
             std::copy_n(multipliers.begin(), 2, hinge.unknowns.begin() + 6);
-            const SpaceTensor frame = section_frame(axis, std::nullopt);
+            const SpaceTensor frame =
+              section_frame(axis, default_reference(axis));
             for (unsigned int c = 0; c < 3; ++c)
               {
                 hinge.axis[c]      = frame[c][0];

@@ -261,10 +261,9 @@ namespace auxfem
         return std::max(stiffness.axial, stiffness.shear);
       }
 
-      static Frame
-      frame(const dealii::Tensor<1, 3> &tangent,
-            const dealii::Tensor<1, 3> &slope,
-            const std::optional<dealii::Tensor<1, 3>> & /*reference*/)
+      static Frame frame(const dealii::Tensor<1, 3> &tangent,
+                         const dealii::Tensor<1, 3> &slope,
+                         const SectionOrientation & /*orientation*/)
       {
         return {tangent[0],
                 tangent[1],
@@ -350,7 +349,7 @@ namespace auxfem
 
       static dealii::Tensor<2, 3>
       axes(const dealii::Tensor<1, 3> &tangent,
-           const std::optional<dealii::Tensor<1, 3>> & /*reference*/,
+           const SectionOrientation & /*orientation*/,
            const dealii::Tensor<1, 3> &rotation)
       {
         const double         angle = large_rotation ? rotation[2] : 0.;

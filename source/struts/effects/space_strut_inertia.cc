@@ -195,10 +195,9 @@ namespace auxfem
             SpaceVector      tangent;
             const double     xi = 2 * rule.point(q)[0] - 1;
             lattice.axis(strut, interval.at(xi), position, tangent);
-            const SpaceTensor inertia =
-              with_principal_values(section_frame(tangent, section.reference),
-                                    SpaceVector(
-                                      {values[0], values[1], values[2]}));
+            const SpaceTensor inertia = with_principal_values(
+              section_frame(tangent, section.orientation()),
+              SpaceVector({values[0], values[1], values[2]}));
             double N[order + 1];
             shape.values_at(xi, N);
             for (int a = 0; a <= order; ++a)

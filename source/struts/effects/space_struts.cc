@@ -308,11 +308,11 @@ namespace auxfem
                          stiffness.elastic.shear_3});
       }
 
-      static Frame frame(const SpaceVector                &tangent,
-                         const SpaceVector                &slope,
-                         const std::optional<SpaceVector> &reference)
+      static Frame frame(const SpaceVector        &tangent,
+                         const SpaceVector        &slope,
+                         const SectionOrientation &orientation)
       {
-        return {section_frame(tangent, reference), slope};
+        return {section_frame(tangent, orientation), slope};
       }
 
       static void geometric_tangent(const BeamShape<order>        &shape,
@@ -407,11 +407,11 @@ namespace auxfem
         return sum;
       }
 
-      static SpaceTensor axes(const SpaceVector                &tangent,
-                              const std::optional<SpaceVector> &reference,
-                              const SpaceVector                &rotation)
+      static SpaceTensor axes(const SpaceVector        &tangent,
+                              const SectionOrientation &orientation,
+                              const SpaceVector        &rotation)
       {
-        const SpaceTensor at_rest = section_frame(tangent, reference);
+        const SpaceTensor at_rest = section_frame(tangent, orientation);
         return large_rotation ? rotated(exponential(rotation), at_rest)
                               : at_rest;
       }

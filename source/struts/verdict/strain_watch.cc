@@ -126,11 +126,11 @@ namespace auxfem
     {
       std::vector<StrainLimit> limits;
       for (const Section &section : sections)
-        limits.push_back({doubtful_strain, section.fibre_distances});
+        limits.push_back({doubtful_strain, section.outer_fibres});
       return limits;
     }
 
-    /** Yield strains; sections with unknown fibre distances use their lower
+    /** Yield strains; sections with unknown fibres use a lower
      * bound, the radius of gyration. */
     std::vector<StrainLimit> yield_strains(const std::vector<Section> &sections)
     {
@@ -138,9 +138,9 @@ namespace auxfem
       for (const Section &section : sections)
         limits.push_back({section.yield_strain.value_or(
                             std::numeric_limits<double>::infinity()),
-                          section.fibre_distances[1] > 0
-                            ? section.fibre_distances
-                            : section.radii_of_gyration()});
+                          section.outer_fibres.empty()
+                            ? fibres_at(section.radii_of_gyration())
+                            : section.outer_fibres});
       return limits;
     }
   } // namespace

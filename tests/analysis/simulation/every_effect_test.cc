@@ -171,7 +171,7 @@ namespace
         EXPECT_TRUE(
           std::isfinite(group.report(i, evaluation.to, results).force));
     const std::vector<StrainLimit> limits(equations.model().sections.size(),
-                                          {1e-9, {{0.1, 0.1}}});
+                                          {1e-9, fibres_at({{0.1, 0.1}})});
     for (const StrutGroup &group : reporting.struts)
       {
         EXPECT_TRUE(

@@ -218,7 +218,8 @@ namespace auxfem
           dealii::Tensor<1, 3> slope;
           for (int a = 0; a <= order; ++a)
             slope += shape.derivative[g][a] / at_rest.jacobian * nodes[a];
-          at_rest.frames[g] = Beam::frame(tangent, slope, section(e).reference);
+          at_rest.frames[g] =
+            Beam::frame(tangent, slope, section(e).orientation());
         }
       return at_rest;
     }

@@ -87,7 +87,7 @@ namespace auxfem
             point.velocity = interpolated(N, e, *state.velocity);
           point.rotation = Beam::rotation(N, motion, beams.unknowns(e), state);
           point.axes =
-            Beam::axes(tangent, beams.section(e).reference, point.rotation);
+            Beam::axes(tangent, beams.section(e).orientation(), point.rotation);
           SectionForces E = {}, V = {};
           for (int g = 0; g < order; ++g)
             for (unsigned int k = 0; k < 6; ++k)
@@ -190,7 +190,7 @@ namespace auxfem
       for (std::size_t s = 0; s < limits.size(); ++s)
         bounds.push_back(
           2 * square_at_points *
-          strain_per_energy(beams.sections[s], limits[s].distances) /
+          strain_per_energy(beams.sections[s], limits[s].fibres) /
           least_stored_fraction());
       StrutStrain largest{least, invalid_index};
       for (unsigned int e = 0; e < beams.size(); ++e)
@@ -203,7 +203,7 @@ namespace auxfem
                 least_strain * least_strain * beams.at_rest(e).jacobian)
             continue;
           const double ratio =
-            largest_strain(state, e, limits[section].distances) / strain_limit;
+            largest_strain(state, e, limits[section].fibres) / strain_limit;
           if (ratio > largest.ratio)
             largest = {ratio, beams.interval(e).strut};
         }
@@ -355,13 +355,16 @@ namespace auxfem
 
     /** Upper bound of the squared outer-fibre strain over twice the energy per
      * length (1/N): N / EA + M d / EI against N^2 / EA + M^2 / EI. */
-    static double strain_per_energy(const Section               &section,
-                                    const std::array<double, 2> &distances)
+    static double strain_per_energy(const Section &section,
+                                    const std::vector<dealii::Point<2>> &fibres)
     {
-      const auto [d2, d3] = distances;
-      return 1 / section.axial_stiffness() +
-        d2 * d2 / section.bending_stiffness_2() +
-        d3 * d3 / section.bending_stiffness_3();
+      double bending = 0;
+      for (const dealii::Point<2> &fibre : fibres)
+        bending =
+          std::max(bending,
+                   fibre[0] * fibre[0] / section.bending_stiffness_3() +
+                     fibre[1] * fibre[1] / section.bending_stiffness_2());
+      return 1 / section.axial_stiffness() + bending;
     }
 
     /** Number of intervals between strain sampling points. */
@@ -398,9 +401,9 @@ namespace auxfem
     }
 
     /** Largest outer-fibre strain along element @p e. */
-    double largest_strain(const State                 &state,
-                          const unsigned int           e,
-                          const std::array<double, 2> &distances) const
+    double largest_strain(const State                         &state,
+                          const unsigned int                   e,
+                          const std::vector<dealii::Point<2>> &fibres) const
     {
       const Section &section = beams.section(e);
       SectionForces  elastic[order];
@@ -415,9 +418,15 @@ namespace auxfem
             M_2 += H[g] * elastic[g][4];
             M_3 += H[g] * elastic[g][5];
           }
-        return std::abs(N) / section.axial_stiffness() +
-          std::abs(M_2) * distances[0] / section.bending_stiffness_2() +
-          std::abs(M_3) * distances[1] / section.bending_stiffness_3();
+        const double axial       = N / section.axial_stiffness(),
+                     curvature_2 = M_2 / section.bending_stiffness_2(),
+                     curvature_3 = M_3 / section.bending_stiffness_3();
+        double largest           = std::abs(axial);
+        for (const dealii::Point<2> &fibre : fibres)
+          largest = std::max(largest,
+                             std::abs(axial + curvature_2 * fibre[1] -
+                                      curvature_3 * fibre[0]));
+        return largest;
       };
       if (!has_smooth_strains())
         {

@@ -59,8 +59,9 @@ namespace auxfem
   /** Allowed outer-fibre strain of a section. */
   struct StrainLimit
   {
-    double                strain;    ///< infinite: no limit
-    std::array<double, 2> distances; ///< fibres from axes 2, 3 (m)
+    double strain; ///< infinite: no limit
+    /** Its outermost fibres (m). */
+    std::vector<dealii::Point<2>> fibres;
   };
 
   /** Outer-fibre strain, axial plus bending, over the allowed strain. */
