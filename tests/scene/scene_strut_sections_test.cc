@@ -187,6 +187,23 @@ namespace
 
 
 
+  TEST(StrutSections, ThePlaneRefusesTurnedPrincipalAxes)
+  {
+    const std::string angle =
+      "set Shape = L\nset Height = 10\nset Width = 10\nset Thickness = 1";
+    expect_parts(input_error_of([&] { section(angle, "2"); }),
+                 {"Sections/name/Shape = L",
+                  "turned by 45 degrees",
+                  "Dimension = 3",
+                  "Second moment of area = 180 m4"});
+    EXPECT_NEAR(section(angle).orientation().principal_angle, PI / 4, 1e-12);
+    const Section upright =
+      section("set Shape = polygon\nset Corners = 0 -1, 0 1, 3 0", "2");
+    expect_close(upright.area, 3);
+  }
+
+
+
   TEST(StrutSections, ThePlaneAcceptsParametersOfSpace)
   {
     const Section plane =

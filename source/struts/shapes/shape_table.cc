@@ -7,6 +7,13 @@ namespace auxfem
     static const Registry<CrossSection> registry = {rectangle_entry(),
                                                     circle_entry(),
                                                     tube_entry(),
+                                                    ellipse_entry(),
+                                                    box_entry(),
+                                                    i_entry(),
+                                                    t_entry(),
+                                                    c_entry(),
+                                                    l_entry(),
+                                                    polygon_entry(),
                                                     given_entry()};
     return registry;
   }
@@ -41,6 +48,15 @@ namespace auxfem
       "Torsion constant J, unused in the plane; auto: Saint-Venant's.",
       {"auto"}};
     return parameter;
+  }
+
+  std::unique_ptr<CrossSection>
+  section_of_outline(const ParameterValues &values, const Outline &outline)
+  {
+    CrossSection section = section_in_outline(outline);
+    section.torsion_constant =
+      values.value_or(torsion_constant_parameter(), section.torsion_constant);
+    return std::make_unique<CrossSection>(section);
   }
 
   void set_shear_areas(const ParameterValues &values,

@@ -1,7 +1,7 @@
 #ifndef auxfem_struts_shapes_shape_table_h
 #define auxfem_struts_shapes_shape_table_h
 
-#include <auxfem/struts/shapes/cross_section.h>
+#include <auxfem/struts/shapes/outline.h>
 
 namespace auxfem
 {
@@ -11,6 +11,13 @@ namespace auxfem
   RegistryEntry<CrossSection> rectangle_entry();
   RegistryEntry<CrossSection> circle_entry();
   RegistryEntry<CrossSection> tube_entry();
+  RegistryEntry<CrossSection> ellipse_entry();
+  RegistryEntry<CrossSection> box_entry();
+  RegistryEntry<CrossSection> i_entry();
+  RegistryEntry<CrossSection> t_entry();
+  RegistryEntry<CrossSection> c_entry();
+  RegistryEntry<CrossSection> l_entry();
+  RegistryEntry<CrossSection> polygon_entry();
   RegistryEntry<CrossSection> given_entry();
   ///@}
 
@@ -21,6 +28,10 @@ namespace auxfem
 
   /** Parameter `Torsion constant`, by default Saint-Venant's. */
   const Quantity &torsion_constant_parameter();
+
+  /** section_in_outline(), with the Torsion constant that is given. */
+  std::unique_ptr<CrossSection>
+  section_of_outline(const ParameterValues &values, const Outline &outline);
 
   /** Sets both shear areas to the area times the Shear correction, or times
    * @p automatic. */
