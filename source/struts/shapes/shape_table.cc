@@ -14,6 +14,7 @@ namespace auxfem
                                                     c_entry(),
                                                     l_entry(),
                                                     polygon_entry(),
+                                                    profile_entry(),
                                                     given_entry()};
     return registry;
   }

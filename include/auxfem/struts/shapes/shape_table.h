@@ -18,6 +18,7 @@ namespace auxfem
   RegistryEntry<CrossSection> c_entry();
   RegistryEntry<CrossSection> l_entry();
   RegistryEntry<CrossSection> polygon_entry();
+  RegistryEntry<CrossSection> profile_entry();
   RegistryEntry<CrossSection> given_entry();
   ///@}
 
