@@ -175,17 +175,22 @@ namespace auxfem
     const SimulatedEffects &simulated = structure.plan.simulated;
     if (!structure.lattice.rigid_parts.empty())
       {
-        std::array<TimeFunction, 3> gravity;
-        if (simulated.gravity)
-          for (unsigned int c = 0; c < gravity.size(); ++c)
-            gravity[c] =
-              proportional(structure.plan.scene.gravity.acceleration[c],
-                           structure.plan);
+        const Scene                &scene = structure.plan.scene;
+        std::array<TimeFunction, 3> gravity, base;
+        for (unsigned int c = 0; c < gravity.size(); ++c)
+          {
+            if (simulated.gravity)
+              gravity[c] =
+                proportional(scene.gravity.acceleration[c], structure.plan);
+            base[c] =
+              proportional(scene.base_motion.acceleration[c], structure.plan);
+          }
         auto parts = make_rigid_part_constraints(structure.bodies,
                                                  {structure.lattice,
                                                   structure.numbering,
                                                   simulated.large_rotation,
-                                                  gravity});
+                                                  gravity,
+                                                  base});
         reporting_effects.rigid_parts = parts.get();
         reporting_effects.constraints.push_back(parts.get());
         effects.push_back(std::move(parts));

@@ -249,6 +249,26 @@ namespace auxfem
     const auto acceleration = for_axes<TimeExpression>(
       {"Acceleration", "0", "m/s2", "Acceleration of free fall"});
 
+    // Base motion
+
+    const auto base_acceleration = for_axes<TimeExpression>(
+      {"Acceleration",
+       "0",
+       "m/s2",
+       "Acceleration of the base, such as `table: quake.csv`"});
+
+    /** The @p components of an acceleration. */
+    AccelerationDefinition
+    read_acceleration(ParameterValues                     &values,
+                      const std::array<TimeExpression, 3> &components)
+    {
+      AccelerationDefinition result;
+      require_space(values, components[2]);
+      for (unsigned int c = 0; c < components.size(); ++c)
+        result.acceleration[c] = read_time_function(values, components[c]);
+      return result;
+    }
+
     // Initial velocities
 
     const auto initial_velocity = for_components<Quantity>(
@@ -343,16 +363,31 @@ namespace auxfem
 
 
 
-  GravityDefinition read_gravity(ParameterValues &values)
+  AccelerationDefinition read_gravity(ParameterValues &values)
   {
-    GravityDefinition gravity;
-    require_space(values, acceleration[2]);
-    for (unsigned int c = 0; c < acceleration.size(); ++c)
-      gravity.acceleration[c] = read_time_function(values, acceleration[c]);
-    return gravity;
+    return read_acceleration(values, acceleration);
   }
 
-  bool GravityDefinition::is_zero() const
+  SubsectionSchema base_motion_schema()
+  {
+    return {
+      "Base motion",
+      SubsectionSchema::Form::fixed,
+      "Earthquakes and shakers: supports, plates and all results are relative to "
+      "a base that accelerates without turning. Masses are loaded by minus this "
+      "acceleration, so that a record needs no correction of its drift. In a "
+      "frequency response it is the amplitude.",
+      with({}, base_acceleration)};
+  }
+
+
+
+  AccelerationDefinition read_base_motion(ParameterValues &values)
+  {
+    return read_acceleration(values, base_acceleration);
+  }
+
+  bool AccelerationDefinition::is_zero() const
   {
     return std::all_of(acceleration.begin(),
                        acceleration.end(),
@@ -361,7 +396,7 @@ namespace auxfem
                        });
   }
 
-  std::vector<TimeFunction> GravityDefinition::varying_components() const
+  std::vector<TimeFunction> AccelerationDefinition::varying_components() const
   {
     std::vector<TimeFunction> all;
     for (const TimeFunction &along : acceleration)

@@ -207,6 +207,7 @@ namespace auxfem
     for (const LineLoadDefinition &load : plan.scene.line_loads)
       axes.add(acting(load.components));
     axes.add(acting(plan.scene.gravity.acceleration));
+    axes.add(acting(plan.scene.base_motion.acceleration));
     return axes.single_axis_or(1);
   }
 

@@ -175,7 +175,8 @@ namespace auxfem
     {
       const bool statics = is_static(scene);
       const bool weight =
-        !scene.gravity.is_zero() && scene.effects.gravity != Switch::off;
+        (!scene.gravity.is_zero() && scene.effects.gravity != Switch::off) ||
+        !scene.base_motion.is_zero();
       if (statics && !weight)
         return;
       for (const SectionDefinition &section : scene.sections)
@@ -183,7 +184,7 @@ namespace auxfem
           mistakes.add(message(scene,
                                section.material_path,
                                "/Density must be given, because there is ",
-                               statics ? "weight (Gravity)"
+                               statics ? "weight (Gravity) or Base motion"
                                        : "inertia (Time/Scheme = " +
                                    scene.time.scheme->name() + ")",
                                ". Allowed: a number >= 0 in kg/m3, 0 for "

@@ -232,6 +232,7 @@ namespace auxfem
       {masses_schema(), add<&Scene::masses, read_mass>},
       {loads_schema(), add_load},
       {gravity_schema(), set<&Scene::gravity, read_gravity>},
+      {base_motion_schema(), set<&Scene::base_motion, read_base_motion>},
       {initial_velocities_schema(),
        add<&Scene::initial_velocities, read_initial_velocity>},
       {plates_schema(), add_plate},

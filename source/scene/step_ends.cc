@@ -27,6 +27,7 @@ namespace auxfem
       for (const InitialStrainDefinition &strain : plan.scene.initial_strains)
         functions.push_back(strain.history);
       add(plan.scene.gravity.varying_components());
+      add(plan.scene.base_motion.acceleration);
       return functions;
     }
 

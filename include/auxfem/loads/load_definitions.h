@@ -158,8 +158,9 @@ namespace auxfem
                std::vector<InitialStrainDefinition>>
   read_load(ParameterValues &values);
 
-  /** `Gravity`: the acceleration of free fall. */
-  struct GravityDefinition
+  /** Acceleration that loads all masses: `Gravity`, that of free fall, or `Base
+   * motion`, that of the frame in which supports are given. */
+  struct AccelerationDefinition
   {
     std::array<TimeFunction, 3> acceleration; ///< along x, y, z (m/s2)
 
@@ -174,7 +175,13 @@ namespace auxfem
   SubsectionSchema gravity_schema();
 
   /** Reads `Gravity`. */
-  GravityDefinition read_gravity(ParameterValues &values);
+  AccelerationDefinition read_gravity(ParameterValues &values);
+
+  /** Schema of `Base motion`. */
+  SubsectionSchema base_motion_schema();
+
+  /** Reads `Base motion`. */
+  AccelerationDefinition read_base_motion(ParameterValues &values);
 
   /** `Initial velocities/NAME`: velocity of a set of joints at t = 0. */
   struct InitialVelocityDefinition

@@ -48,7 +48,8 @@ namespace auxfem
     std::vector<LineLoadDefinition>        line_loads;
     std::vector<InitialStrainDefinition>   initial_strains;
     std::vector<InitialVelocityDefinition> initial_velocities;
-    GravityDefinition                      gravity;
+    AccelerationDefinition                 gravity;
+    AccelerationDefinition                 base_motion;
     /** Plates; their supports, masses and initial velocities are also among
      * those of the scene. */
     std::vector<PlateDefinition> plates;

@@ -108,32 +108,52 @@ namespace auxfem
           }
       }
 
-      /** @param with_masses whether the weight of point masses is included */
-      void add_gravity(const bool with_masses)
+      /** Adds the weight, and the load of masses by base motion.
+       * @param with_masses whether that of point masses is included */
+      void add_accelerations(const bool with_masses)
+      {
+        if (plan.simulated.gravity)
+          add_acceleration(scene.gravity,
+                           1,
+                           {EnergyKind::work,
+                            "gravity_work",
+                            "work of the weight since the start"},
+                           with_masses);
+        add_acceleration(scene.base_motion,
+                         -1,
+                         {EnergyKind::work,
+                          "base_motion_work",
+                          "work of the base motion since the start, seen from "
+                          "the base"},
+                         with_masses);
+      }
+
+      /** Adds the mass times @p sign times an acceleration. */
+      void add_acceleration(const AccelerationDefinition &definition,
+                            const double                  sign,
+                            const EnergyEntry            &work,
+                            const bool                    with_masses)
       {
         const std::vector<bool> all(lattice.struts.size(), true);
         for (unsigned int c = 0; c < lattice.dimension; ++c)
           {
-            const TimeFunction &acceleration = scene.gravity.acceleration[c];
+            const TimeFunction &acceleration = definition.acceleration[c];
             if (acceleration.is_zero())
               continue;
-            AppliedLoad load{proportional(acceleration, plan),
-                             {EnergyKind::work,
-                              "gravity_work",
-                              "work of the weight since the start"},
-                             {}};
+            AppliedLoad load{proportional(acceleration, plan), work, {}};
             add_along_struts(
               c,
               all,
               [&](const Strut &strut) {
-                return model.sections[strut.section].mass_per_length();
+                return sign *
+                  model.sections[strut.section].mass_per_length();
               },
               load);
             for_each_body([&](const auto &body) {
               const RigidPart &part = lattice.rigid_parts[body.part];
               add_shares(
                 force_shares(body, lattice, numbering, part.centre_of_mass, c),
-                part.mass,
+                sign * part.mass,
                 load);
             });
             if (with_masses)
@@ -142,7 +162,7 @@ namespace auxfem
                      joints_of(mass, lattice, scene.context))
                   if (numbering.joint_unknown(joint, c) >= 0)
                     load.weights.push_back(
-                      {numbering.joint_unknown(joint, c), mass.mass});
+                      {numbering.joint_unknown(joint, c), sign * mass.mass});
             dead.push_back(std::move(load));
           }
       }
@@ -245,8 +265,7 @@ namespace auxfem
       else
         loads.add_dead(load);
     loads.add_line_loads();
-    if (model.plan.simulated.gravity)
-      loads.add_gravity(/*with_masses=*/true);
+    loads.add_accelerations(/*with_masses=*/true);
     return loads.make_effects();
   }
 
@@ -258,8 +277,7 @@ namespace auxfem
     const RigidBodies bodies = rigid_bodies(lattice, numbering);
     Loads             loads{model, lattice, numbering, bodies};
     loads.add_line_loads();
-    if (model.plan.simulated.gravity)
-      loads.add_gravity(/*with_masses=*/false);
+    loads.add_accelerations(/*with_masses=*/false);
     return loads.make_effects();
   }
 } // namespace auxfem

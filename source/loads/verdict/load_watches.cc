@@ -124,6 +124,7 @@ namespace auxfem
              run.plan.scene.initial_strains)
           add(strain.history, run.statistics);
         add(run.plan.scene.gravity.acceleration, run.statistics);
+        add(run.plan.scene.base_motion.acceleration, run.statistics);
       }
 
       void step(const Evaluation &step,

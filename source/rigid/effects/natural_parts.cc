@@ -337,7 +337,8 @@ namespace auxfem
       for (unsigned int s = 0; s < 2 * dim; ++s)
         on_base[r] += body.mass[2 * dim * r + s] *
           ((state.acceleration ? (*state.acceleration)[body.base[s]] : 0.) -
-           gravity[s % dim].value(time_of_loads(state)));
+           gravity[s % dim].value(time_of_loads(state)) +
+           base_acceleration[s % dim].value(time_of_loads(state)));
     const Vec G = gradient(bases[b], u);
     for (unsigned int c = 0; c < dim; ++c)
       {

@@ -45,6 +45,7 @@ namespace auxfem
       , numbering(setting.numbering)
       , large_rotation(setting.large_rotation)
       , gravity(setting.gravity)
+      , base_acceleration(setting.base_acceleration)
     {
       for (unsigned int b = 0; b < bodies.size(); ++b)
         {
@@ -278,7 +279,7 @@ namespace auxfem
     const Lattice                      &lattice;
     const DofNumbering                 &numbering;
     const bool                          large_rotation;
-    const std::array<TimeFunction, 3>   gravity;
+    const std::array<TimeFunction, 3>   gravity, base_acceleration;
 
     std::vector<Base>  bases; ///< one per body
     std::vector<Joint> joints;

@@ -35,6 +35,8 @@ namespace auxfem
     /** Gravity along x, y, z for the reported forces (m/s2), zero if it is left
      * out. */
     std::array<TimeFunction, 3> gravity;
+    /** Acceleration of the base (m/s2), see `Base motion`. */
+    std::array<TimeFunction, 3> base_acceleration;
   };
 
   /** The constraints that keep rigid parts of one kind rigid. */
