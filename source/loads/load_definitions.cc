@@ -142,14 +142,21 @@ namespace auxfem
 
     // Loads
 
-    const Choice load_type = {"Type",
-                              "joint",
-                              {"joint", "line", "temperature", "pretension"},
-                              "What loads joints or struts."};
+    const Choice load_type = {
+      "Type",
+      "joint",
+      {"joint", "line", "pressure", "temperature", "pretension"},
+      "What loads joints or struts."};
 
     const auto joint_load = for_components<TimeExpression>(
       {"Force", "0", "N", "Force on every joint of the set"},
       {"Moment", "0", "N m", "Moment on every joint of the set"});
+
+    const Text distribution = {
+      "Distribution",
+      "1",
+      "Factor of the load by position at rest: an expression in x, y, z (m) and "
+      "the bounds xmin, xmax, ... of the lattice."};
 
     const Choice load_direction = {
       "Direction",
@@ -160,6 +167,13 @@ namespace auxfem
 
     const auto line_load = for_axes<TimeExpression>(
       {"Force per length", "0", "N/m", "Force per undeformed length"});
+
+    const TimeExpression pressure = {
+      "Pressure",
+      "0",
+      "N/m",
+      "Time history of the force per current length, to the left of the way from "
+      "the first joint to the second"};
 
     const TimeExpression temperature = {
       "Temperature",
@@ -195,6 +209,7 @@ namespace auxfem
       load.name          = values.name();
       load.path          = values.context.path;
       load.joints        = values[set_of_joints];
+      load.distribution  = values[distribution];
       load.follows_joint = values[load_direction] != "fixed";
       for (unsigned int c = 0; c < joint_load.size(); ++c)
         {
@@ -208,13 +223,26 @@ namespace auxfem
     LineLoadDefinition read_line_load(ParameterValues &values)
     {
       LineLoadDefinition load;
-      load.name   = values.name();
-      load.path   = values.context.path;
-      load.struts = values[loaded_struts];
+      load.name         = values.name();
+      load.path         = values.context.path;
+      load.struts       = values[loaded_struts];
+      load.distribution = values[distribution];
       require_space(values, line_load[2]);
       for (unsigned int c = 0; c < line_load.size(); ++c)
         load.components[c] = read_time_function(values, line_load[c]);
       return load;
+    }
+
+    PressureDefinition read_pressure(ParameterValues &values)
+    {
+      if (values.context.dimension == 3)
+        values.refuse(load_type,
+                      "struts in space have no side. Use Type = line");
+      return {values.name(),
+              values[loaded_struts],
+              read_time_function(values, pressure),
+              values[distribution],
+              values.context.path};
     }
 
     /** The initial strains of one load; those that stay zero are left out. */
@@ -228,6 +256,7 @@ namespace auxfem
                                        values[loaded_struts],
                                        cause,
                                        read_time_function(values, parameter),
+                                       values[distribution],
                                        values.context.path};
         if (!strain.history.is_zero())
           strains.push_back(strain);
@@ -314,31 +343,36 @@ namespace auxfem
 
   SubsectionSchema loads_schema()
   {
-    return {"Loads",
-            SubsectionSchema::Form::named_groups,
-            "Forces, moments, temperatures and pretension; loads of a joint or "
-            "strut add up.",
-            {load_type},
-            "Type",
-            {{"joint",
-              "Force and moment on joints.",
-              with({set_of_joints, load_direction}, joint_load)},
-             {"line",
-              "Dead force per length on struts.",
-              with({loaded_struts}, line_load)},
-             {"temperature",
-              "Temperature of struts, uniform along them.",
-              {loaded_struts, temperature, gradient_2, gradient_3}},
-             {"pretension",
-              "Struts built in too short, as cables that are tightened. With "
-              "inertia, Static start = on begins in the equilibrium.",
-              {loaded_struts, pretension}}}};
+    return {
+      "Loads",
+      SubsectionSchema::Form::named_groups,
+      "Forces, moments, temperatures and pretension; loads of a joint or "
+      "strut add up.",
+      {load_type},
+      "Type",
+      {{"joint",
+        "Force and moment on joints.",
+        with({set_of_joints, load_direction, distribution}, joint_load)},
+       {"line",
+        "Dead force per length on struts.",
+        with({loaded_struts, distribution}, line_load)},
+       {"pressure",
+        "Force normal to struts in the plane, which follows them.",
+        {loaded_struts, pressure, distribution}},
+       {"temperature",
+        "Temperature of struts, uniform along them.",
+        {loaded_struts, temperature, gradient_2, gradient_3, distribution}},
+       {"pretension",
+        "Struts built in too short, as cables that are tightened. With "
+        "inertia, Static start = on begins in the equilibrium.",
+        {loaded_struts, pretension, distribution}}}};
   }
 
 
 
   std::variant<JointLoadDefinition,
                LineLoadDefinition,
+               PressureDefinition,
                std::vector<InitialStrainDefinition>>
   read_load(ParameterValues &values)
   {
@@ -346,6 +380,8 @@ namespace auxfem
       return read_joint_load(values);
     if (values[load_type] == "line")
       return read_line_load(values);
+    if (values[load_type] == "pressure")
+      return read_pressure(values);
     return read_initial_strains(values);
   }
 

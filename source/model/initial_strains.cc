@@ -96,13 +96,16 @@ namespace auxfem
       !plan.time.scheme->is_dynamic() && !plan.time.static_start;
     for (const InitialStrainDefinition &definition : plan.scene.initial_strains)
       {
-        InitialStrain strain{definition.name,
+        InitialStrain    strain{definition.name,
                              kind_of(definition.cause),
                              proportional(definition.history, plan),
                              std::vector<double>(lattice.struts.size(), 0.)};
+        PositionFunction factor =
+          load_distribution(definition, lattice, plan.scene.context);
         for (const unsigned int strut :
              struts_of(definition, lattice, plan.scene.context))
           strain.factors[strut] =
+            factor.value_at(lattice.centroid(lattice.struts[strut])) *
             factor_of(definition.cause,
                       sections[lattice.struts[strut].section]);
         result.strains.push_back(std::move(strain));

@@ -4,6 +4,8 @@
 #include <auxfem/struts/beam_dispatch.h>
 #include <auxfem/struts/beam_shape.h>
 
+#include <deal.II/base/quadrature_lib.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -179,6 +181,15 @@ namespace auxfem
       const BeamShape<p> shape;
       integrals.assign(shape.integral, shape.integral + p + 1);
       nodes.assign(shape.node, shape.node + p + 1);
+      const dealii::QGauss<1> gauss(p + 1);
+      for (unsigned int q = 0; q < gauss.size(); ++q)
+        {
+          Point point{2 * gauss.point(q)[0] - 1,
+                      2 * gauss.weight(q),
+                      std::vector<double>(p + 1)};
+          shape.values_at(point.xi, point.shapes.data());
+          points.push_back(point);
+        }
     });
   }
 } // namespace auxfem

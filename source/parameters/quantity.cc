@@ -22,16 +22,16 @@ namespace auxfem
       Unit        unit;
     };
 
-    constexpr Dimensions none        = {{0, 0, 0, 0, 0}};
-    constexpr Dimensions length      = {{1, 0, 0, 0, 0}};
-    constexpr Dimensions mass        = {{0, 1, 0, 0, 0}};
-    constexpr Dimensions time        = {{0, 0, 1, 0, 0}};
-    constexpr Dimensions angle       = {{0, 0, 0, 1, 0}};
-    constexpr Dimensions force       = {{1, 1, -2, 0, 0}};
-    constexpr Dimensions pressure    = {{-1, 1, -2, 0, 0}};
-    constexpr Dimensions energy      = {{2, 1, -2, 0, 0}};
-    constexpr Dimensions rate        = {{0, 0, -1, 0, 0}};
-    constexpr Dimensions temperature = {{0, 0, 0, 0, 1}};
+    constexpr Dimension none        = {{0, 0, 0, 0, 0}};
+    constexpr Dimension length      = {{1, 0, 0, 0, 0}};
+    constexpr Dimension mass        = {{0, 1, 0, 0, 0}};
+    constexpr Dimension time        = {{0, 0, 1, 0, 0}};
+    constexpr Dimension angle       = {{0, 0, 0, 1, 0}};
+    constexpr Dimension force       = {{1, 1, -2, 0, 0}};
+    constexpr Dimension pressure    = {{-1, 1, -2, 0, 0}};
+    constexpr Dimension energy      = {{2, 1, -2, 0, 0}};
+    constexpr Dimension rate        = {{0, 0, -1, 0, 0}};
+    constexpr Dimension temperature = {{0, 0, 0, 0, 1}};
 
     const std::vector<Symbol> &symbols()
     {

@@ -169,6 +169,8 @@ namespace auxfem
         scene.joint_loads.push_back(*on_joints);
       else if (const auto *on_struts = std::get_if<LineLoadDefinition>(&load))
         scene.line_loads.push_back(*on_struts);
+      else if (const auto *pressure = std::get_if<PressureDefinition>(&load))
+        scene.pressures.push_back(*pressure);
       else
         for (const InitialStrainDefinition &strain :
              std::get<std::vector<InitialStrainDefinition>>(load))

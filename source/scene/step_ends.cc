@@ -24,6 +24,8 @@ namespace auxfem
         add(load.components);
       for (const LineLoadDefinition &load : plan.scene.line_loads)
         add(load.components);
+      for (const PressureDefinition &load : plan.scene.pressures)
+        functions.push_back(load.pressure);
       for (const InitialStrainDefinition &strain : plan.scene.initial_strains)
         functions.push_back(strain.history);
       add(plan.scene.gravity.varying_components());

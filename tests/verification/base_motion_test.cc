@@ -18,8 +18,8 @@ namespace
   constexpr double stiffness = 400, mass = 4, omega = 10; // N/m, kg, 1/s
 
   /** Times (s) and accelerations (m/s2) of a record. */
-  const std::vector<std::array<double, 2>> record = {
-    {{0, 0}}, {{0.2, 3}}, {{0.5, -4}}, {{0.6, 1}}, {{0.9, 2}}, {{1, 0}}};
+  const std::vector<std::array<double, 2>> record =
+    {{{0, 0}}, {{0.2, 3}}, {{0.5, -4}}, {{0.6, 1}}, {{0.9, 2}}, {{1, 0}}};
 
   /**
    * Displacement at the end of the record relative to the base: between its
@@ -71,15 +71,15 @@ TEST(BaseMotion, ShakesAMassByARecord)
   const std::filesystem::path file =
     std::filesystem::temp_directory_path() / "auxfem-base-motion.csv";
   write_text(file, record_text());
-  const double   exact = exact_displacement();
+  const double    exact = exact_displacement();
   ComparisonTable table("Mass on a shaken base");
   for (const char *scheme : {"newmark", "generalized-alpha", "energy-momentum"})
     {
       const auto error = [&](const double dt) {
-        SceneRun run(mass_on_rod()
-                       .set("Base motion/Acceleration x",
-                            "table: " + file.string())
-                       .time(1, dt, scheme));
+        SceneRun run(
+          mass_on_rod()
+            .set("Base motion/Acceleration x", "table: " + file.string())
+            .time(1, dt, scheme));
         run.run();
         EXPECT_LT(std::abs(run.balance()), 1e-10 * run.state.largest_energy);
         return std::abs(run.motion(1, 0) - exact);

@@ -3,11 +3,13 @@
 
 #include <auxfem/loads/time_function.h>
 #include <auxfem/mesh/lattice.h>
+#include <auxfem/mesh/position_function.h>
 #include <auxfem/parameters/parameter_values.h>
 #include <auxfem/parameters/subsection_schema.h>
 
 #include <deal.II/base/tensor.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <variant>
@@ -111,9 +113,19 @@ namespace auxfem
     std::string                                   name;
     std::string                                   joints;
     std::array<TimeFunction, n_motion_components> components; ///< N, N m
+    std::string distribution = "1"; ///< factor, see load_distribution()
     /** Whether force and moment turn with the joint (follower loads). */
     bool        follows_joint = false;
     std::string path; ///< for messages
+
+    bool is_zero() const
+    {
+      return std::all_of(components.begin(),
+                         components.end(),
+                         [](const TimeFunction &component) {
+                           return component.is_zero();
+                         });
+    }
   };
 
   /**
@@ -125,7 +137,19 @@ namespace auxfem
     std::string                 name;
     std::string                 struts;
     std::array<TimeFunction, 3> components; ///< q_x, q_y, q_z (N/m)
-    std::string                 path;       ///< for messages
+    std::string distribution = "1";         ///< factor, see load_distribution()
+    std::string path;                       ///< for messages
+  };
+
+  /** `Loads/NAME` of type `pressure`, in the plane: a force per current length
+   * normal to a set of struts. */
+  struct PressureDefinition
+  {
+    std::string  name;
+    std::string  struts;
+    TimeFunction pressure;           ///< to the left (N/m)
+    std::string  distribution = "1"; ///< factor, see load_distribution()
+    std::string  path;               ///< for messages
   };
 
   /**
@@ -145,9 +169,26 @@ namespace auxfem
     std::string  name;
     std::string  struts;
     Cause        cause = Cause::temperature;
-    TimeFunction history; ///< K, K/m or N
-    std::string  path;    ///< for messages
+    TimeFunction history;            ///< K, K/m or N
+    std::string  distribution = "1"; ///< factor, see load_distribution()
+    std::string  path;               ///< for messages
   };
+
+  /** The factor by position (m) that @p definition of `Loads/NAME` gives. Throws
+   * InputError if it is not an expression of x, y, z. */
+  template <class Definition>
+  PositionFunction load_distribution(const Definition   &definition,
+                                     const Lattice      &lattice,
+                                     const SceneContext &context)
+  {
+    return {
+      definition.distribution,
+      "expression",
+      "Allowed: x, y, z (m), xmin, xmax, ... and constants, e.g. x / xmax",
+      lattice,
+      context,
+      definition.path + "/Distribution"};
+  }
 
   /** Schema of `Loads`. */
   SubsectionSchema loads_schema();
@@ -155,6 +196,7 @@ namespace auxfem
   /** Reads `Loads/NAME`. Throws InputError if values contradict each other. */
   std::variant<JointLoadDefinition,
                LineLoadDefinition,
+               PressureDefinition,
                std::vector<InitialStrainDefinition>>
   read_load(ParameterValues &values);
 

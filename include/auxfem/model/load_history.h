@@ -60,10 +60,20 @@ namespace auxfem
   {
     explicit LineRule(unsigned int order);
 
+    /** A point of Gauss' rule with the shape functions there, which integrates
+     * their products with polynomials of the same degree exactly. */
+    struct Point
+    {
+      double              xi; ///< in [-1, 1]
+      double              weight;
+      std::vector<double> shapes; ///< by node
+    };
+
     /** Integrals of the shape functions over [-1, 1]. */
     std::vector<double> integrals;
     /** Nodes in [-1, 1]. */
     std::vector<double> nodes;
+    std::vector<Point>  points;
   };
 } // namespace auxfem
 

@@ -46,6 +46,7 @@ namespace auxfem
     std::vector<MassDefinition>            masses;
     std::vector<JointLoadDefinition>       joint_loads;
     std::vector<LineLoadDefinition>        line_loads;
+    std::vector<PressureDefinition>        pressures;
     std::vector<InitialStrainDefinition>   initial_strains;
     std::vector<InitialVelocityDefinition> initial_velocities;
     AccelerationDefinition                 gravity;

@@ -20,7 +20,7 @@ namespace auxfem
       return plan.effects.large_rotation == Switch::automatic &&
         exact.unknowns().n_free() > 0 && !exact.is_linear() &&
         exact.reporting().constraints.empty() &&
-        exact.reporting().plates == nullptr &&
+        exact.reporting().plates == nullptr && plan.scene.pressures.empty() &&
         !plan.time.implicit_scheme().uses_discrete_gradient() &&
         std::none_of(loads.begin(),
                      loads.end(),

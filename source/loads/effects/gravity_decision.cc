@@ -35,7 +35,7 @@ namespace auxfem
       for (unsigned int i = 0; i <= n_samples; ++i)
         {
           double square = 0;
-          for (unsigned int c = 0; c < 3; ++c)
+          for (std::size_t c = 0; c < std::min<std::size_t>(3, n); ++c)
             if (!components[c].is_zero())
               square +=
                 std::pow(components[c].value(end_time * i / n_samples), 2);
@@ -49,13 +49,44 @@ namespace auxfem
     {
       double sum = 0;
       for (const JointLoadDefinition &load : plan.joint_loads())
-        sum += largest_norm(load.components, plan.time.end_time) *
-          joints_of(load, lattice, plan.scene.context).size();
+        {
+          const double largest =
+            largest_norm(load.components, plan.time.end_time);
+          PositionFunction factor =
+            load_distribution(load, lattice, plan.scene.context);
+          for (const unsigned int joint :
+               joints_of(load, lattice, plan.scene.context))
+            sum += largest * std::abs(factor.value_at(lattice.joints[joint]));
+        }
       for (const LineLoadDefinition &load : plan.scene.line_loads)
-        for (const unsigned int s :
-             struts_of(load, lattice, plan.scene.context))
-          sum += largest_norm(load.components, plan.time.end_time) *
-            lattice.length(lattice.struts[s]);
+        {
+          const double largest =
+            largest_norm(load.components, plan.time.end_time);
+          PositionFunction factor =
+            load_distribution(load, lattice, plan.scene.context);
+          for (const unsigned int s :
+               struts_of(load, lattice, plan.scene.context))
+            sum += largest * lattice.length(lattice.struts[s]) *
+              std::abs(factor.value_at(lattice.centroid(lattice.struts[s])));
+        }
+      return sum;
+    }
+
+    /** As sum_of_forces(), of pressures. */
+    double sum_of_pressures(const RunPlan &plan, const Lattice &lattice)
+    {
+      double sum = 0;
+      for (const PressureDefinition &load : plan.scene.pressures)
+        {
+          const double largest =
+            largest_norm<1>({{load.pressure}}, plan.time.end_time);
+          PositionFunction factor =
+            load_distribution(load, lattice, plan.scene.context);
+          for (const unsigned int s :
+               struts_of(load, lattice, plan.scene.context))
+            sum += largest * lattice.length(lattice.struts[s]) *
+              std::abs(factor.value_at(lattice.centroid(lattice.struts[s])));
+        }
       return sum;
     }
 
@@ -67,7 +98,8 @@ namespace auxfem
       double forces = 0;
       try
         {
-          forces = sum_of_forces(plan, lattice);
+          forces =
+            sum_of_forces(plan, lattice) + sum_of_pressures(plan, lattice);
         }
       catch (const ComputationError &)
         {

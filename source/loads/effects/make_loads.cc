@@ -1,10 +1,13 @@
 #include <auxfem/equations/make_effects.h>
 #include <auxfem/loads/effects/applied_loads.h>
 #include <auxfem/loads/effects/follower_loads.h>
+#include <auxfem/loads/effects/pressure.h>
 #include <auxfem/mesh/sets.h>
 #include <auxfem/model/load_history.h>
 #include <auxfem/model/unknown_records.h>
 #include <auxfem/parameters/errors.h>
+#include <auxfem/struts/beam_dispatch.h>
+#include <auxfem/struts/beam_shape.h>
 
 #include <algorithm>
 
@@ -39,9 +42,11 @@ namespace auxfem
           {
             if (definition.components[c].is_zero())
               continue;
-            AppliedLoad load{proportional(definition.components[c], plan),
+            AppliedLoad      load{proportional(definition.components[c], plan),
                              work_entry(definition.name),
                              {}};
+            PositionFunction factor =
+              load_distribution(definition, lattice, scene.context);
             for (const unsigned int joint : joints)
               {
                 if (!numbering.joint_has(joint, c))
@@ -50,7 +55,8 @@ namespace auxfem
                                    missing_rotation_reason(numbering, joint));
                 const int unknown = numbering.joint_unknown(joint, c);
                 if (unknown >= 0)
-                  load.weights.push_back({unknown, 1.});
+                  load.weights.push_back(
+                    {unknown, factor.value_at(lattice.joints[joint])});
               }
             dead.push_back(std::move(load));
           }
@@ -58,6 +64,11 @@ namespace auxfem
 
       void add_following(const JointLoadDefinition &definition)
       {
+        if (definition.distribution != "1")
+          throw InputError(definition.path +
+                           "/Distribution: it must be 1 with Direction = "
+                           "follows the joint. Give a load to each set of "
+                           "joints");
         auto components = definition.components;
         for (TimeFunction &component : components)
           component = proportional(component, plan);
@@ -90,6 +101,8 @@ namespace auxfem
                                                 lattice,
                                                 lattice.centroid(
                                                   lattice.struts[strut]));
+            PositionFunction factor =
+              load_distribution(definition, lattice, scene.context);
             for (unsigned int c = 0; c < lattice.dimension; ++c)
               {
                 if (definition.components[c].is_zero())
@@ -101,11 +114,78 @@ namespace auxfem
                   c,
                   chosen,
                   [](const Strut &) { return 1.; },
+                  [&](const dealii::Point<3> &position) {
+                    return factor.value_at(position);
+                  },
                   load);
-                add_along_rigid_struts(c, chosen, load);
+                if (definition.distribution == "1")
+                  add_along_rigid_struts(c, chosen, load);
+                else
+                  refuse_rigid_struts(definition, chosen);
                 dead.push_back(std::move(load));
               }
           }
+      }
+
+      void add_pressures()
+      {
+        for (const PressureDefinition &definition : scene.pressures)
+          {
+            std::vector<bool> chosen(lattice.struts.size(), false);
+            for (const unsigned int strut :
+                 struts_of(definition, lattice, scene.context))
+              {
+                if (lattice.struts[strut].is_rigid())
+                  throw InputError(definition.path + "/Struts: strut " +
+                                   std::to_string(strut) +
+                                   " is rigid, and pressure acts on elastic "
+                                   "struts only. Leave it out of the set");
+                chosen[strut] = true;
+              }
+            PositionFunction factor =
+              load_distribution(definition, lattice, scene.context);
+            PressureLoad load{proportional(definition.pressure, plan),
+                              work_entry(definition.name),
+                              {}};
+            for (const DofNumbering::Group &group : numbering.groups())
+              dispatch_order(group.order, [&](auto order) {
+                const BeamShape<order> shape;
+                for (unsigned int e = group.begin; e < group.end; ++e)
+                  if (chosen[numbering.elements()[e].interval.strut])
+                    load.elements.push_back(pressed(e, shape, factor));
+              });
+            pressures.push_back(std::move(load));
+          }
+      }
+
+      /** Element @p e under a pressure times @p factor. */
+      template <int order>
+      PressureLoad::Element pressed(const unsigned int      e,
+                                    const BeamShape<order> &shape,
+                                    PositionFunction       &factor) const
+      {
+        const StrutInterval  &interval = numbering.elements()[e].interval;
+        const Strut          &strut    = lattice.struts[interval.strut];
+        constexpr int         n        = order + 1;
+        PressureLoad::Element pressed{e, std::vector<double>(n * n, 0.), {}};
+        dealii::Point<3>      position;
+        dealii::Tensor<1, 3>  tangent;
+        for (int g = 0; g < order; ++g)
+          {
+            lattice.axis(strut, interval.at(shape.point[g]), position, tangent);
+            const double part = shape.weight[g] * factor.value_at(position);
+            for (int a = 0; a < n; ++a)
+              for (int b = 0; b < n; ++b)
+                pressed.integrals[a * n + b] +=
+                  part * shape.value[g][a] * shape.derivative[g][b];
+          }
+        for (int a = 0; a < n; ++a)
+          {
+            lattice.axis(strut, interval.at(shape.node[a]), position, tangent);
+            pressed.positions.push_back(position[0]);
+            pressed.positions.push_back(position[1]);
+          }
+        return pressed;
       }
 
       /** Adds the weight, and the load of masses by base motion.
@@ -145,9 +225,9 @@ namespace auxfem
               c,
               all,
               [&](const Strut &strut) {
-                return sign *
-                  model.sections[strut.section].mass_per_length();
+                return sign * model.sections[strut.section].mass_per_length();
               },
+              [](const dealii::Point<3> &) { return 1.; },
               load);
             for_each_body([&](const auto &body) {
               const RigidPart &part = lattice.rigid_parts[body.part];
@@ -188,18 +268,37 @@ namespace auxfem
                                                 numbering,
                                                 raised_from_zero,
                                                 following));
+        if (!pressures.empty())
+          effects.push_back(make_pressures(numbering,
+                                           plan.simulated.large_rotation,
+                                           raised_from_zero,
+                                           pressures));
         return effects;
       }
 
       std::vector<AppliedLoad>  dead      = {};
       std::vector<FollowerLoad> following = {};
+      std::vector<PressureLoad> pressures = {};
 
-      /** Adds the force @p per_length(strut) (N/m) along component @p c to the
-       * chosen struts. */
-      template <class PerLength>
+      void refuse_rigid_struts(const LineLoadDefinition &definition,
+                               const std::vector<bool>  &chosen) const
+      {
+        for (unsigned int s = 0; s < chosen.size(); ++s)
+          if (chosen[s] && lattice.struts[s].is_rigid())
+            throw InputError(definition.path + "/Distribution: strut " +
+                             std::to_string(s) +
+                             " is rigid, and rigid struts take uniform loads "
+                             "only. Leave it out of Struts, or set "
+                             "Distribution = 1");
+      }
+
+      /** Adds the force @p per_length(strut) (N/m) along component @p c, times
+       * @p factor by position, to the chosen struts. */
+      template <class PerLength, class Factor>
       void add_along_struts(const unsigned int       c,
                             const std::vector<bool> &chosen,
                             const PerLength         &per_length,
+                            const Factor            &factor,
                             AppliedLoad             &load) const
       {
         const unsigned int n = numbering.n_components();
@@ -215,10 +314,23 @@ namespace auxfem
                 const Strut &strut = lattice.struts[interval.strut];
                 const double force = per_length(strut) * lattice.length(strut) *
                   (interval.end - interval.begin) / 2;
-                for (unsigned int a = 0; a < rule.integrals.size(); ++a)
+                std::vector<double> shares(rule.nodes.size(), 0.);
+                for (const LineRule::Point &point : rule.points)
+                  {
+                    dealii::Point<3>     position;
+                    dealii::Tensor<1, 3> tangent;
+                    lattice.axis(strut,
+                                 interval.at(point.xi),
+                                 position,
+                                 tangent);
+                    const double part = point.weight * factor(position);
+                    for (unsigned int a = 0; a < shares.size(); ++a)
+                      shares[a] += part * point.shapes[a];
+                  }
+                for (unsigned int a = 0; a < shares.size(); ++a)
                   load.weights.push_back(
                     {numbering.element_unknowns(e)[n * a + c],
-                     force * rule.integrals[a]});
+                     force * shares[a]});
               }
           }
       }
@@ -265,6 +377,7 @@ namespace auxfem
       else
         loads.add_dead(load);
     loads.add_line_loads();
+    loads.add_pressures();
     loads.add_accelerations(/*with_masses=*/true);
     return loads.make_effects();
   }
@@ -277,6 +390,7 @@ namespace auxfem
     const RigidBodies bodies = rigid_bodies(lattice, numbering);
     Loads             loads{model, lattice, numbering, bodies};
     loads.add_line_loads();
+    loads.add_pressures();
     loads.add_accelerations(/*with_masses=*/false);
     return loads.make_effects();
   }

@@ -120,6 +120,8 @@ namespace auxfem
           add(loads.components, run.statistics);
         for (const auto &loads : run.plan.scene.line_loads)
           add(loads.components, run.statistics);
+        for (const PressureDefinition &load : run.plan.scene.pressures)
+          add(load.pressure, run.statistics);
         for (const InitialStrainDefinition &strain :
              run.plan.scene.initial_strains)
           add(strain.history, run.statistics);

@@ -99,6 +99,7 @@ namespace
       .add("Loads/dead", "Joints = 4 | Force y = 0.03 * t | Moment z = 0.01")
       .add("Loads/line", "Type = line | Struts = 1 | Force per length x = 0.02")
       .set("Gravity/Acceleration y", -0.1)
+      .set("Base motion/Acceleration x", "0.2 * t")
       .mesh(2)
       .time(0.02, 0.01);
     if (in_space)
