@@ -311,7 +311,8 @@ namespace auxfem
         .remove("Joints/springs/Stiffness")
         .set("Joints/springs/Type", "rotational friction-slider")
         .set("Joints/springs/Spring stiffness", 0.8)
-        .set("Joints/springs/Slip moment", 1e-6);
+        .set("Joints/springs/Slip moment", 1e-6)
+        .set("Joints/springs/Hardening stiffness", 0.5);
     }
 
     /** Struts that yield at a stress of 0.05. Few fibres rarely begin to yield

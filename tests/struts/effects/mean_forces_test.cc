@@ -2,6 +2,7 @@
 #include <auxfem/joints/effects/rotational_springs.h>
 #include <auxfem/rigid/effects/rigid_part_group.h>
 
+#include <connectors/law_on_trial.h>
 #include <mesh/cell_from_text.h>
 #include <struts/effects/mean_step.h>
 #include <support/scene_text.h>
@@ -134,6 +135,33 @@ TEST(MeanForces, WorkOfRotationalSpringsIsStored)
         if (!to_the_ground)
           step.expect_no_resultants(evaluated.residual.data());
       }
+}
+
+TEST(MeanForces, WorkOfRotationalLawsIsStored)
+{
+  for (const bool large_rotation : {true, false})
+    {
+      MeanStep                      step(triangle, 3, large_rotation);
+      const auto                   &dofs = step.setup.dofs();
+      const std::unique_ptr<Effect> made =
+        make_rotational_laws(dofs,
+                             "knee",
+                             make_law("bilinear",
+                                      {{"Spring stiffness", "3"},
+                                       {"Second stiffness", "1"},
+                                       {"Kink extension", "0.01"}}),
+                             {{{{dofs.joint_unknown(0, rotation_z),
+                                 dofs.joint_unknown(1, rotation_z)}},
+                               0}},
+                             {0});
+      Effect &laws = *made;
+      step.make_room_for(laws);
+      const Energies       before = step.at_start(laws);
+      const EvaluatedAlone evaluated(laws, step.evaluation());
+      EXPECT_NEAR(step.work(evaluated.residual.data()),
+                  evaluated.accept().strain() - before.strain(),
+                  mean_forces_round_off);
+    }
 }
 
 TEST(MeanForces, LoadsDoTheWorkTheyRecord)
