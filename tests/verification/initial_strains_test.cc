@@ -18,9 +18,10 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  constexpr double modulus = 2e11, expansion = 1.2e-5, height = 0.02,
-                   area          = height * height,
-                   second_moment = height * height * height * height / 12;
+  constexpr double modulus = 2e11, expansion = 1.2e-5, bar_side = 0.02,
+                   area = bar_side * bar_side,
+                   second_moment =
+                     bar_side * bar_side * bar_side * bar_side / 12;
 
   SceneText heated(const std::string &more = "")
   {
@@ -31,8 +32,8 @@ namespace
              text(expansion))
       .add("Materials/steel", more)
       .add("Sections/bar",
-           "Material = steel | Shape = rectangle | Width = " + text(height) +
-             " | Height = " + text(height));
+           "Material = steel | Shape = rectangle | Width = " + text(bar_side) +
+             " | Height = " + text(bar_side));
   }
 
   SceneText one_strut(const unsigned int dimension,

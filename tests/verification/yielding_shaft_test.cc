@@ -1,9 +1,10 @@
-#include <support/pi.h>
 #include <support/scene_run.h>
 #include <support/scene_text.h>
 #include <verification/result_table.h>
 
 #include <cmath>
+
+#include <support/pi.h>
 
 using namespace auxfem;
 using namespace auxfem::testing_support;
@@ -12,9 +13,10 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  constexpr double E = 200e3, G = E / 2.6, yield_stress = 200, radius = 1,
-                   curvature = 3 * yield_stress / E, // at the end
-    twist = 2 * yield_stress / G;
+  constexpr double shaft_modulus = 200e3, shaft_shear = shaft_modulus / 2.6,
+                   shaft_yield = 200, shaft_radius = 1,
+                   curvature = 3 * shaft_yield / shaft_modulus, // at the end
+    twist                    = 2 * shaft_yield / shaft_shear;
 
   /** Moment and torque of a shaft. */
   struct Moments
@@ -36,35 +38,35 @@ namespace
     for (int i = 0; i < n_radii; ++i)
       for (int k = 0; k < n_angles / 4; ++k)
         {
-          const double r = radius * (i + 0.5) / n_radii,
-                       angle = 2 * pi * (k + 0.5) / n_angles,
-                       y     = r * std::sin(angle);
+          const double r         = shaft_radius * (i + 0.5) / n_radii,
+                       angle     = 2 * pi * (k + 0.5) / n_angles,
+                       y         = r * std::sin(angle);
           const double d_epsilon = curvature * y / n_steps,
                        d_gamma   = twist * r / n_steps;
           double sigma = 0, tau = 0;
           for (int s = 0; s < n_steps; ++s)
             {
-              const double power = E * sigma * d_epsilon +
-                3 * G * tau * d_gamma;
-              const bool flows =
-                sigma * sigma + 3 * tau * tau >=
-                  yield_stress * yield_stress * (1 - 1e-12) &&
+              const double power = shaft_modulus * sigma * d_epsilon +
+                3 * shaft_shear * tau * d_gamma;
+              const bool flows = sigma * sigma + 3 * tau * tau >=
+                  shaft_yield * shaft_yield * (1 - 1e-12) &&
                 power > 0;
-              const double dl = flows
-                ? power / (E * sigma * sigma + 9 * G * tau * tau)
-                : 0;
+              const double dl = flows ? power /
+                  (shaft_modulus * sigma * sigma + 9 * shaft_shear * tau * tau)
+                                      : 0;
               const double s0 = sigma;
-              sigma += E * (d_epsilon - s0 * dl);
-              tau += G * (d_gamma - 3 * tau * dl);
+              sigma += shaft_modulus * (d_epsilon - s0 * dl);
+              tau += shaft_shear * (d_gamma - 3 * tau * dl);
               const double size = std::sqrt(sigma * sigma + 3 * tau * tau);
-              if (size > yield_stress)
+              if (size > shaft_yield)
                 {
-                  sigma *= yield_stress / size;
-                  tau *= yield_stress / size;
+                  sigma *= shaft_yield / size;
+                  tau *= shaft_yield / size;
                 }
             }
           // Four quadrants with the same moments.
-          const double dA = 4 * r * (radius / n_radii) * (2 * pi / n_angles);
+          const double dA =
+            4 * r * (shaft_radius / n_radii) * (2 * pi / n_angles);
           moments.bending += dA * y * sigma;
           moments.torsion += dA * r * tau;
         }
@@ -78,20 +80,18 @@ TEST(YieldingShaft, BentAndTwisted)
     SceneText()
       .dimension(3)
       .add("Materials/steel",
-           "Law = elastic-plastic | Young's modulus = " + text(E) +
-             " | Poisson's ratio = 0.3 | Yield stress = " +
-             text(yield_stress) +
+           "Law = elastic-plastic | Young's modulus = " + text(shaft_modulus) +
+             " | Poisson's ratio = 0.3 | Yield stress = " + text(shaft_yield) +
              " | Shear and torsion = yield | Rings = 16 | Angles = 48")
       .add("Sections/shaft",
-           "Material = steel | Shape = circle | Radius = " + text(radius))
+           "Material = steel | Shape = circle | Radius = " + text(shaft_radius))
       .frame("0 0 0; 10 0 0", "0 1")
       .support("wall", "0", "clamp")
-      .prescribe("hand",
-                 "1",
-                 {"free", "free", "free"},
-                 {text(10 * twist) + " * t",
-                  "0",
-                  text(10 * curvature) + " * t"})
+      .prescribe(
+        "hand",
+        "1",
+        {"free", "free", "free"},
+        {text(10 * twist) + " * t", "0", text(10 * curvature) + " * t"})
       .set("Effects/Large rotation", "off")
       .mesh(2, 0)
       .set("Newton/Tolerance", 1e-10)
@@ -99,6 +99,9 @@ TEST(YieldingShaft, BentAndTwisted)
   run.run();
   const Moments   exact = exact_moments();
   ComparisonTable table("Shaft bent and twisted beyond yielding");
-  table.relative("bending moment", run.reaction("hand", 5), exact.bending, 5e-3);
+  table.relative("bending moment",
+                 run.reaction("hand", 5),
+                 exact.bending,
+                 5e-3);
   table.relative("torque", run.reaction("hand", 3), exact.torsion, 5e-3);
 }
