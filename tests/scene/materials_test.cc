@@ -199,7 +199,11 @@ TEST(Materials, ThatYieldRefuseWhatTheyCannotFollow)
     .add("Sections/bar",
          "Shape = given | Area = 1e-4 | Shear area = 1e-4 | "
          "Second moment of area = 1e-9");
-  expect_parts(refusal_of(given), {"Sections/bar/Shape", "fibre"});
+  expect_parts(refusal_of(given), {"Sections/bar/Shape = given", "fibre"});
+  SceneText ellipse = metal_strut();
+  ellipse.set("Sections/bar/Shape", "ellipse");
+  expect_parts(refusal_of(ellipse),
+               {"Sections/bar/Shape = ellipse", "rectangle, circle or tube"});
 }
 
 TEST(Materials, MayBeGivenByMeasuredModuli)

@@ -52,7 +52,7 @@ namespace auxfem
                                       "0 m",
                                       "m",
                                       Range::non_negative(),
-                                      "Radius between web and flange."};
+                                      "Radius of the fillets in inner corners."};
     const Quantity toe_radius      = {"Toe radius",
                                       "0 m",
                                       "m",
