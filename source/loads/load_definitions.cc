@@ -173,27 +173,27 @@ namespace auxfem
       "0",
       "N/m",
       "Time history of the force per current length, to the left of the way from "
-      "the first joint to the second"};
+      "the first joint to the second."};
 
     const TimeExpression temperature = {
       "Temperature",
       "0",
       "K",
       "Time history of the temperature above that at rest; free struts grow by "
-      "Thermal expansion of their material"};
+      "Thermal expansion of their material."};
 
     const TimeExpression gradient_2 = {
       "Temperature gradient 2",
       "0",
       "K/m",
       "Time history of the temperature's slope along axis 2 of the section, in "
-      "the plane the axis to the left of the strut; free struts curve"};
+      "the plane the axis to the left of the strut; free struts curve."};
 
     const TimeExpression gradient_3 = {
       "Temperature gradient 3",
       "0",
       "K/m",
-      "The same along axis 3, unused in the plane"};
+      "The same along axis 3, unused in the plane."};
 
     const TimeExpression pretension = {
       "Pretension",
@@ -201,7 +201,7 @@ namespace auxfem
       "N",
       "Time history of the axial force while both ends of a strut are where "
       "they were drawn, tension positive; the equilibrium of the structure "
-      "changes it"};
+      "changes it."};
 
     JointLoadDefinition read_joint_load(ParameterValues &values)
     {

@@ -58,13 +58,18 @@ namespace auxfem
           !section.section.thermal_expansion)
         refuse("has no Thermal expansion. Set " + section.material_path +
                "/Thermal expansion, e.g. 12e-6 1/K for steel");
-      if (is_linearized(plan.analysis) && plan.analysis != Analysis::buckling &&
-          !plan.time.static_start)
+      if (plan.analysis == Analysis::buckling)
+        throw InputError(
+          definition.path +
+          ": Analysis = buckling does not know the forces of temperature and "
+          "pretension. Let them grow in a simulation with Scheme = static and "
+          "an imperfection, or remove the load");
+      if (is_linearized(plan.analysis) && !plan.time.static_start)
         throw InputError(
           definition.path +
           ": temperature and pretension act in the small motions about an "
-          "equilibrium only. Set About = static equilibrium, or "
-          "remove the load");
+          "equilibrium only. Set About = static equilibrium, or remove the "
+          "load");
       if (section.section.stiffness_proportional_damping > 0)
         refuse("has " + section.material_path +
                "/Stiffness-proportional damping, which struts with a "

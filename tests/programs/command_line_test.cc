@@ -133,6 +133,10 @@ namespace
                                     "set Displacement y = 0",
                                     "set Displacement z = 0",
                                     "set Schemes",
+                                    "set Distribution",
+                                    "set Profile",
+                                    "set Force = With Law",
+                                    "set Moment = With Type",
                                     "set NAME = TEXT"};
     std::istringstream stream(run.output);
     std::string        line, comment, all_comments;

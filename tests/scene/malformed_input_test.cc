@@ -93,7 +93,7 @@ namespace
     {"Sections/steel/Radius=two mm",
      "Sections/steel/Radius = two mm: \"two mm\" is not a number"},
     {"Sections/steel/Width=2 mm",
-     "Sections/steel/Width: belongs to Shape = rectangle, but here Shape ="},
+     "Sections/steel/Width: belongs to Shape = rectangle, "},
     {"Sections/steel/Young's modulus=-200 GPa",
      "Sections/steel/Young's modulus = -200 GPa: \"-200 GPa\" (-2e+11 Pa) is out"},
     {"Sections/steel/Young's modulus=200 GPA",

@@ -56,6 +56,7 @@ namespace
     return SceneText()
       .frame("0 0; 1 0", "0 1")
       .section({stiffness, stiffness, 1})
+      .set("Sections/section 0/Density", 0)
       .support("wall", "0", "clamp")
       .add("Supports/guide",
            "Joints = 1 | Type = prescribed | Displacement y = 0 | "

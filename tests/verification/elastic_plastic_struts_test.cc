@@ -114,6 +114,40 @@ TEST(ElasticPlasticStruts, CantileverUnderATipLoad)
   expect_plastic_balance(run, 1e-9);
 }
 
+// Where yielding begins along a strut, its curvature has a kink: whatever the
+// order of the elements, errors fall by the square of their length.
+TEST(ElasticPlasticStruts, OrderInTheMesh)
+{
+  const double h = 0.1, load = 1.5 * elastic_moment(h) / 2;
+  const auto   tip = [&](const unsigned int order,
+                       const unsigned int refinements) {
+    SceneRun run(
+      yielding_material(steel_modulus / 10, "Layers = 64")
+        .add(steel_strip(h))
+        .frame("0 0; 2 0", "0 1")
+        .support("clamp", "0", "clamp")
+        .add("Loads/tip", "Joints = 1 | Force y = " + text(-load) + " * t")
+        .set("Effects/Large rotation", "off")
+        .set("Newton/Tolerance", 1e-12)
+        .mesh(order, refinements)
+        .time(1, 0.05, "static"));
+    run.run();
+    return run.motion(1, 1);
+  };
+  const double    exact = tip(4, 9);
+  ComparisonTable table("Order in the mesh of a yielding cantilever");
+  for (const unsigned int order : {1u, 2u})
+    {
+      const unsigned int coarse = order == 1 ? 2 : 0, fine = 6;
+      table.row("order " + std::to_string(order),
+                std::log2(std::abs((tip(order, coarse) - exact) /
+                                   (tip(order, fine) - exact))) /
+                  (fine - coarse),
+                2,
+                0.4);
+    }
+}
+
 // Curvature of a rectangle over that of the elastic limit: 1 / sqrt(3 - 2 m).
 TEST(ElasticPlasticStruts, CantileverRolledUpByAMoment)
 {

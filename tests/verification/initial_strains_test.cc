@@ -1,4 +1,4 @@
-#include <auxfem/analysis/small_motions/buckling_modes.h>
+#include <auxfem/analysis/small_motions/modes.h>
 #include <auxfem/analysis/small_motions/natural_modes.h>
 #include <auxfem/parameters/errors.h>
 
@@ -141,7 +141,10 @@ TEST(InitialStrains, WarmedRodShakesItsMass)
           .time(0.5, dt, scheme);
         SceneRun run(scene);
         run.run();
-        EXPECT_LT(std::abs(run.balance()), 1e-9 * run.state.largest_energy)
+        // Stages integrate the power of the load.
+        const bool has_stages = std::string(scheme) == "esdirk";
+        EXPECT_LT(std::abs(run.balance()),
+                  (has_stages ? 1e-5 : 1e-9) * run.state.largest_energy)
           << scheme;
         return std::abs(run.motion(1, 0) -
                         expansion * rate *
@@ -197,7 +200,7 @@ TEST(InitialStrains, PretensionTunesAString)
       .time(1, 0.1, "newmark")
       .str(),
     "test.prm");
-  LatticeRun run(scene, MPI_COMM_SELF);
+  LatticeRun run(plan_of_modes(scene), MPI_COMM_SELF);
   run.prepare();
   run.start();
   const NaturalModes found = natural_modes(run.solver(), run.solution.state, 1);
@@ -207,29 +210,6 @@ TEST(InitialStrains, PretensionTunesAString)
                           (density * wire)),
               1,
               1e-5);
-}
-
-// A clamped strut buckles at alpha T EA = 4 pi^2 EI / L^2, less by shear.
-TEST(InitialStrains, HeatBucklesClampedStruts)
-{
-  SceneText scene = one_strut(2);
-  warm(scene, "t")
-    .support("ends", "0, 1", "clamp")
-    .set("Analysis", "buckling")
-    .mesh(6, 3)
-    .time(1, 0.1, "static");
-  const Scene read = read_scene_from_text(scene.str(), "test.prm");
-  LatticeRun  run(read, MPI_COMM_SELF);
-  run.prepare();
-  const BucklingModes found =
-    buckling_modes(run.solver(), run.solution.state, {1, false}, 1);
-  // P + P^2 / kGA = P_E (Engesser).
-  const double euler = 4 * pi * pi * modulus * second_moment,
-               shear = 5. / 6. * area * modulus / 2.6,
-               force = 2 * euler / (1 + std::sqrt(1 + 4 * euler / shear));
-  EXPECT_NEAR(found.modes.at(0).factor / (force / (modulus * area * expansion)),
-              1,
-              1e-8);
 }
 
 // A held strut of a material that relaxes: P (1 - r + r exp(-t / tau)).
@@ -259,7 +239,9 @@ TEST(InitialStrains, PretensionRelaxes)
 TEST(InitialStrains, CoolingLeavesTensionInYieldedBars)
 {
   SceneText scene =
-    one_strut(2, "Law = elastic-plastic | Yield stress = 200 MPa | Layers = 4");
+    one_strut(2,
+              "Law = elastic-plastic | Yield stress = 200 MPa | Layers = 4 | "
+              "Plastic strains = 1 | Flow stresses = 220 MPa");
   warm(scene, "150 * sin(pi * t)")
     .support("ends", "0, 1", "clamp")
     .time(1, 0.05, "static");
@@ -267,10 +249,11 @@ TEST(InitialStrains, CoolingLeavesTensionInYieldedBars)
   double   least = 0;
   run.run([&] { least = std::min(least, axial_force(run)); });
   const double yield = 2e8 * area;
-  EXPECT_NEAR(least / -yield, 1, 1e-8);
+  // Hardening by a ten thousandth of Young's modulus.
+  EXPECT_NEAR(least / -yield, 1, 1e-3);
   EXPECT_NEAR(axial_force(run) / (modulus * area * expansion * 150 - yield),
               1,
-              1e-8);
+              2e-3);
   EXPECT_LT(std::abs(run.balance()), 1e-9 * run.state.largest_energy);
 }
 
@@ -292,6 +275,9 @@ TEST(InitialStrains, RefuseMaterialsThatDoNotKnowThem)
   warm(no_expansion, "t").support("ends", "0, 1", "clamp").time(1, 1, "static");
   expect_parts(refusal(no_expansion),
                {"Loads/heat", "Materials/steel/Thermal expansion"});
+  SceneText buckling = one_strut(2).set("Analysis", "buckling");
+  warm(buckling, "t").support("ends", "0, 1", "clamp").time(1, 1, "static");
+  expect_parts(refusal(buckling), {"Loads/heat", "buckling"});
   SceneText damped =
     one_strut(2, "Stiffness-proportional damping = 1e-5 | Density = 7800");
   warm(damped, "t").support("ends", "0, 1", "clamp").time(1, 1, "newmark");

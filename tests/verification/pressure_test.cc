@@ -52,6 +52,7 @@ TEST(Pressure, OnAClosedFrameHasNoResultant)
     SceneText()
       .frame("0 0; 1 0; 1.3 0.8; 0.1 1.2", "0 1; 1 2; 2 3; 3 0")
       .section({50, 50, 0.1})
+      .set("Sections/section 0/Density", 0)
       .mass("corners", "all", 1)
       .add("Loads/gas", "Type = pressure | Struts = all | Pressure = -0.5")
       .add("Initial velocities/spin",

@@ -181,13 +181,12 @@ namespace auxfem
                                      const Lattice      &lattice,
                                      const SceneContext &context)
   {
-    return {
-      definition.distribution,
-      "expression",
-      "Allowed: x, y, z (m), xmin, xmax, ... and constants, e.g. x / xmax",
-      lattice,
-      context,
-      definition.path + "/Distribution"};
+    return {definition.distribution,
+            "factor",
+            "For instance Distribution = x / xmax.",
+            lattice,
+            context,
+            definition.path + "/Distribution"};
   }
 
   /** Schema of `Loads`. */

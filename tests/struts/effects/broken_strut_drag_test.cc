@@ -34,7 +34,7 @@ namespace
   {
     const ThreeNodes<n_components> nodes;
     constexpr unsigned int         n = ThreeNodes<n_components>::n;
-    const BrokenStrutDrag          drag(3, n_components);
+    const BrokenStrutDrag          drag({-1, 1, -0.2}, n_components);
     const double                   c = 1.5;
 
     std::vector<double> force(n, 0.), block(n * n, 0.);
@@ -69,11 +69,27 @@ TEST(BrokenStrutDrag, HasTheTangentAndPowerOfItsForces)
   expect_consistent_terms<6>();
 }
 
+// Where velocities are linear between the ends, inner nodes are not pulled.
+TEST(BrokenStrutDrag, LetsAStrutStretchEvenly)
+{
+  const std::vector<double> at       = {-1, 1, -0.2};
+  const std::array<int, 9>  unknowns = {{0, 1, 2, 3, 4, 5, 6, 7, 8}};
+  std::vector<double>       velocity(9, 0.), force(9, 0.);
+  for (unsigned int a = 0; a < 3; ++a)
+    velocity[3 * a] = 7 * at[a];
+  BrokenStrutDrag(at, 3).add_force(1,
+                                   unknowns.data(),
+                                   velocity.data(),
+                                   force.data());
+  EXPECT_NEAR(force[6], 0, 1e-14);
+  EXPECT_NEAR(force[0], -7, 1e-14);
+}
+
 // Nodes that move alike feel nothing; rotations never do.
 TEST(BrokenStrutDrag, LeavesCommonMotionAndRotationsAlone)
 {
   const ThreeNodes<3>   nodes;
-  const BrokenStrutDrag drag(3, 3);
+  const BrokenStrutDrag drag({-1, 1, -0.2}, 3);
   std::vector<double>   force(9, 0.);
   // Unknowns in reverse order: the rotation of a node comes first.
   const std::vector<double> velocity = {5, 2, 1, -3, 2, 1, 4, 2, 1};

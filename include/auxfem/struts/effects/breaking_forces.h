@@ -302,7 +302,8 @@ namespace auxfem
       (lost > 0 ? losses.fracture : losses.numerical) += lost;
     }
 
-    const BrokenStrutDrag drag{order + 1, Beam::n_components};
+    const BrokenStrutDrag drag{{beams.shape.node, beams.shape.node + order + 1},
+                               Beam::n_components};
     unsigned int          fracture_entry = 0, numerical_entry = 0;
     std::size_t           failures = 0; ///< StateLayout::failures
   };
