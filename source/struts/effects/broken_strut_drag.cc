@@ -69,8 +69,8 @@ namespace auxfem
     double sum = 0;
     for_each_pair(
       [&](const unsigned int i, const unsigned int j, const double weight) {
-        sum +=
-          (v[unknowns[i]] - v[unknowns[j]]) * (w[unknowns[i]] - w[unknowns[j]]);
+        sum += weight * (v[unknowns[i]] - v[unknowns[j]]) *
+          (w[unknowns[i]] - w[unknowns[j]]);
       });
     return sum;
   }
