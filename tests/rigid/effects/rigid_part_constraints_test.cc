@@ -29,7 +29,7 @@ namespace
       : setup(plate, {}, MPI_COMM_SELF)
       , constraints(make_rigid_part_constraints(
           rigid_bodies(setup.lattice, setup.dofs()),
-          {setup.lattice, setup.dofs(), large_rotation, {}}))
+          {setup.lattice, setup.dofs(), large_rotation, {}, {}}))
       , tangent(*constraints, setup.dofs())
       , from(setup.equations.initial_state())
       , to(from)

@@ -38,7 +38,7 @@ namespace
       : SpaceEffect(body_and_bar, large_rotation)
       , constraints(make_rigid_part_constraints(
           rigid_bodies(setup.lattice, setup.dofs()),
-          {setup.lattice, setup.dofs(), large_rotation, {}}))
+          {setup.lattice, setup.dofs(), large_rotation, {}, {}}))
     {}
 
     std::unique_ptr<RigidPartGroup> constraints;
