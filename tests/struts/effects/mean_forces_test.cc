@@ -210,7 +210,7 @@ TEST(MeanForces, MultipliersWorkOnTheChangeOfTheirConstraints)
       const std::unique_ptr<RigidPartGroup> constraints =
         make_rigid_part_constraints(
           step.setup.model.bodies,
-          {step.setup.lattice, dofs, large_rotation, {}});
+          {step.setup.lattice, dofs, large_rotation, {}, {}});
       const EvaluatedAlone end(*constraints, step.evaluation());
       // Constraint values at the start.
       State                now = step.from;

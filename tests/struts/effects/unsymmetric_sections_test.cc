@@ -11,7 +11,7 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  constexpr double E = 200, length = 50;
+  constexpr double elastic_modulus = 200, length = 50;
 
   /** A cantilever along x, small displacements, without shear. Axes 2 and 3 as
    * drawn are y and z. */
@@ -61,11 +61,13 @@ namespace
 TEST(UnsymmetricSections, AnAngleBendsObliquely)
 {
   // Legs 6 along y and 3 along z. With the moments about the drawn axes, the
-  // energy is E/2 (v'' v'' yy + 2 v'' w'' yz + w'' w'' zz), so the deflection
-  // under a tip force is L^3 / (3 E) times the inverse of that matrix.
+  // energy is E/2 (v'' v'' yy + 2 v'' w'' yz + w'' w'' zz), so
+  // the deflection under a tip force is L^3 / (3 elastic_modulus) times the
+  // inverse of that matrix.
   const RectangleMoments m({{0, 0, 6, 0.5}, {0, 0.5, 0.5, 2.5}});
   const double           determinant = m.yy * m.zz - m.yz * m.yz,
-               factor = std::pow(length, 3) / (3 * E) / determinant;
+               factor =
+                 std::pow(length, 3) / (3 * elastic_modulus) / determinant;
   for (const std::array<double, 2> force :
        {std::array<double, 2>{{1e-3, 0}}, std::array<double, 2>{{3e-4, -7e-4}}})
     {
@@ -107,8 +109,8 @@ TEST(UnsymmetricSections, StrainsAreThoseOfTheOuterFibresOnBothSides)
                            {{1, run.model.sections[0].outer_fibres}},
                            0.)
           .ratio;
-      const double curvature = 1e-3 * length / (E * moment),
-                   stretch   = axial / (E * area);
+      const double curvature = 1e-3 * length / (elastic_modulus * moment),
+                   stretch   = axial / (elastic_modulus * area);
       EXPECT_NEAR(strain,
                   std::max(stretch + curvature * top,
                            std::abs(stretch - curvature * foot)),
