@@ -135,8 +135,8 @@ namespace
                                     "set Schemes",
                                     "set Distribution",
                                     "set Profile",
-                                    "set Force = With Law",
-                                    "set Moment = With Type",
+                                    "set Force =",
+                                    "set Moment =",
                                     "set NAME = TEXT"};
     std::istringstream stream(run.output);
     std::string        line, comment, all_comments;
