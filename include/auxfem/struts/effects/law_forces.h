@@ -1,8 +1,7 @@
 #ifndef auxfem_struts_effects_law_forces_h
 #define auxfem_struts_effects_law_forces_h
 
-#include <auxfem/struts/effects/beam_forces.h>
-#include <auxfem/struts/effects/law_instants.h>
+#include <auxfem/struts/effects/law_reports.h>
 
 #include <algorithm>
 
@@ -10,14 +9,14 @@ namespace auxfem
 {
   /**
    * Internal forces of struts whose sections have a SectionLaw. Adds to
-   * BeamForces what relaxing and yielding need: history, losses, the equations
+   * LawReports what relaxing and yielding need: history, losses, the equations
    * of internal variables for Runge-Kutta schemes, and the complex stiffness of
    * small motions. @p Beam is undamped.
    */
   template <class Beam>
-  class LawForces : public BeamForces<Beam, LawSections<Beam>>
+  class LawForces : public LawReports<Beam>
   {
-    using Base = BeamForces<Beam, LawSections<Beam>>;
+    using Base = LawReports<Beam>;
 
   public:
     using Base::Base;
@@ -48,7 +47,8 @@ namespace auxfem
       if (!responses.law().loses_energy())
         return points;
       const unsigned int                       e = element - beams.group.begin;
-      const std::array<SectionYielding, order> yielding = yielding_in(e, state);
+      const std::array<SectionYielding, order> yielding =
+        this->yielding_in(e, state);
       for (unsigned int i = 0; i < n_points; ++i)
         {
           // Interpolation would give negative values beside plastic hinges.
@@ -59,21 +59,6 @@ namespace auxfem
             state.history[first_lost + e] / (2 * beams.at_rest(e).jacobian);
         }
       return points;
-    }
-
-    StrutStrain largest_plastic_strain(const State &state,
-                                       const double least) const override
-    {
-      StrutStrain largest{least, invalid_index};
-      if (!responses.law().yields())
-        return largest;
-      for (unsigned int e = 0; e < beams.size(); ++e)
-        if (beams[e].owned && this->carries_load(e, state))
-          for (const SectionYielding &point : yielding_in(e, state))
-            if (const double strain = lane_value(point.plastic_strain, 0);
-                strain > largest.ratio)
-              largest = {strain, beams.interval(e).strut};
-      return largest;
     }
 
     void update_history(const Evaluation &solved) const override
@@ -135,7 +120,7 @@ namespace auxfem
              stage.weight,
              [&](const ElementBatch &batch, const auto &at_rest) {
                Lanes force[n];
-               return integrate(
+               return this->integrate(
                  batch,
                  at_rest,
                  stage.to,
@@ -159,7 +144,7 @@ namespace auxfem
         const auto  stiffness = Beam::stiffness_by_strain(at_rest);
         Lanes       strains[Beam::n_strains] = {}, force[n];
         initial.add(1, rates, batch, strains);
-        integrate(
+        this->integrate(
           batch,
           at_rest,
           evaluation.to,
@@ -184,7 +169,7 @@ namespace auxfem
       beams.for_each_batch([&](const ElementBatch &batch) {
         const auto &at_rest = beams.at_rest(batch);
         Lanes       force[n];
-        integrate(
+        this->integrate(
           batch,
           at_rest,
           state,
@@ -257,81 +242,11 @@ namespace auxfem
     using Base::order;
     using Base::responses;
 
-    void section_forces(const unsigned int e,
-                        const State       &state,
-                        SectionForces (&point_forces)[order]) const override
-    {
-      for_each_point(e, state, [&](const int g, const SectionInstant &now) {
-        point_forces[g] = Beam::section_forces(now.forces);
-      });
-    }
-
-    double stored_density(const unsigned int e,
-                          const State       &state,
-                          const double (&H)[order],
-                          const SectionForces & /*forces*/) const override
-    {
-      double density = 0;
-      for_each_point(e, state, [&](const int g, const SectionInstant &now) {
-        density += H[g] * lane_value(now.stored, 0);
-      });
-      return std::max(0., density);
-    }
-
-    void subtract_initial_strains(const unsigned int e,
-                                  const State       &state,
-                                  SectionForces (&forces)[order]) const override
-    {
-      const GroupInitialStrains &initial = responses.initial_strains();
-      if (!initial.exist())
-        return;
-      const ElementBatch batch = batch_of(e);
-      const auto         stiffness =
-        Beam::stiffness_by_strain(beams.at_rest_in_all_lanes(e));
-      Lanes strains[Beam::n_strains] = {};
-      initial.add(1, initial.at(state), batch, strains);
-      for (unsigned int k = 0; k < Beam::n_strains; ++k)
-        strains[k] *= stiffness[k];
-      const SectionForces added = Beam::section_forces(strains);
-      for (SectionForces &at_point : forces)
-        for (unsigned int k = 0; k < at_point.size(); ++k)
-          at_point[k] -= added[k];
-    }
-
-    bool has_smooth_strains() const override
-    {
-      return !responses.law().yields();
-    }
-
-    double least_stored_fraction() const override
-    {
-      // Plastic strains store nothing.
-      if (responses.law().yields())
-        return 0;
-      return std::min(responses.law().long_time_ratio(StrainType::normal),
-                      responses.law().long_time_ratio(StrainType::shear));
-    }
-
     /** Position in State::history of the energies that elements have lost
      * (J). */
     std::size_t lost_energies() const
     {
       return first_lost;
-    }
-
-    /** Sum of @p value_of, a function of a batch and its elements at rest, over
-     * the elements owned by this rank. */
-    template <class ValueOfBatch>
-    double sum_over_owned(const ValueOfBatch &value_of) const
-    {
-      double sum = 0;
-      beams.for_each_batch([&](const ElementBatch &batch) {
-        const Lanes values = value_of(batch, beams.at_rest(batch));
-        for (unsigned int lane = 0; lane < batch.size; ++lane)
-          if (beams[batch.elements[lane]].owned)
-            sum += lane_value(values, lane);
-      });
-      return sum;
     }
 
     /**
@@ -345,7 +260,7 @@ namespace auxfem
     {
       const double *before = evaluation.from.history.data() + first_lost;
       double       *now    = evaluation.to.history.data() + first_lost;
-      return sum_over_owned(
+      return this->sum_over_owned(
         [&](const ElementBatch &batch, const auto &at_rest) {
           const Lanes values = value_of(batch, at_rest);
           for (unsigned int lane = 0; lane < batch.size; ++lane)
@@ -355,66 +270,6 @@ namespace auxfem
             }
           return values;
         });
-    }
-
-    /** How far element @p e has yielded at its Gauss points. */
-    std::array<SectionYielding, order> yielding_in(const unsigned int e,
-                                                   const State &state) const
-    {
-      const ElementBatch batch   = batch_of(e);
-      const auto         at_rest = beams.at_rest_in_all_lanes(e);
-      std::array<SectionYielding, order> reports;
-      Lanes                              force[n];
-      Beam::internal_force(
-        beams.shape,
-        at_rest,
-        Beam::law_section(at_rest,
-                          YieldingLaw<Beam>{responses,
-                                            state,
-                                            batch,
-                                            {responses, at_rest},
-                                            reports}),
-        Beam::motion(beams.numbering, beams.unknowns(batch), state),
-        force);
-      return reports;
-    }
-
-    /** Element @p e alone, in all lanes; see also
-     * BeamElements::at_rest_in_all_lanes(). */
-    static ElementBatch batch_of(const unsigned int e)
-    {
-      ElementBatch batch;
-      batch.elements.fill(e);
-      batch.size = 1;
-      return batch;
-    }
-
-    /**
-     * Integral over each element of a batch of the `stored` that @p
-     * make_response sets, at the instant @p state; @p force receives the nodal
-     * forces of its section forces.
-     */
-    template <class AtRest, class Respond>
-    Lanes integrate(const ElementBatch &batch,
-                    const AtRest       &at_rest,
-                    const State        &state,
-                    const Respond      &make_response,
-                    Lanes (&force)[n],
-                    double *rates = nullptr) const
-    {
-      return Beam::internal_force(
-               beams.shape,
-               at_rest,
-               Beam::law_section(at_rest,
-                                 InstantLaw<Beam, Respond>(responses,
-                                                           state,
-                                                           batch,
-                                                           at_rest,
-                                                           make_response,
-                                                           rates)),
-               Beam::motion(beams.numbering, beams.unknowns(batch), state),
-               force)
-        .strain;
     }
 
   private:
@@ -450,11 +305,11 @@ namespace auxfem
      * integrated over the elements owned by this rank. */
     double force_along(const unsigned int i, const State &state) const
     {
-      return sum_over_owned(
+      return this->sum_over_owned(
         [&](const ElementBatch &batch, const auto &at_rest) {
           Lanes unit[Beam::n_strains] = {}, force[n];
           responses.initial_strains().add_one(i, 1., batch, unit);
-          return integrate(
+          return this->integrate(
             batch,
             at_rest,
             state,
@@ -480,23 +335,6 @@ namespace auxfem
         points;
     }
 
-    /** Calls @p action with the Gauss points of element @p e at an instant. */
-    template <class Action>
-    void for_each_point(const unsigned int e,
-                        const State       &state,
-                        const Action      &action) const
-    {
-      const ElementBatch batch = batch_of(e);
-      int                g     = 0;
-      Lanes              force[n];
-      integrate(
-        batch,
-        beams.at_rest_in_all_lanes(e),
-        state,
-        [&](const SectionInstant &now, SectionResponse &) { action(g++, now); },
-        force);
-    }
-
     /** Work of the mean relaxing forces of both ends of a step minus the growth
      * of the energy they store (J). */
     double work_of_relaxing_forces(const Evaluation &step,
@@ -506,12 +344,12 @@ namespace auxfem
         std::copy_n(now.relaxing, Beam::n_strains, r.forces);
         r.stored = now.relaxing_stored;
       };
-      return sum_over_owned(
+      return this->sum_over_owned(
         [&](const ElementBatch &batch, const auto &at_rest) {
           const auto at = [&](const State &state, const double sign) {
             Lanes       force[n];
             const Lanes stored =
-              integrate(batch, at_rest, state, relaxing, force);
+              this->integrate(batch, at_rest, state, relaxing, force);
             return Lanes(motion.dt / 2 *
                            Beam::power(beams.numbering,
                                        beams.unknowns(batch),
@@ -559,7 +397,7 @@ namespace auxfem
         matrix);
     }
 
-    /** Of the work of initial strains, by load of the group. */
+    /** Ledger entries of the work of initial strains, by load of the group. */
     std::vector<unsigned int> initial_entries;
     unsigned int              lost_entry = 0, numerical_entry = 0;
     std::size_t               first_lost = 0; ///< in State::history

@@ -27,6 +27,7 @@ namespace auxfem
       , state(state)
       , batch(batch)
       , points(sections, at_rest)
+      , initial(sections.initial_strains_at(state, batch))
       , make_response(make_response)
       , rates(rates)
     {}
@@ -37,7 +38,8 @@ namespace auxfem
       const SectionHistory history = sections.history(state.history, batch, g);
       SectionInstant       now;
       Lanes                strains[Beam::n_strains];
-      sections.set_strains(total, state, batch, strains);
+      for (unsigned int k = 0; k < Beam::n_strains; ++k)
+        strains[k] = total[k] - initial[k];
       if (rates == nullptr)
         sections.law().instant(points.point(), strains, history, nullptr, now);
       else
@@ -71,6 +73,7 @@ namespace auxfem
     const State                               &state;
     const ElementBatch                        &batch;
     const typename LawSections<Beam>::PointsOf points;
+    const std::array<Lanes, Beam::n_strains>   initial;
     const Respond                             &make_response;
     double                                    *rates;
   };
@@ -83,7 +86,8 @@ namespace auxfem
                             const Lanes (&total)[Beam::n_strains]) const
     {
       Lanes strains[Beam::n_strains];
-      sections.set_strains(total, state, batch, strains);
+      for (unsigned int k = 0; k < Beam::n_strains; ++k)
+        strains[k] = total[k] - initial[k];
       reports[g] =
         sections.law().yielding(points.point(),
                                 strains,
@@ -96,6 +100,8 @@ namespace auxfem
     const ElementBatch                        &batch;
     const typename LawSections<Beam>::PointsOf points;
     std::array<SectionYielding, Beam::order>  &reports;
+    const std::array<Lanes, Beam::n_strains>   initial =
+      sections.initial_strains_at(state, batch);
   };
 } // namespace auxfem
 

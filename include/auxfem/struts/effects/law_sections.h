@@ -201,16 +201,16 @@ namespace auxfem
       return {first(first_internal, n_internal), first(first_kept, n_kept)};
     }
 
-    /** Sets @p strains, on which forces depend, from the @p total ones at an
-     * instant. */
-    void set_strains(const Lanes (&total)[Beam::n_strains],
-                     const State        &state,
-                     const ElementBatch &batch,
-                     Lanes (&strains)[Beam::n_strains]) const
+    /** The strains of a batch without which its sections would be free of
+     * forces at an instant. */
+    std::array<Lanes, Beam::n_strains>
+    initial_strains_at(const State &state, const ElementBatch &batch) const
     {
-      std::copy_n(total, n_strains, strains);
+      std::array<Lanes, Beam::n_strains> strains;
+      strains.fill(0);
       if (initial.exist())
-        initial.add(-1, initial.at(state), batch, strains);
+        initial.add(1, initial.at(state), batch, strains.data());
+      return strains;
     }
 
     /** The sections of a batch at a Gauss point, the input of the law. */
