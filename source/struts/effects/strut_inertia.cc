@@ -163,23 +163,6 @@ namespace auxfem
       damping_entry = layout.energies.enter(mass_damping_entry());
   }
 
-  StrutInertia::DampedVelocity::DampedVelocity(const Evaluation &evaluation)
-    : evaluation(evaluation)
-  {
-    if (evaluation.kind != Evaluation::Kind::discrete_gradient)
-      return;
-    const double *before = evaluation.from.velocity->data(),
-                 *now    = evaluation.to.velocity->data();
-    means.resize(evaluation.to.velocity->size());
-    for (std::size_t i = 0; i < means.size(); ++i)
-      means[i] = (before[i] + now[i]) / 2;
-  }
-
-  const double *StrutInertia::DampedVelocity::values() const
-  {
-    return means.empty() ? evaluation.to.velocity->data() : means.data();
-  }
-
   void StrutInertia::account_step(const Evaluation & /*step*/,
                                   const EffectCache * /*results*/,
                                   EnergyAccount &account) const

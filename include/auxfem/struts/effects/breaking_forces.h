@@ -2,6 +2,7 @@
 #define auxfem_struts_effects_breaking_forces_h
 
 #include <auxfem/struts/effects/broken_strut_drag.h>
+#include <auxfem/struts/effects/damped_velocity.h>
 #include <auxfem/struts/effects/law_forces.h>
 
 #include <algorithm>
@@ -27,20 +28,11 @@ namespace auxfem
                       EffectCache      *results) const override
     {
       Base::add_residual(evaluation, residual, results);
-      if (!evaluation.to.velocity)
+      if (!evaluation.to.velocity || !has_broken(evaluation.from))
         return;
-      std::vector<double> means;
-      const double       *v = evaluation.to.velocity->data();
-      if (evaluation.kind == Evaluation::Kind::discrete_gradient)
-        {
-          const double *before = evaluation.from.velocity->data();
-          means.resize(evaluation.to.velocity->size());
-          for (std::size_t i = 0; i < means.size(); ++i)
-            means[i] = (before[i] + v[i]) / 2;
-          v = means.data();
-        }
+      const DampedVelocity velocity(evaluation);
       for_each_dragged(evaluation, [&](const unsigned int e, const double c) {
-        drag.add_force(c, beams.unknowns(e), v, residual);
+        drag.add_force(c, beams.unknowns(e), velocity.values(), residual);
       });
     }
 
@@ -50,7 +42,7 @@ namespace auxfem
                      TangentMatrix        &matrix) const override
     {
       Base::add_tangent(evaluation, results, factors, matrix);
-      if (factors.damping == 0)
+      if (factors.damping == 0 || !has_broken(evaluation.from))
         return;
       for_each_dragged(evaluation, [&](const unsigned int e, const double c) {
         double block[n * n] = {};
@@ -181,6 +173,15 @@ namespace auxfem
     std::size_t lost_part(const unsigned int e) const
     {
       return responses.lost_parts() + e;
+    }
+
+    /** Whether a strut has begun to break. */
+    bool has_broken(const State &state) const
+    {
+      const double *lost = state.history.data() + responses.lost_parts();
+      return std::any_of(lost, lost + beams.size(), [](const double part) {
+        return part > 0;
+      });
     }
 
     /** Part of its forces that element @p e has lost @p dt (s) after @p state. */

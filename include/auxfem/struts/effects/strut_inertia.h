@@ -4,6 +4,7 @@
 #include <auxfem/equations/effect.h>
 #include <auxfem/model/numbering.h>
 #include <auxfem/struts/beam_shape.h>
+#include <auxfem/struts/effects/damped_velocity.h>
 #include <auxfem/struts/section.h>
 
 namespace auxfem
@@ -40,22 +41,6 @@ namespace auxfem
                        EnergyAccount     &account) const override;
 
   protected:
-    /** Velocity of mass-proportional damping: the one at evaluation.to, with
-     * Kind::discrete_gradient the mean of the step. */
-    class DampedVelocity
-    {
-    public:
-      /** @p evaluation must outlive the object. */
-      explicit DampedVelocity(const Evaluation &evaluation);
-
-      /** Values of all local unknowns. */
-      const double *values() const;
-
-    private:
-      const Evaluation   &evaluation;
-      std::vector<double> means; ///< empty except with Kind::discrete_gradient
-    };
-
     struct Element
     {
       const Section &section;
