@@ -158,7 +158,7 @@ namespace auxfem
    */
   struct InitialStrainDefinition
   {
-    /** What causes the strain. */
+    /** A load causes strain in one of these ways. */
     enum class Cause
     {
       temperature, ///< change since rest (K)

@@ -44,14 +44,31 @@ namespace auxfem
       return largest;
     }
 
+    /** Largest force (N) of a @p load per length of struts, whose largest value
+     * is @p largest (N/m). */
+    template <class Load>
+    double force_along_struts(const Load    &load,
+                              const double   largest,
+                              const RunPlan &plan,
+                              const Lattice &lattice)
+    {
+      double           sum = 0;
+      PositionFunction factor =
+        load_distribution(load, lattice, plan.scene.context);
+      for (const unsigned int s : struts_of(load, lattice, plan.scene.context))
+        sum += largest * lattice.length(lattice.struts[s]) *
+          std::abs(factor.value_at(lattice.centroid(lattice.struts[s])));
+      return sum;
+    }
+
     /** Sum of the largest norms of all forces of the scene (N). */
     double sum_of_forces(const RunPlan &plan, const Lattice &lattice)
     {
-      double sum = 0;
+      const double end = plan.time.end_time;
+      double       sum = 0;
       for (const JointLoadDefinition &load : plan.joint_loads())
         {
-          const double largest =
-            largest_norm(load.components, plan.time.end_time);
+          const double     largest = largest_norm(load.components, end);
           PositionFunction factor =
             load_distribution(load, lattice, plan.scene.context);
           for (const unsigned int joint :
@@ -59,34 +76,15 @@ namespace auxfem
             sum += largest * std::abs(factor.value_at(lattice.joints[joint]));
         }
       for (const LineLoadDefinition &load : plan.scene.line_loads)
-        {
-          const double largest =
-            largest_norm(load.components, plan.time.end_time);
-          PositionFunction factor =
-            load_distribution(load, lattice, plan.scene.context);
-          for (const unsigned int s :
-               struts_of(load, lattice, plan.scene.context))
-            sum += largest * lattice.length(lattice.struts[s]) *
-              std::abs(factor.value_at(lattice.centroid(lattice.struts[s])));
-        }
-      return sum;
-    }
-
-    /** As sum_of_forces(), of pressures. */
-    double sum_of_pressures(const RunPlan &plan, const Lattice &lattice)
-    {
-      double sum = 0;
+        sum += force_along_struts(load,
+                                  largest_norm(load.components, end),
+                                  plan,
+                                  lattice);
       for (const PressureDefinition &load : plan.scene.pressures)
-        {
-          const double largest =
-            largest_norm<1>({{load.pressure}}, plan.time.end_time);
-          PositionFunction factor =
-            load_distribution(load, lattice, plan.scene.context);
-          for (const unsigned int s :
-               struts_of(load, lattice, plan.scene.context))
-            sum += largest * lattice.length(lattice.struts[s]) *
-              std::abs(factor.value_at(lattice.centroid(lattice.struts[s])));
-        }
+        sum += force_along_struts(load,
+                                  largest_norm<1>({{load.pressure}}, end),
+                                  plan,
+                                  lattice);
       return sum;
     }
 
@@ -98,8 +96,7 @@ namespace auxfem
       double forces = 0;
       try
         {
-          forces =
-            sum_of_forces(plan, lattice) + sum_of_pressures(plan, lattice);
+          forces = sum_of_forces(plan, lattice);
         }
       catch (const ComputationError &)
         {

@@ -90,10 +90,7 @@ namespace auxfem
       {
         for (const LineLoadDefinition &definition : scene.line_loads)
           {
-            std::vector<bool> chosen(lattice.struts.size(), false);
-            for (const unsigned int strut :
-                 struts_of(definition, lattice, scene.context))
-              chosen[strut] = true;
+            const std::vector<bool> chosen = chosen_struts(definition);
             for (const RigidPart &part : lattice.rigid_parts)
               for (const unsigned int strut : part.struts)
                 if (chosen[strut])
@@ -121,7 +118,11 @@ namespace auxfem
                 if (definition.distribution == "1")
                   add_along_rigid_struts(c, chosen, load);
                 else
-                  refuse_rigid_struts(definition, chosen);
+                  refuse_rigid_struts(chosen,
+                                      definition.path + "/Distribution",
+                                      "rigid struts take uniform loads only. "
+                                      "Leave it out of Struts, or set "
+                                      "Distribution = 1");
                 dead.push_back(std::move(load));
               }
           }
@@ -131,17 +132,12 @@ namespace auxfem
       {
         for (const PressureDefinition &definition : scene.pressures)
           {
-            std::vector<bool> chosen(lattice.struts.size(), false);
-            for (const unsigned int strut :
-                 struts_of(definition, lattice, scene.context))
-              {
-                if (lattice.struts[strut].is_rigid())
-                  throw InputError(definition.path + "/Struts: strut " +
-                                   std::to_string(strut) +
-                                   " is rigid, and pressure acts on elastic "
-                                   "struts only. Leave it out of the set");
-                chosen[strut] = true;
-              }
+            const std::vector<bool> chosen = chosen_struts(definition);
+            refuse_rigid_struts(
+              chosen,
+              definition.path + "/Struts",
+              "pressure acts on elastic struts only. Leave it "
+              "out of the set");
             PositionFunction factor =
               load_distribution(definition, lattice, scene.context);
             PressureLoad load{proportional(definition.pressure, plan),
@@ -280,16 +276,26 @@ namespace auxfem
       std::vector<FollowerLoad> following = {};
       std::vector<PressureLoad> pressures = {};
 
-      void refuse_rigid_struts(const LineLoadDefinition &definition,
-                               const std::vector<bool>  &chosen) const
+      /** Struts of a load, by number. */
+      template <class Definition>
+      std::vector<bool> chosen_struts(const Definition &definition) const
+      {
+        std::vector<bool> chosen(lattice.struts.size(), false);
+        for (const unsigned int strut :
+             struts_of(definition, lattice, scene.context))
+          chosen[strut] = true;
+        return chosen;
+      }
+
+      /** Refuses rigid struts among those @p chosen by the parameter @p path. */
+      void refuse_rigid_struts(const std::vector<bool> &chosen,
+                               const std::string       &path,
+                               const std::string       &why) const
       {
         for (unsigned int s = 0; s < chosen.size(); ++s)
           if (chosen[s] && lattice.struts[s].is_rigid())
-            throw InputError(definition.path + "/Distribution: strut " +
-                             std::to_string(s) +
-                             " is rigid, and rigid struts take uniform loads "
-                             "only. Leave it out of Struts, or set "
-                             "Distribution = 1");
+            throw InputError(path + ": strut " + std::to_string(s) +
+                             " is rigid, and " + why);
       }
 
       /** Adds the force @p per_length(strut) (N/m) along component @p c, times

@@ -1,9 +1,8 @@
 #include <auxfem/joints/effects/rotational_springs.h>
 
 #include <connectors/law_on_trial.h>
-#include <equations/effect_alone.h>
-#include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
+#include <joints/effects/two_rotations.h>
 
 using namespace auxfem;
 using namespace auxfem::testing_support;
@@ -12,37 +11,19 @@ namespace
 {
   /** A law between the rotations of joints 0 and 1, turned by 0.5 rad against
    * each other. */
-  struct LawAlone
+  struct LawAlone : TwoRotations
   {
     LawAlone(const std::string &law, const LawParameters &parameters)
-      : setup(frame_scene("0 0; 1 0", "0 1"), {}, MPI_COMM_SELF)
-      , first(setup.dofs().joint_unknown(0, rotation_z))
-      , second(setup.dofs().joint_unknown(1, rotation_z))
-      , laws(make_rotational_laws(setup.dofs(),
+      : laws(make_rotational_laws(setup.dofs(),
                                   "knee",
                                   make_law(law, parameters),
                                   {{{{first, second}}, 0}},
                                   {0}))
-      , from(setup.equations.initial_state())
-      , to(from)
     {
-      StateLayout layout = setup.equations.layout();
-      laws->register_in(layout);
-      make_room(layout, from);
-      make_room(layout, to);
-      to.displacement[first]  = 0.25;
-      to.displacement[second] = 0.75;
+      prepare(*laws, 0.25, 0.75);
     }
 
-    Evaluation step()
-    {
-      return Evaluation::step(from, to, 1.);
-    }
-
-    EquationsOnRanks        setup;
-    int                     first, second;
     std::unique_ptr<Effect> laws;
-    State                   from, to;
   };
 } // namespace
 

@@ -1,8 +1,7 @@
 #include <auxfem/joints/effects/rotational_springs.h>
 
-#include <equations/effect_alone.h>
-#include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
+#include <joints/effects/two_rotations.h>
 
 using namespace auxfem;
 using namespace auxfem::testing_support;
@@ -10,34 +9,16 @@ using namespace auxfem::testing_support;
 namespace
 {
   /** A spring of 3 N m/rad between the rotations of joints 0 and 1. */
-  struct SpringAlone
+  struct SpringAlone : TwoRotations
   {
     SpringAlone()
-      : setup(frame_scene("0 0; 1 0", "0 1"), {}, MPI_COMM_SELF)
-      , first(setup.dofs().joint_unknown(0, rotation_z))
-      , second(setup.dofs().joint_unknown(1, rotation_z))
-      , springs(
+      : springs(
           make_rotational_springs(setup.dofs(), {{{{first, second}}, 3.}}))
-      , from(setup.equations.initial_state())
-      , to(from)
     {
-      StateLayout layout = setup.equations.layout();
-      springs->register_in(layout);
-      make_room(layout, from);
-      make_room(layout, to);
-      to.displacement[first]  = 0.25;
-      to.displacement[second] = 20.75;
+      prepare(*springs, 0.25, 20.75);
     }
 
-    Evaluation step()
-    {
-      return Evaluation::step(from, to, 1.);
-    }
-
-    EquationsOnRanks        setup;
-    int                     first, second;
     std::unique_ptr<Effect> springs;
-    State                   from, to;
   };
 
   double sum_of_sizes(const Vector &values)
