@@ -117,18 +117,18 @@ namespace auxfem
     const RegistryEntry<ConnectorLaw> &entry =
       find_entry(connector_law_registry(), type.substr(prefix.size()));
     // Numbers without a unit word are SI, for rotations as for extensions.
-    ParameterValues of_extensions(entry.parameters,
-                                  values.context,
-                                  values.location);
+    ParameterValues extension_values(entry.parameters,
+                                     values.context,
+                                     values.location);
     for (const Parameter &parameter : entry.parameters)
       {
         const Parameter rotational = parameter_in_rotations(parameter);
-        of_extensions.set(parameter.name,
-                          si_text(rotational, values.text(rotational)));
+        extension_values.set(parameter.name,
+                             si_text(rotational, values.text(rotational)));
       }
     try
       {
-        return entry.make(of_extensions);
+        return entry.make(extension_values);
       }
     catch (const InputError &error)
       {

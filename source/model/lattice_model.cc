@@ -78,7 +78,7 @@ namespace auxfem
                                ? section
                                : section.relaxed());
           if (!sections.back().law && strained[sections.size() - 1])
-            sections.back().law = make_elastic_law();
+            sections.back().law = make_elastic_section_law();
         }
       return sections;
     }
@@ -105,7 +105,8 @@ namespace auxfem
         if (law && law->loses_energy() &&
             !(law->yields() ? simulated.plasticity
                             : simulated.strut_relaxation))
-          law = initial_strains.strains.empty() ? nullptr : make_elastic_law();
+          law = initial_strains.strains.empty() ? nullptr
+                                                : make_elastic_section_law();
       return laws;
     }
 

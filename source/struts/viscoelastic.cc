@@ -306,7 +306,7 @@ namespace auxfem
             make_viscoelastic};
   }
 
-  std::shared_ptr<const SectionLaw> make_elastic_law()
+  std::shared_ptr<const SectionLaw> make_elastic_section_law()
   {
     // A series without terms does not relax.
     static const auto law =

@@ -311,7 +311,7 @@ namespace auxfem
   const Registry<SectionLaw> &section_law_registry();
 
   /** The elastic law as an object, for struts with initial strains. */
-  std::shared_ptr<const SectionLaw> make_elastic_law();
+  std::shared_ptr<const SectionLaw> make_elastic_section_law();
 
   /**
    * @name Registry entries of the laws, one per file in source/struts/.

@@ -90,7 +90,7 @@ namespace auxfem
     bool has_inertia = false;
     /** Law of the sections; empty: linear elastic. */
     std::shared_ptr<const SectionLaw> law = nullptr;
-    /** Of all struts; those that have some need a law. */
+    /** Initial strains of all struts; a strut that has one needs a law. */
     const InitialStrains *initial_strains = nullptr;
   };
 
