@@ -64,6 +64,17 @@ namespace auxfem
       scene.context.dimension = *dimension;
     }
 
+    /** Number of groups in the subsections @p name. */
+    std::size_t n_groups(const ParameterSubsection &root,
+                         const std::string         &name)
+    {
+      std::size_t n = 0;
+      for (const ParameterSubsection &subsection : root.subsections)
+        if (subsection.name == name)
+          n += subsection.subsections.size();
+      return n;
+    }
+
     Scene make_scene(const ParameterSubsection &root, const std::string &file)
     {
       Scene                 scene;
@@ -82,8 +93,11 @@ namespace auxfem
                                subsection.schema,
                                scene.context,
                                mistakes);
-            // Without constants, other expressions would be refused, too.
-            if (subsection.schema.name.empty() && groups.empty())
+            // Without constants or a material, what uses them would be refused,
+            // too.
+            if ((subsection.schema.name.empty() && groups.empty()) ||
+                (subsection.schema.name == materials_schema().name &&
+                 groups.size() < n_groups(root, subsection.schema.name)))
               mistakes.throw_if_any(file);
             for (ParameterValues &values : groups)
               {

@@ -62,6 +62,11 @@ TEST(Materials, RefuseWhatContradictsThem)
   expect_parts(refusal_of(
                  polymer_strut().set("Sections/bar/Material", "steel")),
                {"no such material", "polymer"});
+  const std::string message_on_density =
+    refusal_of(polymer_strut().set("Materials/polymer/Density", -1));
+  expect_parts(message_on_density, {"Materials/polymer/Density"});
+  EXPECT_EQ(message_on_density.find("Sections"), std::string::npos)
+    << message_on_density;
   expect_parts(refusal_of(polymer_strut().remove("Materials")),
                {"the file has no Materials"});
   expect_parts(refusal_of(polymer_strut().remove("Sections/bar/Material")),
