@@ -39,11 +39,30 @@ namespace auxfem
     std::optional<int> determinant_sign;
   };
 
-  /** Values in State::history of a strut that may break. */
-  struct FailureRecord
+  /** Failures of the struts of the lattice in State::history, two values each,
+   * equal on all ranks. */
+  struct FailureRecords
   {
-    double is_broken; ///< 0 or 1
-    double time;      ///< at which its limit was passed (s)
+    static constexpr unsigned int values_per_strut = 2;
+
+    /** Time at which @p strut passed its limit (s); empty: it has not. */
+    std::optional<double> time_of(const std::vector<double> &history,
+                                  const unsigned int         strut) const
+    {
+      const double *values = &history[first + values_per_strut * strut];
+      return values[0] > 0 ? std::optional<double>(values[1]) : std::nullopt;
+    }
+
+    void set_time(const unsigned int   strut,
+                  const double         time,
+                  std::vector<double> &history) const
+    {
+      double *values = &history[first + values_per_strut * strut];
+      values[0]      = 1;
+      values[1]      = time;
+    }
+
+    std::size_t first = 0; ///< position in the history
   };
 
   /** Parts of the state that a scene needs; effects request them. */
@@ -74,9 +93,8 @@ namespace auxfem
     std::vector<std::array<int, 3>> space_rotations;
     EnergyLedger                    energies;
     RecordLayout                    history; ///< internal variables
-    /** Position in the history of FailureRecord of every strut, equal on all
-     * ranks, if struts may break. */
-    std::optional<std::size_t> failures;
+    /** If struts may break. */
+    std::optional<FailureRecords> failures;
     /** Ranges of history that obey differential equations: begin, end. */
     std::vector<std::pair<std::size_t, std::size_t>> integrated;
   };

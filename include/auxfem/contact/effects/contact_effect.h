@@ -283,9 +283,8 @@ namespace auxfem
       const std::vector<Strut> &struts = model.lattice.struts;
       std::vector<bool>         removed(struts.size(), false);
       for (unsigned int s = 0; s < struts.size(); ++s)
-        if (const double *record = &accepted.history[*failures + 2 * s];
-            record[0] > 0)
-          removed[s] = accepted.time - record[1] >=
+        if (const auto time = failures->time_of(accepted.history, s))
+          removed[s] = accepted.time - *time >=
             *model.sections[struts[s].section].law->failure_time();
       if (removed == curves.removed() ||
           (curves.removed().empty() &&
@@ -333,9 +332,9 @@ namespace auxfem
       return result;
     }
 
-    unsigned int               contact_entry = 0;
-    FrictionAccount            friction_account;
-    std::optional<std::size_t> failures; ///< StateLayout::failures
+    unsigned int                  contact_entry = 0;
+    FrictionAccount               friction_account;
+    std::optional<FailureRecords> failures;
   };
 } // namespace auxfem
 

@@ -58,9 +58,10 @@ namespace auxfem
         {
           std::vector<unsigned int> all(beams.lattice.struts.size());
           std::iota(all.begin(), all.end(), 0u);
-          layout.failures = layout.history.keep("failures of struts",
-                                                all,
-                                                /*values_per_item=*/2);
+          layout.failures = FailureRecords{
+            layout.history.keep("failures of struts",
+                                all,
+                                FailureRecords::values_per_strut)};
         }
       failures        = *layout.failures;
       fracture_entry  = layout.energies.enter(fracture_energy_entry());
@@ -75,9 +76,10 @@ namespace auxfem
       for (unsigned int e = 0; e < beams.size(); ++e)
         now[lost_part(e)] =
           responses.lost_part_after(before[lost_part(e)], solved.dt);
-      std::copy_n(before.begin() + failures,
-                  2 * beams.lattice.struts.size(),
-                  now.begin() + failures);
+      std::copy_n(before.begin() + failures.first,
+                  FailureRecords::values_per_strut *
+                    beams.lattice.struts.size(),
+                  now.begin() + failures.first);
     }
 
     void add_failures(const Evaluation          &solved,
@@ -98,10 +100,7 @@ namespace auxfem
     {
       std::vector<double> &now = solved.to.history;
       for (const unsigned int strut : struts)
-        {
-          now[failures + 2 * strut]     = 1;
-          now[failures + 2 * strut + 1] = solved.to.time;
-        }
+        failures.set_time(strut, solved.to.time, now);
       for (unsigned int e = 0; e < beams.size(); ++e)
         if (!(now[lost_part(e)] > 0) &&
             std::binary_search(struts.begin(),
@@ -118,7 +117,7 @@ namespace auxfem
             beams.interval(e).begin == 0)
           broken.push_back(
             {beams.interval(e).strut,
-             state.history[failures + 2 * beams.interval(e).strut + 1]});
+             *failures.time_of(state.history, beams.interval(e).strut)});
     }
 
     std::vector<StrutPoint> sample(const State       &state,
@@ -306,7 +305,7 @@ namespace auxfem
     const BrokenStrutDrag drag{{beams.shape.node, beams.shape.node + order + 1},
                                Beam::n_components};
     unsigned int          fracture_entry = 0, numerical_entry = 0;
-    std::size_t           failures = 0; ///< StateLayout::failures
+    FailureRecords        failures;
   };
 } // namespace auxfem
 
