@@ -183,6 +183,23 @@ namespace auxfem
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
   }
 
+  namespace
+  {
+    /** Without corners at their predecessor but for round-off, as where arcs
+     * take up a whole side. */
+    Outline without_repetitions(const Outline &outline)
+    {
+      double size = 0;
+      for (const Point2 &corner : outline)
+        size = std::max(size, corner.distance(outline.front()));
+      Outline result;
+      for (std::size_t i = 0; i < outline.size(); ++i)
+        if (outline[i].distance(next_corner(outline, i)) > 1e-12 * size)
+          result.push_back(outline[i]);
+      return result;
+    }
+  } // namespace
+
   Outline rounded_outline(const std::vector<RoundedCorner> &corners)
   {
     Outline           outline;
@@ -209,9 +226,7 @@ namespace auxfem
                    std::atan2(sine, incoming * outgoing),
                    outline);
       }
-    if (outline.front().distance(outline.back()) < 1e-9 * corners[0].radius)
-      outline.pop_back();
-    return outline;
+    return without_repetitions(outline);
   }
 
   double signed_area(const Outline &outline)

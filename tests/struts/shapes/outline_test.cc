@@ -83,6 +83,19 @@ namespace
                 1e-13);
   }
 
+  TEST(Outline, ArcsMayTakeUpWholeSides)
+  {
+    // Half circles at both ends of a strip; a fillet up to the tip.
+    const Outline strip =
+      rounded_outline({{0, 0, 1}, {5, 0, 1}, {5, 2, 1}, {0, 2, 1}});
+    EXPECT_NEAR(area_of_triangles(strip), 6 + PI, 1e-13);
+    const Outline angle = rounded_outline(
+      {{0, 0}, {1.1, 0}, {1.1, 0.1}, {0.1, 0.1, 1}, {0.1, 1.1}, {0, 1.1}});
+    for (std::size_t i = 0; i < angle.size(); ++i)
+      EXPECT_GT(angle[i].distance(angle[(i + 1) % angle.size()]), 0.01);
+    EXPECT_NEAR(area_of_triangles(angle), 0.21 + 1 - PI / 4, 1e-13);
+  }
+
   TEST(Outline, SidesThatCrossOrTouchAreFound)
   {
     EXPECT_FALSE(crossing_sides(star));
