@@ -74,7 +74,7 @@ namespace auxfem
         return {LinearSolverType::mumps,
                 reason + " does not serve the " +
                   std::to_string(equations.n_multipliers) +
-                  " multipliers of rigid parts and hinges"};
+                  " multipliers of constraints"};
       if (parameters.type == "gmres")
         return {LinearSolverType::iterative, reason};
       AssertThrow(parameters.type == "cholmod",

@@ -200,6 +200,11 @@ namespace auxfem
         reporting_effects.constraints.push_back(hinges.get());
         effects.push_back(std::move(hinges));
       }
+    if (auto relations = make_relation_forces(structure))
+      {
+        reporting_effects.constraints.push_back(relations.get());
+        effects.push_back(std::move(relations));
+      }
   }
 
   void Equations::make_inertia()

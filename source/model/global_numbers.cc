@@ -59,6 +59,7 @@ namespace auxfem
     distribution.assign_joints(partition.ranks);
     distribution.assign_rigid_parts();
     distribution.assign_hinges();
+    distribution.assign_relations();
     assign_numbers(distribution);
 
     for (unsigned int s = 0; s < lattice.struts.size(); ++s)
@@ -66,6 +67,11 @@ namespace auxfem
         first_inner[s] += first_owned[partition.ranks[s]];
     for (unsigned int h = 0; h < hinges.size(); ++h)
       hinges[h].joint = ties.hinged[h].joint;
+    for (unsigned int r = 0; r < relations.size(); ++r)
+      {
+        relations[r].path  = ties.relations[r].path;
+        relations[r].joint = ties.relations[r].terms.front().motion.joint;
+      }
   }
 
   void GlobalNumbers::assign_numbers(const UnknownDistribution &distribution)
@@ -97,6 +103,9 @@ namespace auxfem
       }
     for (const auto &hinge : distribution.hinges())
       hinges.push_back({invalid_index, {{global(hinge[0]), global(hinge[1])}}});
+    for (const UnknownDistribution::Unknown &relation :
+         distribution.relations())
+      relations.push_back({"", invalid_index, global(relation)});
   }
 
   std::vector<int>
@@ -215,6 +224,15 @@ namespace auxfem
                              hinges[h].multipliers.begin(),
                              hinges[h].multipliers.end());
       }
+    for (unsigned int r = 0; r < ties.relations.size(); ++r)
+      {
+        result.push_back({relations[r].multiplier});
+        for (const LinearRelation::Term &term : ties.relations[r].terms)
+          if (const int number =
+                joints[term.motion.joint][term.motion.component];
+              number >= 0)
+            result.back().push_back(number);
+      }
     return result;
   }
 
@@ -243,15 +261,18 @@ namespace auxfem
                                     all_local(part.multipliers)});
     for (const GlobalNumbers::HingeNumbers &hinge : numbers.hinges)
       hinge_numbers.push_back(all_local(hinge.multipliers));
+    for (const GlobalNumbers::RelationNumbers &relation : numbers.relations)
+      relation_numbers.push_back(layout.local(relation.multiplier));
     for (const unsigned int p : local_rigid_parts)
       keep(rigid_part_numbers[p].multipliers);
     for (const std::array<int, 2> &multipliers : hinge_numbers)
       keep(multipliers);
+    keep(relation_numbers);
   }
 
   unsigned int ConstraintUnknowns::n_multipliers() const
   {
-    unsigned int sum = 2 * hinge_numbers.size();
+    unsigned int sum = 2 * hinge_numbers.size() + relation_numbers.size();
     for (const RigidPartNumbers &part : rigid_part_numbers)
       sum += part.multipliers.size();
     return sum;

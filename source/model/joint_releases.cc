@@ -244,9 +244,10 @@ namespace auxfem
 
     /** Joints whose rotation is acted on by other things than struts. */
     std::vector<bool>
-    joints_held_or_turned(const RunPlan                   &plan,
-                          const Lattice                   &lattice,
-                          const std::vector<JointRelease> &releases)
+    joints_held_or_turned(const RunPlan                     &plan,
+                          const Lattice                     &lattice,
+                          const std::vector<JointRelease>   &releases,
+                          const std::vector<LinearRelation> &relations)
     {
       std::vector<bool> is_held = joints_of_rigid_parts(lattice);
       is_held.resize(lattice.joints.size(), false);
@@ -265,6 +266,10 @@ namespace auxfem
       for (const JointRelease &release : releases)
         for (const RotationPair &pair : release.pairs)
           is_held[pair.joint] = true;
+      for (const LinearRelation &relation : relations)
+        for (const LinearRelation::Term &term : relation.terms)
+          if (term.motion.component >= first_rotation)
+            is_held[term.motion.joint] = true;
       return is_held;
     }
 
@@ -272,13 +277,14 @@ namespace auxfem
     class StrutChains
     {
     public:
-      StrutChains(const RunPlan                   &plan,
-                  const Lattice                   &lattice,
-                  const std::vector<JointRelease> &releases)
+      StrutChains(const RunPlan                     &plan,
+                  const Lattice                     &lattice,
+                  const std::vector<JointRelease>   &releases,
+                  const std::vector<LinearRelation> &relations)
         : lattice(lattice)
         , released(ties_of(releases, lattice).released)
         , is_coupled(lattice.struts.size(), {{false, false}})
-        , is_held(joints_held_or_turned(plan, lattice, releases))
+        , is_held(joints_held_or_turned(plan, lattice, releases, relations))
         , rigid_ends(lattice.joints.size())
       {
         for (const JointRelease &release : releases)
@@ -369,14 +375,15 @@ namespace auxfem
     };
   } // namespace
 
-  std::vector<FreeSpin> free_spins(const RunPlan                   &plan,
-                                   const Lattice                   &lattice,
-                                   const std::vector<JointRelease> &releases)
+  std::vector<FreeSpin> free_spins(const RunPlan                     &plan,
+                                   const Lattice                     &lattice,
+                                   const std::vector<JointRelease>   &releases,
+                                   const std::vector<LinearRelation> &relations)
   {
     std::vector<FreeSpin> spins;
     if (lattice.dimension == 2 || releases.empty())
       return spins;
-    const StrutChains chains(plan, lattice, releases);
+    const StrutChains chains(plan, lattice, releases, relations);
     std::vector<bool> is_found(lattice.struts.size(), false);
     for (unsigned int s = 0; s < lattice.struts.size(); ++s)
       for (unsigned int end = 0; end < 2; ++end)

@@ -151,9 +151,11 @@ namespace auxfem
     Ties all_ties(const Scene                               &scene,
                   const Lattice                             &lattice,
                   const std::vector<JointRelease>           &releases,
+                  const std::vector<LinearRelation>         &relations,
                   const std::vector<std::vector<JointPair>> &connector_pairs)
     {
       Ties ties       = ties_of(releases, lattice);
+      ties.relations  = relations;
       ties.prescribed = prescribed_motions(scene, lattice);
       for (const std::vector<JointPair> &pairs : connector_pairs)
         ties.connected.insert(ties.connected.end(), pairs.begin(), pairs.end());
@@ -172,12 +174,13 @@ namespace auxfem
     , mean_strut_length(mean_length(lattice))
     , releases(plan.simulated.hinges ? joint_releases(plan.scene, lattice)
                                      : std::vector<JointRelease>())
-    , free_spins(auxfem::free_spins(plan, lattice, releases))
+    , relations(linear_relations(plan.scene, lattice, mean_strut_length))
+    , free_spins(auxfem::free_spins(plan, lattice, releases, relations))
     , connector_pairs(pairs_of(plan.scene, lattice))
     , shared_numbering(std::make_shared<const DofNumbering>(
         lattice,
         StrutPartition(lattice, divisions_of(plan, lattice), communicator),
-        all_ties(plan.scene, lattice, releases, connector_pairs),
+        all_ties(plan.scene, lattice, releases, relations, connector_pairs),
         communicator,
         law_numbers(sections, laws)))
     , numbering(*shared_numbering)
@@ -187,6 +190,7 @@ namespace auxfem
     , bodies(rigid_bodies(lattice, numbering))
   {
     refuse_references_along_struts(plan.scene, lattice);
+    check_relations(relations, numbering, plan.simulated.large_rotation);
   }
 
   LatticeModel::LatticeModel(const LatticeModel &other,
@@ -198,6 +202,7 @@ namespace auxfem
     , laws(simulated_laws(other.laws, initial_strains, plan.simulated))
     , mean_strut_length(other.mean_strut_length)
     , releases(other.releases)
+    , relations(other.relations)
     , free_spins(other.free_spins)
     , connector_pairs(other.connector_pairs)
     , shared_numbering(other.shared_numbering)

@@ -284,6 +284,8 @@ namespace auxfem
     for (const GlobalNumbers::HingeNumbers &hinge : numbers.hinges)
       for (const int global : hinge.multipliers)
         mark_multiplier(global, hinge.joint);
+    for (const GlobalNumbers::RelationNumbers &relation : numbers.relations)
+      mark_multiplier(relation.multiplier, relation.joint);
   }
 
   void DofNumbering::mark_prescribed(const std::vector<JointMotion> &motions)

@@ -32,7 +32,8 @@ namespace auxfem
 
   namespace
   {
-    /** Description of an unknown of a rigid part or hinge; empty for others. */
+    /** Description of an unknown of rigid parts and constraints; empty for
+     * others. */
     std::string describe_constraint(const Lattice       &lattice,
                                     const GlobalNumbers &numbers,
                                     const int            global)
@@ -65,6 +66,10 @@ namespace auxfem
         if (has(hinge.multipliers))
           return "constraint of the revolute hinge at joint " +
             std::to_string(hinge.joint);
+      for (const GlobalNumbers::RelationNumbers &relation : numbers.relations)
+        if (relation.multiplier == global)
+          return "relation of " + relation.path + " at joint " +
+            std::to_string(relation.joint);
       return "";
     }
 
@@ -209,6 +214,7 @@ namespace auxfem
     , joint_unknowns(lattice.joints.size())
     , part_unknowns(lattice.rigid_parts.size())
     , hinge_unknowns(ties.hinged.size())
+    , relation_unknowns(ties.relations.size())
     , count(n_ranks, 0)
   {
     for (unsigned int s = 0; s < lattice.struts.size(); ++s)
@@ -312,6 +318,16 @@ namespace auxfem
         assign(multiplier, motion_of(ties.hinged[h].end)[rotation_z].owner);
   }
 
+  void UnknownDistribution::assign_relations()
+  {
+    // Joints have displacements in any case; a missing rotation is refused
+    // later.
+    for (unsigned int r = 0; r < relation_unknowns.size(); ++r)
+      assign(
+        relation_unknowns[r],
+        joint_unknowns[ties.relations[r].terms.front().motion.joint][0].owner);
+  }
+
   UnknownDistribution::Motion
   UnknownDistribution::joint(const unsigned int joint) const
   {
@@ -360,8 +376,8 @@ namespace auxfem
       unsigned int              next = 0;
     };
 
-    /** Numbers the unknowns of joints, rigid parts and hinges; joints may share
-     * some. */
+    /** Numbers the unknowns of joints and constraints; joints may share some.
+     */
     void count_outside_struts(const GlobalNumbers &numbers,
                               SerialNumbers       &serial)
     {
@@ -376,6 +392,8 @@ namespace auxfem
         }
       for (const GlobalNumbers::HingeNumbers &hinge : numbers.hinges)
         serial.count_all(hinge.multipliers);
+      for (const GlobalNumbers::RelationNumbers &relation : numbers.relations)
+        serial.count(relation.multiplier);
     }
 
     void count_inside_struts(const DofNumbering &numbering,

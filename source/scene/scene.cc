@@ -155,7 +155,8 @@ namespace auxfem
     {
       scene.discretization = read_discretization(values,
                                                  is_linearized(scene.analysis),
-                                                 yields(scene.sections));
+                                                 yields(scene.sections),
+                                                 have_tapers(scene.sections));
     }
 
     /** A material that cannot be read keeps its name, so that sections that use
@@ -244,6 +245,7 @@ namespace auxfem
       {rigid_parts_schema(), add<&Scene::rigid_parts, read_rigid_part>},
       {joints_schema(), add<&Scene::joints, read_joint>},
       {connectors_schema(), add<&Scene::connectors, read_connector>},
+      {constraints_schema(), add<&Scene::constraints, read_constraint>},
       {supports_schema(), add<&Scene::supports, read_support>},
       {masses_schema(), add<&Scene::masses, read_mass>},
       {loads_schema(), add_load},

@@ -135,7 +135,8 @@ namespace auxfem
     {
       return model.lattice.dimension == 3 &&
         model.plan.simulated.large_rotation && model.supports.empty() &&
-        model.lattice.rigid_parts.empty() && model.plan.scene.plates.empty();
+        model.lattice.rigid_parts.empty() && model.relations.empty() &&
+        model.plan.scene.plates.empty();
     }
   } // namespace
 

@@ -396,7 +396,7 @@ end
                    {"Joints/spring/Joints",
                     "a rigid part is hinged at joint 1"});
     expect_refusal(run_with({"Supports/ground/Joints=0, 1"}),
-                   {"Rigid parts", "rigid part of joints 0 1", "supports"});
+                   {"rigid part of joints 0 1", "supports", "Remove"});
     Words check = {"--check",
                    "scene.prm",
                    "--set",

@@ -135,6 +135,9 @@ namespace
                                     "set Schemes",
                                     "set Distribution",
                                     "set Profile",
+                                    "set Components",
+                                    "set Relation",
+                                    "set Taper",
                                     "set Force =",
                                     "set Moment =",
                                     "set NAME = TEXT"};

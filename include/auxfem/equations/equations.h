@@ -77,7 +77,8 @@ namespace auxfem
     /** nullptr if struts may cross. */
     const StrutContact *strut_contact        = nullptr;
     unsigned int        strut_contact_effect = 0; ///< index of its results
-    /** Constraints with multipliers: rigid parts and revolute hinges. */
+    /** Constraints with multipliers: rigid parts, revolute hinges, linear
+     * relations. */
     std::vector<const Constraints *> constraints;
   };
 

@@ -52,6 +52,9 @@ namespace auxfem
   /** Revolute hinges; nullptr if the scene has none. */
   std::unique_ptr<Constraints> make_revolute_hinges(const LatticeModel &model);
 
+  /** Linear relations; nullptr if the scene has no constraints. */
+  std::unique_ptr<Constraints> make_relation_forces(const LatticeModel &model);
+
   /**
    * Joint loads, line loads and weight: dead loads and follower loads. Throws
    * InputError for a moment on a joint without rotation.

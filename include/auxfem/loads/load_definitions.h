@@ -21,12 +21,6 @@
  */
 namespace auxfem
 {
-  /** Whether planar scenes have the component @p c of motion and load. */
-  constexpr bool is_in_plane(const unsigned int c)
-  {
-    return c < 2 || c == rotation_z;
-  }
-
   /** The @p parameter of component @p c: appends the axis to its name, the
    * direction to its sentence, which has no full stop. */
   template <class Typed>

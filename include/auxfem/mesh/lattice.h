@@ -69,6 +69,12 @@ namespace auxfem
   /** The first component of rotation and moment. */
   constexpr unsigned int first_rotation = 3;
 
+  /** Whether planar scenes have the component @p c of motion and load. */
+  constexpr bool is_in_plane(const unsigned int c)
+  {
+    return c < 2 || c == rotation_z;
+  }
+
   /** Marks "no joint", "no strut": an index that no list has. */
   constexpr unsigned int invalid_index =
     std::numeric_limits<unsigned int>::max();

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <map>
+#include <string>
 #include <vector>
 
 namespace auxfem
@@ -45,6 +46,18 @@ namespace auxfem
     unsigned int joint, component;
   };
 
+  /** A sum of multiples of joint motions that is zero (m). */
+  struct LinearRelation
+  {
+    struct Term
+    {
+      JointMotion motion;
+      double      coefficient; ///< m before rotations, else 1
+    };
+    std::string       path; ///< of its definition, for messages
+    std::vector<Term> terms;
+  };
+
   /** Releases, couplings and prescribed motions of a lattice. */
   struct Ties
   {
@@ -60,6 +73,9 @@ namespace auxfem
 
     /** Rotations coupled by revolute hinges (two constraints each). */
     std::vector<RotationPair> hinged;
+
+    /** Linear relations between joint motions (one constraint each). */
+    std::vector<LinearRelation> relations;
 
     /** Motions prescribed by supports, including components that a joint
      * lacks. */
@@ -102,6 +118,13 @@ namespace auxfem
       std::array<int, 2> multipliers;
     };
 
+    struct RelationNumbers
+    {
+      std::string  path;  ///< of its definition, for messages
+      unsigned int joint; ///< of its first term
+      int          multiplier;
+    };
+
     /** @param components motion components of nodes */
     GlobalNumbers(const Lattice                   &lattice,
                   const StrutPartition            &partition,
@@ -115,6 +138,7 @@ namespace auxfem
                                   released_ends;
     std::vector<RigidPartNumbers> rigid_parts;
     std::vector<HingeNumbers>     hinges;
+    std::vector<RelationNumbers>  relations;
     /** Index of the first node of each strut in a consecutive list of the nodes
      * of all struts, and the end of the list. Joints are repeated for each
      * strut. */
@@ -154,8 +178,8 @@ namespace auxfem
                                    unsigned int   rigid_part,
                                    unsigned int   number) const;
 
-    /** Groups of unknowns coupled by rotational springs and hinges, including
-     * multipliers. */
+    /** Groups of unknowns coupled by rotational springs, hinges and linear
+     * relations, including multipliers. */
     std::vector<std::vector<int>> coupled(const Ties &ties) const;
 
   private:
@@ -165,8 +189,8 @@ namespace auxfem
   };
 
   /**
-   * Unknowns of rigid parts and hinges: their own motions and Lagrange
-   * multipliers, as local numbers; -1 if not on this rank.
+   * Unknowns of rigid parts, hinges and linear relations: their own motions and
+   * Lagrange multipliers, as local numbers; -1 if not on this rank.
    */
   class ConstraintUnknowns
   {
@@ -219,6 +243,12 @@ namespace auxfem
       return hinge_numbers[hinge][number];
     }
 
+    /** Multiplier of a relation of Ties::relations. */
+    int relation_multiplier(const unsigned int relation) const
+    {
+      return relation_numbers[relation];
+    }
+
     /** Multipliers on this rank. */
     const std::vector<int> &multipliers() const
     {
@@ -239,6 +269,7 @@ namespace auxfem
     std::vector<unsigned int>       local_rigid_parts;
     std::vector<RigidPartNumbers>   rigid_part_numbers;
     std::vector<std::array<int, 2>> hinge_numbers;
+    std::vector<int>                relation_numbers;
     std::vector<int>                local_multipliers;
   };
 } // namespace auxfem

@@ -65,11 +65,13 @@ namespace auxfem
    * Bars between ball hinges in space: straight elastic struts, or collinear
    * chains of them, whose outer ends are hinged or alone at a free joint. No
    * load can spin them about their axis. Empty in the plane.
-   * @param releases releases of @p lattice
+   * @param releases, relations those of @p lattice
    */
-  std::vector<FreeSpin> free_spins(const RunPlan                   &plan,
-                                   const Lattice                   &lattice,
-                                   const std::vector<JointRelease> &releases);
+  std::vector<FreeSpin>
+  free_spins(const RunPlan                     &plan,
+             const Lattice                     &lattice,
+             const std::vector<JointRelease>   &releases,
+             const std::vector<LinearRelation> &relations);
 } // namespace auxfem
 
 #endif

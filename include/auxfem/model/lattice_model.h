@@ -4,6 +4,7 @@
 #include <auxfem/model/effect_decisions.h>
 #include <auxfem/model/initial_strains.h>
 #include <auxfem/model/joint_releases.h>
+#include <auxfem/model/linear_relations.h>
 #include <auxfem/model/rigid_bodies.h>
 #include <auxfem/model/supports.h>
 
@@ -47,7 +48,8 @@ namespace auxfem
     /** Reference length (m) that converts moments to forces. */
     const double mean_strut_length;
     /** Hinges and springs; empty if disabled. */
-    const std::vector<JointRelease> releases;
+    const std::vector<JointRelease>   releases;
+    const std::vector<LinearRelation> relations;
     /** Bars that can spin between ball hinges. */
     const std::vector<FreeSpin> free_spins;
     /** Joint pairs of the whole lattice by connector group. */

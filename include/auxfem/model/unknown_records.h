@@ -79,6 +79,10 @@ namespace auxfem
     /** Claims multipliers of hinges for the rank of the guided rotation. */
     void assign_hinges();
 
+    /** Claims multipliers of linear relations for the rank of their first
+     * joint. */
+    void assign_relations();
+
     unsigned int n_joints() const
     {
       return joint_unknowns.size();
@@ -119,6 +123,12 @@ namespace auxfem
       return hinge_unknowns;
     }
 
+    /** Multipliers of Ties::relations. */
+    const std::vector<Unknown> &relations() const
+    {
+      return relation_unknowns;
+    }
+
   private:
     /** Claims an unowned unknown for @p rank. */
     void assign(Unknown &unknown, int rank);
@@ -135,6 +145,7 @@ namespace auxfem
                                         released_end_unknowns;
     std::vector<RigidPartUnknowns>      part_unknowns;
     std::vector<std::array<Unknown, 2>> hinge_unknowns;
+    std::vector<Unknown>                relation_unknowns;
     std::vector<int>                    count;
   };
 

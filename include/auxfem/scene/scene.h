@@ -4,6 +4,7 @@
 #include <auxfem/algebra/linear_solver_method.h>
 #include <auxfem/connectors/connector_definition.h>
 #include <auxfem/contact/plate_definition.h>
+#include <auxfem/joints/constraint_definition.h>
 #include <auxfem/joints/joint_definition.h>
 #include <auxfem/loads/load_definitions.h>
 #include <auxfem/mesh/imperfection.h>
@@ -42,6 +43,7 @@ namespace auxfem
     std::vector<JointDefinition>           joints;
     std::vector<RigidPartDefinition>       rigid_parts;
     std::vector<ConnectorDefinition>       connectors;
+    std::vector<ConstraintDefinition>      constraints;
     std::vector<SupportDefinition>         supports;
     std::vector<MassDefinition>            masses;
     std::vector<JointLoadDefinition>       joint_loads;

@@ -263,8 +263,11 @@ namespace auxfem
       const ParameterSubsection root = parse_parameter_text(parameters, file);
       std::string               text =
         "Dimension = " + root.find_entry("Dimension")->value + '\n';
-      for (const char *name :
-           {"Lattice", "Discretization", "Joints", "Rigid parts"})
+      for (const char *name : {"Lattice",
+                               "Discretization",
+                               "Joints",
+                               "Rigid parts",
+                               "Constraints"})
         if (const ParameterSubsection *const found = root.find_subsection(name))
           text += values_text(*found, std::string(name) + "/");
       return text;

@@ -304,16 +304,14 @@ namespace auxfem
     /**
      * Sets the diagonal to identity in rows of displacements and to a small
      * negative number in multipliers, beside the constraint gradients G. The
-     * Schur complement is then -(G G^T + small) on free unknowns. Rotations in
-     * space are scaled by the strut length.
+     * Schur complement is then -(G G^T + small) on free unknowns. Rotations are
+     * scaled by the strut length.
      */
     void replace_diagonal(const LatticeModel &model, TangentMatrix &matrix)
     {
       const DofNumbering &numbering = model.numbering;
       Vector              diagonal(numbering.layout().n_owned());
-      const double        rotation = model.lattice.dimension == 3
-               ? model.mean_strut_length * model.mean_strut_length
-               : 1.;
+      const double rotation = model.mean_strut_length * model.mean_strut_length;
       for (unsigned int i = 0; i < numbering.layout().n_owned(); ++i)
         diagonal[i] = numbering.unknowns().kinds[i] == UnknownKind::multiplier
           ? -smallest_eigenvalue / 10
@@ -330,19 +328,22 @@ namespace auxfem
       for (unsigned int i = 0; i < sizes.size(); ++i)
         sizes[i] = std::abs(mode[i]);
       throw InputError(
-        std::string(model.lattice.dimension == 3
-                      ? "Rigid parts and revolute hinges: a "
-                      : "Rigid parts: a ") +
-        describe_largest(numbering, sizes) +
-        " follows from the constraints of other parts and the supports, so the "
-        "forces in them are not determined.\n" +
-        (model.lattice.dimension == 3
+        "A " + describe_largest(numbering, sizes) +
+        " follows from other constraints and the supports, so the forces in "
+        "them are not determined.\n" +
+        (model.relations.empty()
+           ? ""
+           : "Remove a relation between joints that supports or other relations "
+             "hold already. ") +
+        (model.lattice.dimension == 3 && !model.releases.empty()
            ? "Two hinges on one axis support a part twice: keep one of them, or "
              "let a support slide along the axis. "
            : "") +
-        "Remove a rigid part between fixed joints or in a closed loop, make it "
-        "elastic (Sections), or release a support. Rigid bars in exactly one "
-        "line need a slight bend.");
+        (model.lattice.rigid_parts.empty()
+           ? ""
+           : "Remove a rigid part between fixed joints or in a closed loop, "
+             "make it elastic (Sections), or release a support. Rigid bars in "
+             "exactly one line need a slight bend."));
     }
   } // namespace
 

@@ -210,6 +210,12 @@ TEST(HeldSpins, AreThoseOfStraightBarsThatNothingTurns)
   EXPECT_EQ(n_free_spins(straight_bar(2).support("held", "1", "clamp")), 0u);
   EXPECT_EQ(n_free_spins(
               straight_bar(2)
+                .set("Effects/Large rotation", "off")
+                .add("Constraints/lever",
+                     "Type = linear relation | Relation = rotation x of 1")),
+            0u);
+  EXPECT_EQ(n_free_spins(
+              straight_bar(2)
                 .set("Lattice/Joints", "0 0 0; 0.5 0 0; 1 0 0; 0.5 1 0")
                 .set("Lattice/Struts", "0 1; 1 2; 1 3")),
             0u);

@@ -62,7 +62,7 @@ TEST(Overconstrained, ABarBetweenFixedJointsIsRefused)
 {
   const std::string message = overconstraint_of(
     frame_scene("0 0; 1 0; 3 1", "0 1; 1 2", rigid("all") + pins("0, 1")));
-  for (const char *words : {"Rigid parts",
+  for (const char *words : {"rigid part between fixed joints",
                             "constraint of the rigid part of joints 0 1",
                             "supports"})
     EXPECT_TRUE(contains(message, words)) << message;
@@ -196,4 +196,31 @@ TEST(Overconstrained, ARevoluteHingeInAHeldBodyIsRefused)
               "Supports/slide",
               "Joints = 2 | Type = prescribed | Displacement z = 0"))),
             "");
+}
+
+TEST(Overconstrained, ARelationThatFollowsFromOthersIsRefused)
+{
+  const auto constrained = [](const std::string &second,
+                              const std::string &supports) {
+    return overconstraint_of(
+      frame_scene("0 0; 1 0; 3 1",
+                  "0 1; 1 2",
+                  SceneText()
+                    .section({1, 1, 1})
+                    .add("Constraints/first", "Joints = 0, 1 | Components = x")
+                    .add("Constraints/second", second)
+                    .add(pins(supports))));
+  };
+  const std::string pair = "Type = linear relation | Relation = ";
+  EXPECT_EQ(constrained(pair + "x of 0; x of 1; x of 2", "0"), "");
+  for (const auto &[second, supports] :
+       {std::pair(pair + "2 x of 1; -2 x of 0", "0"),
+        std::pair(pair + "x of 1; 2 y of 0", "0"),
+        std::pair(std::string("Type = line | Joints = 0 | Direction = 1 1"),
+                  "0")})
+    {
+      const std::string message = constrained(second, supports);
+      EXPECT_TRUE(contains(message, "relation of Constraints/")) << message;
+      EXPECT_TRUE(contains(message, "Remove a relation")) << message;
+    }
 }

@@ -1,0 +1,31 @@
+#ifndef auxfem_joints_effects_relation_forces_h
+#define auxfem_joints_effects_relation_forces_h
+
+#include <auxfem/equations/effect.h>
+
+#include <memory>
+#include <vector>
+
+namespace auxfem
+{
+  /** A linear relation by local unknowns. */
+  struct LocalRelation
+  {
+    /** Unknowns of the terms, then the multiplier. */
+    std::vector<int>    unknowns;
+    std::vector<double> coefficients; ///< of the terms
+  };
+
+  /**
+   * Makes the constraints of linear relations between motions u_i,
+   * @code
+   * g = sum_i c_i u_i = 0
+   * @endcode
+   * with the forces c_i lambda. They are constant in direction, so that they do
+   * no work in any step at whose ends g is zero.
+   */
+  std::unique_ptr<Constraints>
+  make_relation_forces(std::vector<LocalRelation> relations);
+} // namespace auxfem
+
+#endif

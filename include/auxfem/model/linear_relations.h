@@ -1,0 +1,27 @@
+#ifndef auxfem_model_linear_relations_h
+#define auxfem_model_linear_relations_h
+
+#include <auxfem/model/numbering.h>
+#include <auxfem/scene/run_plan.h>
+
+namespace auxfem
+{
+  /**
+   * Linear relations of all `Constraints/NAME`: n - 1 for n joints that move
+   * alike, one across each line in the plane and two in space.
+   *
+   * Throws InputError for unknown joints and for relations without meaning.
+   * @param length coefficient (m) of rotations in relations without
+   *   displacements; the largest coefficient of displacements becomes 1
+   */
+  std::vector<LinearRelation>
+  linear_relations(const Scene &scene, const Lattice &lattice, double length);
+
+  /** Throws InputError for motions in @p relations that @p numbering lacks, and
+   * for components of large rotations in space, which do not add up. */
+  void check_relations(const std::vector<LinearRelation> &relations,
+                       const DofNumbering                &numbering,
+                       bool                               large_rotation);
+} // namespace auxfem
+
+#endif
