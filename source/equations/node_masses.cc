@@ -12,7 +12,9 @@ namespace auxfem
     {
       const StrutInterval &interval = model.numbering.elements()[e].interval;
       const Strut         &strut    = model.lattice.struts[interval.strut];
-      return model.sections[strut.section].mass_per_length() *
+      return model.sections[strut.section]
+               .at(interval.at(0))
+               .mass_per_length() *
         model.lattice.length(strut) * (interval.end - interval.begin);
     }
 

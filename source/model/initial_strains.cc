@@ -54,6 +54,10 @@ namespace auxfem
       if (chosen.is_rigid())
         refuse("is rigid and has no strain. Leave it out of the set");
       const SectionDefinition &section = plan.scene.sections[chosen.section];
+      if (definition.cause == Cause::pretension && section.section.taper)
+        refuse("has a Taper, so that a pretension alone would not give it one "
+               "force. Divide it into several struts, or cool it by a "
+               "temperature");
       if (definition.cause != Cause::pretension &&
           !section.section.thermal_expansion)
         refuse("has no Thermal expansion. Set " + section.material_path +

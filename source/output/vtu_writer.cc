@@ -193,7 +193,10 @@ namespace auxfem
 
         const unsigned int number = element.interval.strut;
         const Strut       &strut  = equations.model().lattice.struts[number];
-        const float radius = equations.model().sections[strut.section].radius;
+        const float        radius = equations.model()
+                               .sections[strut.section]
+                               .at(element.interval.at(0))
+                               .radius;
 
         points.clear();
         values.clear();

@@ -37,6 +37,28 @@ namespace auxfem
       "Name in Materials; none: the section gives the constants of a linear "
       "elastic material itself."};
 
+    const Text taper = {
+      "Taper",
+      "none",
+      "Factors on dimensions along the strut, DIMENSION: EXPRESSION in s from 0 "
+      "at its first joint to 1 at its second, separated by semicolons, e.g. "
+      "Height: 1 - 0.5 * s. Each element has the section of its middle. none: "
+      "constant."};
+
+    /** Sets the variation along the strut and the shape of its middle. */
+    void set_taper(const ParameterValues             &values,
+                   const RegistryEntry<CrossSection> &shape,
+                   Section                           &section)
+    {
+      section.taper = std::make_shared<Taper>(values, taper, shape);
+      for (const double s : {0., 1., 0.5})
+        section = section.at(s);
+      if (section.outer_fibres.empty())
+        values.refuse(taper,
+                      "the outer fibres of Shape = " + shape.name +
+                        " are not known. Choose a shape with dimensions");
+    }
+
     /** In the plane, struts bend about the drawn axis 3. */
     void refuse_turned_axes(const ParameterValues &values,
                             const CrossSection    &section)
@@ -107,6 +129,22 @@ namespace auxfem
       return law ? law : material.law;
     }
 
+    /** Elements with one law share the proportions of their fibres. */
+    void refuse_varied_fibres(const ParameterValues &values,
+                              const Section         &section)
+    {
+      if (!section.taper || !section.law)
+        return;
+      const SectionShape here = section.law->needed_shape(section.shape),
+                         there =
+                           section.law->needed_shape(section.at(0.25).shape);
+      if (here < there || there < here)
+        values.refuse(taper,
+                      "the proportions of the section vary, for which this "
+                      "material has no fibres. Let both dimensions vary alike, "
+                      "or divide the struts into several ones");
+    }
+
     void set_material(const MaterialDefinition             &material,
                       const std::vector<SectionDefinition> &others,
                       SectionDefinition                    &definition)
@@ -136,9 +174,21 @@ namespace auxfem
                        });
   }
 
+  bool have_tapers(const std::vector<SectionDefinition> &sections)
+  {
+    return std::any_of(sections.begin(),
+                       sections.end(),
+                       [](const SectionDefinition &definition) {
+                         return definition.section.taper != nullptr;
+                       });
+  }
+
   SubsectionSchema sections_schema()
   {
-    Parameters parameters = {section_struts, shape_choice(), section_material};
+    Parameters parameters = {section_struts,
+                             shape_choice(),
+                             taper,
+                             section_material};
     for (const Parameter &parameter : material_parameters())
       parameters.push_back(parameter);
     parameters.push_back(reference);
@@ -162,9 +212,11 @@ namespace auxfem
     definition.name   = values.name();
     definition.path   = values.context.path;
     definition.struts = values[section_struts];
-    static_cast<CrossSection &>(definition.section) =
-      *find_entry(cross_section_registry(), values[shape_choice()])
-         .make(values);
+    const RegistryEntry<CrossSection> &shape =
+      find_entry(cross_section_registry(), values[shape_choice()]);
+    static_cast<CrossSection &>(definition.section) = *shape.make(values);
+    if (values[taper] != "none")
+      set_taper(values, shape, definition.section);
     if (values.context.dimension == 2)
       refuse_turned_axes(values, definition.section);
     const MaterialDefinition material = material_of(values, materials);
@@ -175,6 +227,7 @@ namespace auxfem
                       " yields fibre by fibre, and this shape has no fibres. "
                       "Choose rectangle, circle or tube");
     set_material(material, others, definition);
+    refuse_varied_fibres(values, definition.section);
     if (!values.is_word(reference))
       definition.section.reference = unit_vector_of(values, reference);
     return definition;

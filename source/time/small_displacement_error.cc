@@ -115,9 +115,10 @@ namespace auxfem
          ++e)
       {
         const DofNumbering::Element &element = numbering.elements()[e];
-        const Strut   &strut   = model.lattice.struts[element.interval.strut];
-        const Section &section = model.sections[strut.section];
-        Line           line;
+        const Strut  &strut = model.lattice.struts[element.interval.strut];
+        const Section section =
+          model.sections[strut.section].at(element.interval.at(0));
+        Line line;
         line.unknowns.fill(-1);
         std::array<dealii::Point<3>, 2> ends;
         for (unsigned int end = 0; end < 2; ++end)

@@ -34,10 +34,12 @@ namespace auxfem
    * @param is_chosen_by_default whether `Order = default` means `auto` in the
    *   analysis of the scene
    * @param yields whether a material of the scene yields
+   * @param tapers whether a section varies along its struts
    */
   DiscretizationParameters read_discretization(const ParameterValues &values,
                                                bool is_chosen_by_default,
-                                               bool yields);
+                                               bool yields,
+                                               bool tapers);
 } // namespace auxfem
 
 #endif

@@ -4,6 +4,7 @@
 #include <auxfem/mathematics/rotation.h>
 #include <auxfem/struts/material.h>
 #include <auxfem/struts/shapes/cross_section.h>
+#include <auxfem/struts/taper.h>
 
 #include <deal.II/base/tensor.h>
 
@@ -37,6 +38,18 @@ namespace auxfem
     std::optional<double> thermal_expansion;
     /** Law of the material; empty: linear elastic. */
     std::shared_ptr<const SectionLaw> law;
+    /** Variation along the strut, whose constants are then those of its middle;
+     * empty: none. */
+    std::shared_ptr<const Taper> taper;
+
+    /** The section at the part @p s, from 0 to 1, of the strut. */
+    Section at(const double s) const
+    {
+      Section section = *this;
+      if (taper)
+        static_cast<CrossSection &>(section) = taper->shape_at(s);
+      return section;
+    }
 
     /** Whether the material yields. */
     bool yields() const
@@ -132,6 +145,9 @@ namespace auxfem
 
   /** Whether a section has a material that yields. */
   bool yields(const std::vector<SectionDefinition> &sections);
+
+  /** Whether a section varies along its struts. */
+  bool have_tapers(const std::vector<SectionDefinition> &sections);
 
   /** `Sections`. */
   SubsectionSchema sections_schema();

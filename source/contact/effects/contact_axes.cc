@@ -42,7 +42,8 @@ namespace auxfem
         axis.stiffness      = stiffest;
         if (strut.section == invalid_index)
           return;
-        const Section &section = model.sections[strut.section];
+        const Section section =
+          model.sections[strut.section].at((axis.begin + axis.end) / 2);
         axis.half_thickness = half_thickness(section, model.lattice.dimension);
         if (!strut.is_rigid())
           axis.stiffness = axis.half_thickness > 0

@@ -110,7 +110,7 @@ namespace auxfem
                 add_along_struts(
                   c,
                   chosen,
-                  [](const Strut &) { return 1.; },
+                  [](const StrutInterval &) { return 1.; },
                   [&](const dealii::Point<3> &position) {
                     return factor.value_at(position);
                   },
@@ -220,8 +220,11 @@ namespace auxfem
             add_along_struts(
               c,
               all,
-              [&](const Strut &strut) {
-                return sign * model.sections[strut.section].mass_per_length();
+              [&](const StrutInterval &element) {
+                return sign *
+                  model.sections[lattice.struts[element.strut].section]
+                    .at(element.at(0))
+                    .mass_per_length();
               },
               [](const dealii::Point<3> &) { return 1.; },
               load);
@@ -298,7 +301,7 @@ namespace auxfem
                              " is rigid, and " + why);
       }
 
-      /** Adds the force @p per_length(strut) (N/m) along component @p c, times
+      /** Adds the force @p per_length(element) (N/m) along component @p c, times
        * @p factor by position, to the chosen struts. */
       template <class PerLength, class Factor>
       void add_along_struts(const unsigned int       c,
@@ -318,8 +321,8 @@ namespace auxfem
                 if (!chosen[interval.strut])
                   continue;
                 const Strut &strut = lattice.struts[interval.strut];
-                const double force = per_length(strut) * lattice.length(strut) *
-                  (interval.end - interval.begin) / 2;
+                const double force = per_length(interval) *
+                  lattice.length(strut) * (interval.end - interval.begin) / 2;
                 std::vector<double> shares(rule.nodes.size(), 0.);
                 for (const LineRule::Point &point : rule.points)
                   {

@@ -41,8 +41,8 @@ namespace auxfem
         for (unsigned int e = 0; e < elements.size() && rotary; ++e)
           add_rotary_inertia(lattice,
                              numbering.elements()[group.begin + e].interval,
-                             elements[e].section,
-                             elements[e].half_length);
+                             sections,
+                             elements[e]);
       }
 
       bool is_linear() const override
@@ -176,10 +176,10 @@ namespace auxfem
       }
 
       /** Appends M_ab of one element, in the global frame at rest. */
-      void add_rotary_inertia(const Lattice       &lattice,
-                              const StrutInterval &interval,
-                              const Section       &section,
-                              const double         jacobian)
+      void add_rotary_inertia(const Lattice              &lattice,
+                              const StrutInterval        &interval,
+                              const std::vector<Section> &sections,
+                              const Element              &element)
       {
         // One point more than a straight strut needs, since the axes rotate
         // along an arc.
@@ -187,23 +187,25 @@ namespace auxfem
         const Strut                   &strut = lattice.struts[interval.strut];
         const std::size_t              first = pair_inertias.size();
         pair_inertias.resize(first + n_pairs);
-        const std::array<double, 3> values =
-          section.rotary_inertia_per_length();
+        const std::array<double, 3> &values = element.rotary_inertia;
+        const SectionOrientation     orientation =
+          sections[strut.section].orientation();
         for (unsigned int q = 0; q < rule.size(); ++q)
           {
             dealii::Point<3> position;
             SpaceVector      tangent;
             const double     xi = 2 * rule.point(q)[0] - 1;
             lattice.axis(strut, interval.at(xi), position, tangent);
-            const SpaceTensor inertia = with_principal_values(
-              section_frame(tangent, section.orientation()),
-              SpaceVector({values[0], values[1], values[2]}));
+            const SpaceTensor inertia =
+              with_principal_values(section_frame(tangent, orientation),
+                                    SpaceVector(
+                                      {values[0], values[1], values[2]}));
             double N[order + 1];
             shape.values_at(xi, N);
             for (int a = 0; a <= order; ++a)
               for (int b = 0; b <= order; ++b)
-                pair_inertias[first + a * (order + 1) + b] +=
-                  2 * jacobian * rule.weight(q) * N[a] * N[b] * inertia;
+                pair_inertias[first + a * (order + 1) + b] += 2 *
+                  element.half_length * rule.weight(q) * N[a] * N[b] * inertia;
           }
       }
 

@@ -20,8 +20,7 @@ namespace auxfem
       {
         for (const Element &element : elements)
           rotary.push_back(rotary_inertia
-                             ? element.section.rotary_inertia_per_length()[2] *
-                               element.half_length
+                             ? element.rotary_inertia[2] * element.half_length
                              : 0.);
       }
 
@@ -144,11 +143,12 @@ namespace auxfem
     for (unsigned int e = group.begin; e < group.end; ++e)
       {
         const DofNumbering::Element &element = numbering.elements()[e];
-        const Strut   &strut       = lattice.struts[element.interval.strut];
-        const Section &section     = sections[strut.section];
-        const double   half_length = lattice.length(strut) *
+        const Strut  &strut = lattice.struts[element.interval.strut];
+        const Section section =
+          sections[strut.section].at(element.interval.at(0));
+        const double half_length = lattice.length(strut) *
           (element.interval.end - element.interval.begin) / 2;
-        elements.push_back({section,
+        elements.push_back({section.rotary_inertia_per_length(),
                             half_length,
                             section.mass_per_length() * half_length,
                             section.mass_proportional_damping,

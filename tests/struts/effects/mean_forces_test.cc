@@ -1,3 +1,4 @@
+#include <auxfem/connectors/effects/connector_forces.h>
 #include <auxfem/equations/make_effects.h>
 #include <auxfem/joints/effects/rotational_springs.h>
 #include <auxfem/rigid/effects/rigid_part_group.h>
@@ -150,9 +151,8 @@ TEST(MeanForces, WorkOfRotationalLawsIsStored)
                                       {{"Spring stiffness", "3"},
                                        {"Second stiffness", "1"},
                                        {"Kink extension", "0.01"}}),
-                             {{{{dofs.joint_unknown(0, rotation_z),
-                                 dofs.joint_unknown(1, rotation_z)}},
-                               0}},
+                             {{{dofs.joint_unknown(0, rotation_z),
+                                dofs.joint_unknown(1, rotation_z)}}},
                              {0});
       Effect &laws = *made;
       step.make_room_for(laws);

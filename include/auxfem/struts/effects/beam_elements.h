@@ -9,6 +9,7 @@
 #include <auxfem/struts/effects/struts.h>
 #include <auxfem/struts/section.h>
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -52,6 +53,7 @@ namespace auxfem
     {
       const unsigned int n_elements = group.end - group.begin;
       elements.reserve(n_elements);
+      find_tapered_sections();
       for (unsigned int e = 0; e < n_elements; ++e)
         elements.push_back({lattice.length(strut(e)),
                             numbering.elements()[group.begin + e].is_owned});
@@ -90,7 +92,9 @@ namespace auxfem
 
     const Section &section(const unsigned int e) const
     {
-      return sections[strut(e).section];
+      const auto tapered = tapered_sections.find(e);
+      return tapered == tapered_sections.end() ? sections[strut(e).section]
+                                               : tapered->second;
     }
 
     /** Numbers of all elements in the lattice, independent of the ranks. */
@@ -186,12 +190,18 @@ namespace auxfem
           const Strut &strut                   = lattice.struts[s];
           if (strut.is_rigid() || strut_order != order)
             continue;
-          const double   length  = lattice.length(strut) / n_elements;
-          const Section &section = sections[strut.section];
-          limit                  = std::min(
-            limit,
-            12 * Beam::smallest_bending_stiffness(Beam::stiffness(section)) /
-              (small_rotation * section.axial_stiffness() * length * length));
+          const double   length = lattice.length(strut) / n_elements;
+          const Section &whole  = sections[strut.section];
+          for (unsigned int e = 0; e < (whole.taper ? n_elements : 1); ++e)
+            {
+              const Section section = whole.at((e + 0.5) / n_elements);
+              limit                 = std::min(limit,
+                               12 *
+                                 Beam::smallest_bending_stiffness(
+                                   Beam::stiffness(section)) /
+                                 (small_rotation * section.axial_stiffness() *
+                                  length * length));
+            }
         }
       return limit;
     }
@@ -224,8 +234,17 @@ namespace auxfem
       return at_rest;
     }
 
-    std::vector<Element>       elements;
-    std::vector<AtRestInLanes> batches_at_rest;
+    void find_tapered_sections()
+    {
+      for (unsigned int e = 0; e < group.end - group.begin; ++e)
+        if (const Section &whole = sections[strut(e).section]; whole.taper)
+          tapered_sections.emplace(e, whole.at(interval(e).at(0)));
+    }
+
+    /** By element of a tapered strut. */
+    std::map<unsigned int, Section> tapered_sections;
+    std::vector<Element>            elements;
+    std::vector<AtRestInLanes>      batches_at_rest;
   };
 
   /** Damping section forces at the Gauss points of a batch, at one end of a

@@ -198,12 +198,18 @@ namespace auxfem
           const unsigned int section      = beams.strut(e).section;
           const double       strain_limit = limits[section].strain,
                        least_strain       = largest.ratio * strain_limit;
+          const bool is_tapered = beams.sections[section].taper != nullptr;
           if (!beams[e].owned || !carries_load(e, state) ||
-              bounds[section] * energies[e] <=
-                least_strain * least_strain * beams.at_rest(e).jacobian)
+              (!is_tapered &&
+               bounds[section] * energies[e] <=
+                 least_strain * least_strain * beams.at_rest(e).jacobian))
             continue;
           const double ratio =
-            largest_strain(state, e, limits[section].fibres) / strain_limit;
+            largest_strain(state,
+                           e,
+                           is_tapered ? beams.section(e).outer_fibres
+                                      : limits[section].fibres) /
+            strain_limit;
           if (ratio > largest.ratio)
             largest = {ratio, beams.interval(e).strut};
         }

@@ -43,11 +43,12 @@ namespace auxfem
   protected:
     struct Element
     {
-      const Section &section;
-      double         half_length; ///< m
-      double         mass;        ///< rho A times half the length (kg)
-      double         damping;     ///< alpha (1/s)
-      bool           owned;
+      /** Per length about axes 1, 2, 3 (kg m). */
+      std::array<double, 3> rotary_inertia;
+      double                half_length; ///< m
+      double                mass;        ///< rho A times half the length (kg)
+      double                damping;     ///< alpha (1/s)
+      bool                  owned;
     };
 
     using Weight = double (*)(const Element &);
