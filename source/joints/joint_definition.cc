@@ -27,6 +27,16 @@ namespace auxfem
       3,
       3,
       "Vector x, y, z of the axis at rest, of any length but zero."};
+    const QuantityList law_axis = {
+      "Axis",
+      "none",
+      "1",
+      Range::any(),
+      3,
+      3,
+      "With Dimension = 3, where it is required: vector x, y, z of the axis at "
+      "rest about which the law acts. The joint is then a revolute hinge.",
+      {"none"}};
     const Quantity joint_stiffness = {
       "Stiffness",
       "",
@@ -49,8 +59,11 @@ namespace auxfem
          "A spring resists the relative rotation, in space about every "
          "axis alike.",
          {joint_stiffness}}};
-      for (const SubsectionVariant &law : rotational_laws())
-        types.push_back(law);
+      for (SubsectionVariant law : rotational_laws())
+        {
+          law.parameters.push_back(law_axis);
+          types.push_back(law);
+        }
       return types;
     }
   } // namespace
@@ -92,12 +105,19 @@ namespace auxfem
       }
     else if (type != "hinge" && type != "revolute")
       {
-        if (values.context.dimension == 3)
-          values.refuse(joint_type(),
-                        "a law of the angle about one axis is for planar "
-                        "scenes. Choose Type = rotational spring");
-        joint.type      = JointDefinition::Type::rotational_spring;
-        joint.law       = make_rotational_law(type, values);
+        joint.type = JointDefinition::Type::rotational_spring;
+        joint.law  = make_rotational_law(type, values);
+        if (values.context.dimension == 2)
+          require_space(values, law_axis);
+        else if (values.is_word(law_axis))
+          values.refuse(law_axis,
+                        "in space the law acts about an axis. Give it, e.g. 0 "
+                        "0 1, or choose Type = rotational spring");
+        else
+          {
+            joint.type = JointDefinition::Type::revolute;
+            joint.axis = unit_vector_of(values, law_axis);
+          }
         joint.stiffness = joint.law->relaxed(0).stiffness;
       }
     return joint;

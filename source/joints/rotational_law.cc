@@ -102,8 +102,7 @@ namespace auxfem
       if (entry.name != "spring")
         {
           SubsectionVariant variant{prefix + entry.name,
-                                    in_rotations(entry.description) +
-                                      " In the plane."};
+                                    in_rotations(entry.description)};
           for (const Parameter &parameter : entry.parameters)
             variant.parameters.push_back(parameter_in_rotations(parameter));
           variants.push_back(std::move(variant));

@@ -250,7 +250,7 @@ namespace auxfem
       if (scene.analysis != Analysis::buckling || scene.context.dimension != 3)
         return;
       for (const JointDefinition &joint : scene.joints)
-        if (joint.type == JointDefinition::Type::rotational_spring)
+        if (joint.type == JointDefinition::Type::rotational_spring || joint.law)
           mistakes.add(
             message(scene,
                     joint.path,

@@ -26,10 +26,10 @@ namespace auxfem
     Type        type = Type::hinge;
     /** Rotational stiffness K' of a released strut end at rest (N m/rad). */
     double stiffness = 0;
-    /** Law of its moment (N m) over its relative rotation (rad), in the plane;
-     * nullptr: linear, by the stiffness. */
+    /** Law of its moment (N m) over its relative rotation (rad), in space about
+     * the axis of a revolute hinge; nullptr: linear, by the stiffness. */
     std::shared_ptr<const ConnectorLaw> law;
-    /** Unit vector of a revolute hinge's axis at rest. */
+    /** Unit vector of a revolute hinge's axis at rest; 0 for others. */
     dealii::Tensor<1, 3> axis;
     std::string          path; ///< for messages
   };

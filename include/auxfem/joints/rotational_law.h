@@ -9,8 +9,8 @@
 
 namespace auxfem
 {
-  /** Choices of `Joints/NAME/Type` for rotational springs in the plane by laws
-   * of connectors: `rotational LAW`, with moments for forces and rotations for
+  /** Choices of `Joints/NAME/Type` for rotational springs by laws of
+   * connectors: `rotational LAW`, with moments for forces and rotations for
    * extensions. */
   std::vector<SubsectionVariant> rotational_laws();
 

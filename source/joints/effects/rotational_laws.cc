@@ -1,8 +1,8 @@
 #include <auxfem/connectors/effects/law_group.h>
 #include <auxfem/joints/effects/rotational_springs.h>
-#include <auxfem/time/schemes/static.h>
 
 #include <cmath>
+#include <utility>
 
 namespace auxfem
 {
@@ -24,14 +24,16 @@ namespace auxfem
       return static_cast<const RotationalLawResults &>(*results);
     }
 
-    /** Springs of one law between two rotations in the plane. */
+    /** Springs of one law between two rotations, whose @p Angles are
+     * PlaneAngles or AxisAngles. */
+    template <class Angles>
     class RotationalLaws : public Effect,
                            public StageTerms,
                            public SmallMotionTerms
     {
     public:
-      RotationalLaws(std::vector<RotationalSpring> springs, LawGroup group)
-        : springs(std::move(springs))
+      RotationalLaws(Angles angles, LawGroup group)
+        : angles(std::move(angles))
         , group(std::move(group))
         , law(*this->group.law)
       {}
@@ -44,17 +46,23 @@ namespace auxfem
       void register_in(StateLayout &layout) override
       {
         group.register_in(layout, strain_energy_entry());
+        angles.register_in(layout);
       }
 
       void register_blocks(TangentPattern &pattern) override
       {
-        first_block =
-          pattern.register_blocks(springs, &RotationalSpring::unknowns);
+        for (unsigned int i = 0; i < size(); ++i)
+          {
+            const std::size_t block =
+              pattern.register_block(angles.rows()[i].data(), n_rows);
+            if (i == 0)
+              first_block = block;
+          }
       }
 
       std::unique_ptr<EffectCache> make_results() const override
       {
-        return std::make_unique<RotationalLawResults>(springs.size());
+        return std::make_unique<RotationalLawResults>(size());
       }
 
       void add_residual(const Evaluation &evaluation,
@@ -62,18 +70,15 @@ namespace auxfem
                         EffectCache      *results) const override
       {
         auto &cache = static_cast<RotationalLawResults &>(*results);
-        for (unsigned int i = 0; i < springs.size(); ++i)
-          cache.motion[i] = motion_of(springs[i].unknowns, evaluation);
+        for (unsigned int i = 0; i < size(); ++i)
+          cache.motion[i] = angles.motion(i, evaluation);
         group.evaluate(evaluation, cache.motion, cache.response);
-        for (unsigned int i = 0; i < springs.size(); ++i)
+        for (unsigned int i = 0; i < size(); ++i)
           {
-            const auto [base, end] = springs[i].unknowns;
-            double moment          = cache.response[i].force;
-            if (evaluation.kind == Evaluation::Kind::discrete_gradient)
-              moment *= mean_moment_factor(springs[i].unknowns, evaluation);
-            if (base >= 0)
-              residual[base] -= moment;
-            residual[end] += moment;
+            const auto directions = angles.directions(i, evaluation);
+            for (unsigned int r = 0; r < n_rows; ++r)
+              if (const int row = angles.rows()[i][r]; row >= 0)
+                residual[row] += directions[r] * cache.response[i].force;
           }
       }
 
@@ -82,17 +87,19 @@ namespace auxfem
                        const TangentFactors &factors,
                        TangentMatrix        &matrix) const override
       {
-        // The factor of mean moments is nearly one.
+        // Factors and axes of mean moments are nearly those at the end.
         const bool is_mean =
           evaluation.kind == Evaluation::Kind::discrete_gradient;
-        for (unsigned int i = 0; i < springs.size(); ++i)
+        for (unsigned int i = 0; i < size(); ++i)
           {
             const ConnectorResponse &response =
               law_results(results).response[i];
-            add_block(i,
+            add_block(evaluation,
+                      i,
                       is_mean ? response.stiffness
                               : factors.stiffness * response.stiffness +
                           factors.damping * response.damping,
+                      (is_mean ? 1 : factors.stiffness) * response.force,
                       matrix);
           }
       }
@@ -100,24 +107,24 @@ namespace auxfem
       void add_relaxation_times(const Unknowns      &unknowns,
                                 std::vector<double> &times) const override
       {
-        for (const RotationalSpring &spring : springs)
-          if (unknowns.layout.is_owned(spring.unknowns[1]))
+        for (const auto &rows : angles.rows())
+          if (unknowns.layout.is_owned(rows.back()))
             for (const auto &[time, stiffness] : law.relaxing_stiffnesses())
               times.push_back(time);
       }
 
-      void add_relaxing_stiffness(const Evaluation & /*evaluation*/,
+      void add_relaxing_stiffness(const Evaluation &evaluation,
                                   const EffectCache * /*results*/,
                                   const double   time,
                                   TangentMatrix &matrix) const override
       {
         const std::map<double, double> relaxing = law.relaxing_stiffnesses();
         if (const auto found = relaxing.find(time); found != relaxing.end())
-          for (unsigned int i = 0; i < springs.size(); ++i)
-            add_block(i, found->second, matrix);
+          for (unsigned int i = 0; i < size(); ++i)
+            add_block(evaluation, i, found->second, 0, matrix);
       }
 
-      void add_viscous_stiffness(const Evaluation & /*evaluation*/,
+      void add_viscous_stiffness(const Evaluation          &evaluation,
                                  const EffectCache         *results,
                                  const std::complex<double> s,
                                  TangentMatrix             &real,
@@ -126,13 +133,13 @@ namespace auxfem
         if (!law.is_viscous())
           return;
         const RotationalLawResults &cache = law_results(results);
-        for (unsigned int i = 0; i < springs.size(); ++i)
+        for (unsigned int i = 0; i < size(); ++i)
           {
             const std::complex<double> stiffness =
               law.dynamic_stiffness(s, cache.motion[i].extension) -
               cache.response[i].stiffness;
-            add_block(i, stiffness.real(), real);
-            add_block(i, stiffness.imag(), imaginary);
+            add_block(evaluation, i, stiffness.real(), 0, real);
+            add_block(evaluation, i, stiffness.imag(), 0, imaginary);
           }
       }
 
@@ -152,9 +159,7 @@ namespace auxfem
           step,
           cache.motion,
           cache.response,
-          [&](const unsigned int i) {
-            return difference(springs[i].unknowns, *step.from.velocity);
-          },
+          [&](const unsigned int i) { return angles.rate(i, step.from); },
           account);
       }
 
@@ -181,8 +186,8 @@ namespace auxfem
                             const EffectCache *results,
                             double            *forces) const override
       {
-        for (unsigned int i = 0; i < springs.size(); ++i)
-          for (const int unknown : springs[i].unknowns)
+        for (unsigned int i = 0; i < size(); ++i)
+          for (const int unknown : angles.rows()[i])
             raise_bound(forces,
                         unknown,
                         std::abs(law_results(results).response[i].force));
@@ -196,11 +201,11 @@ namespace auxfem
         const double rate = evaluation.rates_are_differences()
           ? largest.rotation / evaluation.dt
           : largest.spin;
-        for (unsigned int i = 0; i < springs.size(); ++i)
+        for (unsigned int i = 0; i < size(); ++i)
           {
             const ConnectorResponse &response =
               law_results(results).response[i];
-            for (const int unknown : springs[i].unknowns)
+            for (const int unknown : angles.rows()[i])
               raise_bound(forces,
                           unknown,
                           std::abs(response.stiffness) * largest.rotation +
@@ -209,69 +214,83 @@ namespace auxfem
       }
 
     private:
-      /** Second minus first of @p values at two unknowns. */
-      static double difference(const std::array<int, 2> &unknowns,
-                               const Vector             &values)
+      static constexpr unsigned int n_rows = Angles::n_rows;
+
+      unsigned int size() const
       {
-        return values[unknowns[1]] -
-          (unknowns[0] >= 0 ? values[unknowns[0]] : 0.);
+        return angles.rows().size();
       }
 
-      /** Relative rotation (rad) and its rate. */
-      static ConnectorMotion motion_of(const std::array<int, 2> &unknowns,
-                                       const Evaluation         &evaluation)
-      {
-        const State    &from = evaluation.from, &to = evaluation.to;
-        ConnectorMotion motion{difference(unknowns, to.displacement),
-                               0,
-                               difference(unknowns, from.displacement),
-                               evaluation.dt};
-        const double    turn = motion.extension - motion.previous_extension;
-        if (evaluation.kind == Evaluation::Kind::discrete_gradient)
-          motion.rate = turn / evaluation.dt;
-        else if (evaluation.kind == Evaluation::Kind::static_step)
-          {
-            const BackwardDifference backward(from, evaluation.dt);
-            motion.rate = backward.now * turn;
-            if (from.before)
-              motion.rate -= backward.before *
-                (motion.previous_extension -
-                 difference(unknowns, from.before->displacement));
-          }
-        else if (to.velocity)
-          motion.rate = difference(unknowns, *to.velocity);
-        return motion;
-      }
-
-      /** Adds the derivative @p k (N m/rad) of the moment of spring @p i. */
-      void add_block(const unsigned int i,
+      /** Adds the derivative of the moment of spring @p i, with the stiffness
+       * @p k (N m/rad), and of the direction of a @p moment (N m). */
+      void add_block(const Evaluation  &evaluation,
+                     const unsigned int i,
                      const double       k,
+                     const double       moment,
                      TangentMatrix     &matrix) const
       {
-        const double block[4] = {k, -k, -k, k};
+        const auto directions  = angles.directions(i, evaluation),
+                   derivatives = angles.derivatives(i, evaluation);
+        double block[n_rows * n_rows];
+        for (unsigned int r = 0; r < n_rows; ++r)
+          for (unsigned int c = 0; c < n_rows; ++c)
+            block[n_rows * r + c] = k * directions[r] * derivatives[c];
+        angles.add_turning(i, evaluation, moment, block);
         matrix.add(first_block + i, block);
       }
 
-      const std::vector<RotationalSpring> springs;
-      LawGroup                            group;
-      const ConnectorLaw                 &law; ///< that of the group
-      std::size_t                         first_block = 0;
+      Angles              angles;
+      LawGroup            group;
+      const ConnectorLaw &law; ///< that of the group
+      std::size_t         first_block = 0;
     };
+
+    /** Makes the effect of @p angles, whose members have @p numbers. */
+    template <class Angles>
+    std::unique_ptr<Effect> make_laws(const DofNumbering &numbering,
+                                      const std::string  &name,
+                                      std::shared_ptr<const ConnectorLaw> law,
+                                      Angles                           angles,
+                                      const std::vector<unsigned int> &numbers)
+    {
+      std::vector<unsigned int> owned;
+      for (unsigned int i = 0; i < numbers.size(); ++i)
+        if (numbering.layout().is_owned(angles.rows()[i].back()))
+          owned.push_back(i);
+      return std::make_unique<RotationalLaws<Angles>>(
+        std::move(angles),
+        LawGroup(name, std::move(law), {}, numbers, owned));
+    }
   } // namespace
 
   std::unique_ptr<Effect>
-  make_rotational_laws(const DofNumbering                 &numbering,
-                       const std::string                  &name,
-                       std::shared_ptr<const ConnectorLaw> law,
-                       std::vector<RotationalSpring>       springs,
-                       const std::vector<unsigned int>    &numbers)
+  make_rotational_laws(const DofNumbering                    &numbering,
+                       const std::string                     &name,
+                       std::shared_ptr<const ConnectorLaw>    law,
+                       const std::vector<std::array<int, 2>> &unknowns,
+                       const std::vector<unsigned int>       &numbers)
   {
-    std::vector<unsigned int> owned;
-    for (unsigned int i = 0; i < springs.size(); ++i)
-      if (numbering.layout().is_owned(springs[i].unknowns[1]))
-        owned.push_back(i);
-    return std::make_unique<RotationalLaws>(
-      std::move(springs),
-      LawGroup(name, std::move(law), {}, numbers, owned));
+    return make_laws(numbering,
+                     name,
+                     std::move(law),
+                     PlaneAngles(unknowns),
+                     numbers);
+  }
+
+  std::unique_ptr<Effect>
+  make_axis_laws(const DofNumbering                 &numbering,
+                 const bool                          large_rotation,
+                 const std::string                  &name,
+                 std::shared_ptr<const ConnectorLaw> law,
+                 const std::vector<AxisPair>        &pairs)
+  {
+    std::vector<unsigned int> numbers;
+    for (const AxisPair &pair : pairs)
+      numbers.push_back(pair.number);
+    return make_laws(numbering,
+                     name,
+                     std::move(law),
+                     AxisAngles(numbering, large_rotation, name, pairs),
+                     numbers);
   }
 } // namespace auxfem

@@ -263,6 +263,54 @@ namespace auxfem
     return make_rotational_springs(numbering, std::move(springs));
   }
 
+  namespace
+  {
+    std::unique_ptr<Effect>
+    make_plane_laws(const LatticeModel                        &model,
+                    const JointRelease                        &release,
+                    const std::shared_ptr<const ConnectorLaw> &law)
+    {
+      std::vector<std::array<int, 2>> unknowns;
+      std::vector<unsigned int>       numbers;
+      unsigned int                    number = 0;
+      for_each_spring(model,
+                      release,
+                      number,
+                      [&](const unsigned int i,
+                          const auto        &base,
+                          const auto        &end) {
+                        unknowns.push_back({{base[2], end[2]}});
+                        numbers.push_back(i);
+                      });
+      return make_rotational_laws(model.numbering,
+                                  release.definition->name,
+                                  law,
+                                  unknowns,
+                                  numbers);
+    }
+
+    std::unique_ptr<Effect>
+    make_axis_laws(const LatticeModel                        &model,
+                   const JointRelease                        &release,
+                   const std::shared_ptr<const ConnectorLaw> &law)
+    {
+      std::vector<AxisPair> pairs;
+      unsigned int          number = 0;
+      for_each_spring(
+        model,
+        release,
+        number,
+        [&](const unsigned int i, const auto &base, const auto &end) {
+          pairs.push_back({base, end, release.definition->axis, i});
+        });
+      return make_axis_laws(model.numbering,
+                            model.plan.simulated.large_rotation,
+                            release.definition->name,
+                            law,
+                            pairs);
+    }
+  } // namespace
+
   std::vector<std::unique_ptr<Effect>>
   make_rotational_laws(const LatticeModel &model)
   {
@@ -270,27 +318,13 @@ namespace auxfem
     for (const JointRelease &release : model.releases)
       {
         std::shared_ptr<const ConnectorLaw> law = release.definition->law;
-        if (!is_spring(release) || !law)
+        if (!law)
           continue;
         if (!model.plan.simulated.connector_viscosity && law->is_viscous())
           law = law->without_viscosity();
-        std::vector<RotationalSpring> springs;
-        std::vector<unsigned int>     numbers;
-        unsigned int                  number = 0;
-        for_each_spring(model,
-                        release,
-                        number,
-                        [&](const unsigned int i,
-                            const auto        &base,
-                            const auto        &end) {
-                          springs.push_back({{{base[2], end[2]}}, 0});
-                          numbers.push_back(i);
-                        });
-        effects.push_back(make_rotational_laws(model.numbering,
-                                               release.definition->name,
-                                               law,
-                                               std::move(springs),
-                                               numbers));
+        effects.push_back(model.lattice.dimension == 2
+                            ? make_plane_laws(model, release, law)
+                            : make_axis_laws(model, release, law));
       }
     return effects;
   }

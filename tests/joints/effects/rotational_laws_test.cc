@@ -17,7 +17,7 @@ namespace
       : laws(make_rotational_laws(setup.dofs(),
                                   "knee",
                                   make_law(law, parameters),
-                                  {{{{first, second}}, 0}},
+                                  {{{first, second}}},
                                   {0}))
     {
       prepare(*laws, 0.25, 0.75);

@@ -3,6 +3,7 @@
 
 #include <auxfem/connectors/connector_law.h>
 #include <auxfem/equations/effect.h>
+#include <auxfem/joints/effects/relative_angles.h>
 #include <auxfem/model/numbering.h>
 
 #include <array>
@@ -37,15 +38,23 @@ namespace auxfem
    * Makes the effect of springs in the plane whose moment M (N m) follows a law
    * of the relative rotation (rad).
    * @param name of the group
-   * @param springs numbered among those of the group on all ranks; their
-   *   stiffness is not used
+   * @param unknowns of both rotations; first of -1: ground
+   * @param numbers among the springs of the group on all ranks
    */
   std::unique_ptr<Effect>
-  make_rotational_laws(const DofNumbering                 &numbering,
-                       const std::string                  &name,
-                       std::shared_ptr<const ConnectorLaw> law,
-                       std::vector<RotationalSpring>       springs,
-                       const std::vector<unsigned int>    &numbers);
+  make_rotational_laws(const DofNumbering                    &numbering,
+                       const std::string                     &name,
+                       std::shared_ptr<const ConnectorLaw>    law,
+                       const std::vector<std::array<int, 2>> &unknowns,
+                       const std::vector<unsigned int>       &numbers);
+
+  /** As above in space, about the axes of revolute hinges. */
+  std::unique_ptr<Effect>
+  make_axis_laws(const DofNumbering                 &numbering,
+                 bool                                large_rotation,
+                 const std::string                  &name,
+                 std::shared_ptr<const ConnectorLaw> law,
+                 const std::vector<AxisPair>        &pairs);
 
   /** A spring between two large rotations in space, numbered as in
    * DofNumbering::rotations(). */
