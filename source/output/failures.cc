@@ -1,4 +1,5 @@
-#include <auxfem/output/broken_struts.h>
+#include <auxfem/connectors/effects/connector_forces.h>
+#include <auxfem/output/failures.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -51,15 +52,39 @@ namespace auxfem
     return text.str();
   }
 
-  std::string broken_struts_text(const std::vector<BrokenStrut> &broken)
+  std::vector<BrokenConnectors> broken_connectors(const Equations &equations,
+                                                  const Solution  &solution)
   {
-    if (broken.empty())
-      return "";
+    std::vector<BrokenConnectors> result;
+    for (const ConnectorGroup &group : equations.reporting().connectors)
+      {
+        if (!group.forces->may_break())
+          continue;
+        unsigned long mine = 0;
+        for (unsigned int i = 0; i < group.forces->n_reported(); ++i)
+          mine +=
+            group.report(i, solution.state, solution.results).is_broken != 0;
+        const unsigned long all = dealii::Utilities::MPI::sum(
+          mine,
+          equations.unknowns().layout.communicator());
+        if (all > 0)
+          result.push_back({group.forces->name(), all});
+      }
+    return result;
+  }
+
+  std::string failures_text(const std::vector<BrokenStrut>      &struts,
+                            const std::vector<BrokenConnectors> &connectors)
+  {
     std::ostringstream text;
     text.precision(4);
-    text << "Broken struts: " << broken.size() << ", first strut "
-         << broken.front().strut << " at t = " << broken.front().time
-         << " s; all in " << broken_struts_table << '\n';
+    if (!struts.empty())
+      text << "Broken struts: " << struts.size() << ", first strut "
+           << struts.front().strut << " at t = " << struts.front().time
+           << " s; all in " << broken_struts_table << '\n';
+    for (const auto &[group, number] : connectors)
+      text << "Broken connectors: " << number << " of " << group
+           << "; when, in the column " << group << ".broken\n";
     return text.str();
   }
 } // namespace auxfem

@@ -1,4 +1,4 @@
-#include <auxfem/output/broken_struts.h>
+#include <auxfem/output/failures.h>
 #include <auxfem/output/output_folder.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/parameter_file.h>

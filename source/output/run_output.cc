@@ -252,6 +252,7 @@ namespace auxfem
           dealii::Utilities::MPI::max(history->largest_rotation(),
                                       communicator);
         summary.broken              = broken_struts(*equations, last.state);
+        summary.broken_connectors   = broken_connectors(*equations, last);
         summary.largest_penetration = result.largest_penetration;
         summary.time                = result.time;
         summary.path                = last.state.path;

@@ -367,6 +367,8 @@ namespace auxfem
       json["largest_penetration_over_thickness"] = *summary.largest_penetration;
     if (!summary.broken.empty())
       json["broken_struts"] = summary.broken.size();
+    for (const auto &[group, number] : summary.broken_connectors)
+      json["broken_connectors"][group] = number;
     json["effects"] = json_of(summary.decisions, scene.effects.tolerance);
     if (!summary.notes.empty())
       json["notes"] = summary.notes;
@@ -396,9 +398,9 @@ namespace auxfem
     line("Elements", counts.elements, divisions_text(counts));
     line("Connectors", counts.connectors);
     if (counts.rigid_parts > 0)
-      line("Rigid parts",
-           counts.rigid_parts,
-           " with " + std::to_string(counts.constraints) + " constraints");
+      line("Rigid parts", counts.rigid_parts);
+    if (counts.constraints > 0)
+      line("Constraints", counts.constraints);
     line("Unknowns",
          counts.unknowns,
          counts.constraints == 0
@@ -472,7 +474,7 @@ namespace auxfem
       stream << "Largest penetration "
              << percentage_text(*summary.largest_penetration, 3)
              << " of the thickness\n";
-    stream << broken_struts_text(summary.broken)
+    stream << failures_text(summary.broken, summary.broken_connectors)
            << poissons_ratio_text(summary.strain)
            << closing_energies_text(summary.energies, folder) << '\n'
            << verdict_text(summary.findings);

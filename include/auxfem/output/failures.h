@@ -1,5 +1,5 @@
-#ifndef auxfem_output_broken_struts_h
-#define auxfem_output_broken_struts_h
+#ifndef auxfem_output_failures_h
+#define auxfem_output_failures_h
 
 #include <auxfem/equations/equations.h>
 #include <auxfem/struts/effects/struts.h>
@@ -20,8 +20,20 @@ namespace auxfem
   std::string broken_struts_csv(const Lattice                  &lattice,
                                 const std::vector<BrokenStrut> &broken);
 
-  /** A line for the end of a run; empty if no strut has broken. */
-  std::string broken_struts_text(const std::vector<BrokenStrut> &broken);
+  /** Number of broken connectors of a group. */
+  struct BrokenConnectors
+  {
+    std::string   group;
+    unsigned long number;
+  };
+
+  /** Groups of connectors of which some have broken. Collective. */
+  std::vector<BrokenConnectors> broken_connectors(const Equations &equations,
+                                                  const Solution  &solution);
+
+  /** Lines for the end of a run; empty if nothing has broken. */
+  std::string failures_text(const std::vector<BrokenStrut>      &struts,
+                            const std::vector<BrokenConnectors> &connectors);
 } // namespace auxfem
 
 #endif

@@ -2,7 +2,7 @@
 #define auxfem_output_summary_h
 
 #include <auxfem/equations/equations.h>
-#include <auxfem/output/broken_struts.h>
+#include <auxfem/output/failures.h>
 #include <auxfem/output/history.h>
 #include <auxfem/output/notes.h>
 #include <auxfem/output/output_folder.h>
@@ -30,7 +30,7 @@ namespace auxfem
     unsigned int unknowns = 0;
     /** Displacements and rotations that are not prescribed. */
     unsigned int free_unknowns = 0;
-    /** Constraints of rigid parts, each with a multiplier. */
+    /** Constraints, each with a multiplier. */
     unsigned int constraints = 0;
     unsigned int ranks       = 1;
   };
@@ -79,7 +79,8 @@ namespace auxfem
     LargestStrain strain;               ///< if effective strains are requested
     double        largest_rotation = 0; ///< rad
     /** Struts that broke. */
-    std::vector<BrokenStrut> broken = {};
+    std::vector<BrokenStrut>      broken            = {};
+    std::vector<BrokenConnectors> broken_connectors = {};
     /** Largest penetration over the strut thickness; with plates only. */
     std::optional<double> largest_penetration;
     double                time = 0; ///< final time (s)

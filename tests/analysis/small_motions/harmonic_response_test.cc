@@ -113,6 +113,25 @@ TEST(HarmonicResponse, MatchesDampedBar)
       }
 }
 
+TEST(HarmonicResponse, BaseMotionGivesTheMotionRelativeToIt)
+{
+  // EA* u'' + rho A omega^2 u = rho A a has the solution
+  // u = a / omega^2 (1 - cos(k x) - tan(k) sin(k x)).
+  constexpr double a = 0.7;
+  for (const unsigned int dimension : {2, 3})
+    for (const double omega : {0.3, 2.2, 6.7})
+      {
+        const Complex k = bar_wave(omega), u = a / (omega * omega);
+        const auto [end, support] =
+          vibration_of(damped_bar(dimension)
+                         .support("wall", "0", "clamp")
+                         .set("Base motion/Acceleration x", a),
+                       omega);
+        expect_near(end, u * (1. - 1. / std::cos(k)));
+        expect_near(support, u * bar_stiffness(omega) * k * std::tan(k));
+      }
+}
+
 TEST(HarmonicResponse, UsesComplexStiffnessOfConnectors)
 {
   struct Law
