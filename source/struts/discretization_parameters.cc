@@ -31,7 +31,7 @@ namespace auxfem
       0,
       10,
       "Number n of halvings: 2^n elements per strut; with Order = auto this "
-      "number or a multiple. default: 3 with tapered sections, 1 with materials "
+      "number or a multiple. default: 4 with tapered sections, 1 with materials "
       "that yield, else 0.",
       {"default"}};
   } // namespace
@@ -63,10 +63,8 @@ namespace auxfem
       discretization.order = 4;
     discretization.is_default =
       values.is_default(order) && values.is_word(refinements);
-    discretization.refinements = values.value_or(refinements,
-                                                 tapers     ? 3
-                                                   : yields ? 1
-                                                            : 0);
+    discretization.refinements =
+      values.value_or(refinements, tapers ? 4 : (yields ? 1 : 0));
     return discretization;
   }
 } // namespace auxfem

@@ -16,6 +16,7 @@ namespace
   {
     return read_scene_from_text(frame_scene("0 0; 1 0", "0 1")
                                   .section({1, 1, 1})
+                                  .set("Sections/section 0/Density", 1)
                                   .dimension(dimension)
                                   .add("Constraints/tie", entries)
                                   .str(),

@@ -1,9 +1,9 @@
 #include <support/scene_run.h>
 #include <support/scene_text.h>
 #include <verification/result_table.h>
-#include <verification/space_momenta.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -15,7 +15,7 @@ using namespace auxfem::testing_support;
 namespace
 {
   /** A rod that is thrown on a hinge about z at the end of a clamped one. */
-  SceneText flail(const unsigned int dimension, const std::string &law)
+  SceneText hinged_flail(const unsigned int dimension, const std::string &law)
   {
     const bool in_space = dimension == 3;
     return SceneText()
@@ -33,20 +33,21 @@ namespace
       .set("Newton/Tolerance", 1e-10);
   }
 
-  const std::string friction = "friction-slider | Spring stiffness = 500 | "
-                               "Slip moment = 0.6",
-                    cubic =
+  const std::string axis_friction =
+                      "friction-slider | Spring stiffness = 500 | "
+                      "Slip moment = 0.6",
+                    axis_cubic =
                       "cubic | Spring stiffness = 20 | Cubic stiffness = 30";
 } // namespace
 
 TEST(LawsAboutAxes, InThePlaneTheyAreThoseOfThePlane)
 {
   ComparisonTable table("Rod on a hinge about z, in space and in the plane");
-  for (const std::string &law : {friction, cubic})
+  for (const std::string &law : {axis_friction, axis_cubic})
     for (const char *scheme : {"newmark", "energy-momentum"})
       {
         const auto run_in = [&](const unsigned int dimension) {
-          SceneRun run(flail(dimension, law).time(0.2, 5e-4, scheme));
+          SceneRun run(hinged_flail(dimension, law).time(0.2, 5e-4, scheme));
           run.run();
           return std::array<double, 3>{{run.motion(2, 0),
                                         run.motion(2, 1),
@@ -61,33 +62,27 @@ TEST(LawsAboutAxes, InThePlaneTheyAreThoseOfThePlane)
       }
 }
 
-TEST(LawsAboutAxes, ATumblingKneeKeepsEnergyAndMomenta)
+TEST(LawsAboutAxes, ATumblingKneeKeepsItsEnergy)
 {
-  SceneRun           run(SceneText()
+  SceneRun run(SceneText()
                  .dimension(3)
                  .frame("0 0 0; 1 0 0.3; 1.5 0.9 0.2", "0 1; 1 2")
                  .circle("rod", 0.02, {"70e9", 2700})
                  .add("Joints/knee",
-                      "Joints = 1 | Struts = 1 | Type = rotational " + cubic +
-                        " | Axis = 0.3 -0.2 1")
+                      "Joints = 1 | Struts = 1 | Type = rotational " +
+                        axis_cubic + " | Axis = 0.3 -0.2 1")
                  .add("Initial velocities/throw",
                       "Joints = 2 | Velocity x = 2 | Velocity y = -3 | "
-                                "Velocity z = 4")
+                      "Velocity z = 4")
                  .mesh(2)
                  .set("Newton/Tolerance", 1e-12)
                  .time(0.5, 1e-3, "energy-momentum"));
-  SpaceMomentumMeter meter(run);
-  const SpaceMomenta start  = meter();
-  double             energy = 0, angular = 0, stored = 0;
+  double   change = 0, stored = 0;
   run.run([&] {
-    energy = std::max(energy, std::abs(run.balance()) / run.initial_balance);
-    angular =
-      std::max(angular,
-               (meter().angular - start.angular).norm() / start.angular.norm());
+    change = std::max(change, std::abs(run.balance()) / run.initial_balance);
     stored = std::max(stored, run.state.energies.strain());
   });
   EXPECT_GT(stored, 0.01 * run.initial_balance);
   ComparisonTable table("Two rods on a hinge with a cubic law that tumble");
-  table.row("largest change of energy", energy, 0, 1e-9);
-  table.row("of moment of momentum", angular, 0, 1e-10);
+  table.row("largest change of energy", change, 0, 1e-9);
 }

@@ -46,6 +46,8 @@ namespace auxfem
     , space(solver)
     , stiffness(solver, equilibrium)
     , loads(load_direction(solver.equations(), stiffness.evaluation()))
+    , load_derivative(
+        solver.equations().load_derivative(stiffness.evaluation()))
   {
     loads.resize(layout.n_owned());
     if (layout.largest(largest_size(loads)) == 0)
@@ -84,7 +86,11 @@ namespace auxfem
     double squared_residual = 0, squared_norm = 0;
     for (unsigned int i = 0; i < n; ++i)
       if (space.is_prescribed(i))
-        squared_norm += real[i] * real[i] + other[i] * other[i];
+        {
+          squared_norm += real[i] * real[i] + other[i] * other[i];
+          // Loads at a support go to it directly.
+          real[i] += load_derivative[i];
+        }
       else
         {
           squared_residual +=

@@ -335,7 +335,7 @@ namespace auxfem
            ? ""
            : "Remove a relation between joints that supports or other relations "
              "hold already. ") +
-        (model.lattice.dimension == 3 && !model.releases.empty()
+        (model.lattice.dimension == 3
            ? "Two hinges on one axis support a part twice: keep one of them, or "
              "let a support slide along the axis. "
            : "") +

@@ -183,8 +183,7 @@ TEST(Overconstrained, ASecondPinOnTheAxisIsRefused)
     {
       const std::string message =
         overconstraint_of(rigid_l(pins("0, 1") + hinge));
-      EXPECT_TRUE(contains(message, "Rigid parts and revolute hinges"))
-        << message;
+      EXPECT_TRUE(contains(message, "constraint of the")) << message;
       EXPECT_TRUE(contains(message, "slide along the axis")) << message;
     }
 }
@@ -207,6 +206,7 @@ TEST(Overconstrained, ARelationThatFollowsFromOthersIsRefused)
                   "0 1; 1 2",
                   SceneText()
                     .section({1, 1, 1})
+                    .set("Sections/section 0/Density", 1)
                     .add("Constraints/first", "Joints = 0, 1 | Components = x")
                     .add("Constraints/second", second)
                     .add(pins(supports))));

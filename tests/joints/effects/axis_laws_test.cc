@@ -11,29 +11,30 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  const std::string knee_entries = "Joints = 1 | Struts = 1 | "
-                                   "Type = rotational cubic | "
-                                   "Spring stiffness = 3 | Cubic stiffness = 2";
+  const std::string axis_knee_entries =
+    "Joints = 1 | Struts = 1 | "
+    "Type = rotational cubic | "
+    "Spring stiffness = 3 | Cubic stiffness = 2";
 
-  const std::string knee =
+  const std::string axis_knee =
     space_frame("0 0 0; 1 0 0; 1.5 0.9 0.2",
                 "0 1; 1 2",
                 SceneText().add("Joints/knee",
-                                knee_entries + " | Axis = 1 2 -2"));
+                                axis_knee_entries + " | Axis = 1 2 -2"));
 
-  const SpaceVector axis({1. / 3, 2. / 3, -2. / 3});
+  const SpaceVector knee_axis({1. / 3, 2. / 3, -2. / 3});
 
-  constexpr double angle = 0.7;
+  constexpr double axis_angle = 0.7;
 
-  /** The law of the knee alone, or one to the ground, turned by the angle about
-   * the axis, which has turned as well. */
+  /** The law of the knee alone, or one to the ground, turned by the axis_angle
+   * about the axis, which has turned as well. */
   struct KneeLaw : SpaceEffect
   {
     KneeLaw(const bool to_ground, const bool large_rotation)
-      : SpaceEffect(knee, large_rotation)
+      : SpaceEffect(axis_knee, large_rotation)
     {
       const auto &dofs = setup.dofs();
-      AxisPair    pair{{{-1, -1, -1}}, {}, axis, 0};
+      AxisPair    pair{{{-1, -1, -1}}, {}, knee_axis, 0};
       for (unsigned int c = 0; c < 3; ++c)
         {
           if (!to_ground)
@@ -52,14 +53,14 @@ namespace
                            {pair});
       make_room_for(*law);
       if (large_rotation)
-        turn(to, angle);
+        turn(to, axis_angle);
     }
 
     /** Turns the end by @p angle about the axis against the base. */
     void turn(State &state, const double angle) const
     {
       state.rotations[end] = (base < 0 ? Quaternion() : state.rotations[base]) *
-        exponential(angle * axis);
+        exponential(angle * knee_axis);
     }
 
     std::unique_ptr<Effect> law;
@@ -70,9 +71,9 @@ namespace
 TEST(AxisLaws, MomentsActAboutTheAxis)
 {
   KneeLaw                   one(false, true);
-  const std::vector<double> rows   = one.residual(*one.law, one.to);
-  const SpaceVector         moment = (3 * angle + 2 * std::pow(angle, 3)) *
-    rotated(one.to.rotations[one.base], axis);
+  const std::vector<double> rows = one.residual(*one.law, one.to);
+  const SpaceVector moment = (3 * axis_angle + 2 * std::pow(axis_angle, 3)) *
+    rotated(one.to.rotations[one.base], knee_axis);
   for (unsigned int c = 0; c < 3; ++c)
     {
       EXPECT_NEAR(rows[one.setup.dofs().end_rotation(1, 0, 3 + c)],
@@ -120,12 +121,13 @@ TEST(AxisLaws, TurnsAreCountedWhileBothTumble)
 TEST(AxisLaws, InSpaceTheAxisIsRequired)
 {
   expect_parts(input_error_of([] {
-                 EquationsOnRanks(space_frame("0 0 0; 1 0 0; 1.5 0.9 0.2",
-                                              "0 1; 1 2",
-                                              SceneText().add("Joints/knee",
-                                                              knee_entries)),
-                                  {},
-                                  MPI_COMM_SELF);
+                 EquationsOnRanks(
+                   space_frame("0 0 0; 1 0 0; 1.5 0.9 0.2",
+                               "0 1; 1 2",
+                               SceneText().add("Joints/knee",
+                                               axis_knee_entries)),
+                   {},
+                   MPI_COMM_SELF);
                }),
                {"Joints/knee/Axis", "0 0 1", "rotational spring"});
 }

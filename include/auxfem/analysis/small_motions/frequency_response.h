@@ -56,6 +56,7 @@ namespace auxfem
     DynamicStiffness     stiffness;
     /** Load amplitudes in owned rows; motion amplitudes in prescribed ones. */
     Vector loads;
+    Vector load_derivative; ///< of the residual, also in prescribed rows
   };
 
   /**
