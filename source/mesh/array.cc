@@ -61,14 +61,14 @@ namespace auxfem
           if (n_cells[d] == 0)
             throw InputError("The number of cells along " + direction +
                              " is 0; at least 1 is needed.");
-          if (n_cells[d] > 1 && !(cell.period[d] > 0.))
+          if (n_cells[d] > 1 && !cell.repeats(d))
             throw InputError(
               "The lattice asks for " + std::to_string(n_cells[d]) +
               " cells along " + direction +
               ", but this cell cannot be repeated along " + direction + ". " +
-              (cell.no_period_reasons[d].empty()
+              (cell.no_vector_reasons[d].empty()
                  ? std::string()
-                 : cell.no_period_reasons[d] + " ") +
+                 : cell.no_vector_reasons[d] + " ") +
               "Set the number of cells along " + direction + " to 1.");
         }
     }
@@ -150,9 +150,9 @@ namespace auxfem
 
       void add_joints(const Index3 &at)
       {
-        dealii::Tensor<1, 3> centre;
+        dealii::Tensor<1, 3> origin;
         for (unsigned int d = 0; d < 3; ++d)
-          centre[d] = at[d] * cell.period[d];
+          origin += at[d] * cell.vectors[d];
 
         global.clear();
         for (unsigned int j = 0; j < cell.joints.size(); ++j)
@@ -161,7 +161,7 @@ namespace auxfem
             if (index == invalid_index)
               {
                 index = lattice.joints.size();
-                lattice.joints.push_back(cell.joints[j] + centre);
+                lattice.joints.push_back(cell.joints[j] + origin);
               }
             global.push_back(index);
           }
@@ -299,12 +299,20 @@ namespace auxfem
         for (unsigned int c = 0; c < lattice.n_cells; ++c)
           for (const auto &member : members)
             {
-              const unsigned int d = member.direction;
-              if (c / stride[d] % n_cells[d] + 1 == n_cells[d])
+              unsigned int neighbour = c;
+              bool         exists    = true;
+              for (unsigned int d = 0; d < 3; ++d)
+                {
+                  // Negative indices wrap round and are too large, too.
+                  const unsigned int at =
+                    c / stride[d] % n_cells[d] + member.shift[d];
+                  exists = exists && at < n_cells[d];
+                  neighbour += member.shift[d] * stride[d];
+                }
+              if (!exists)
                 continue;
               const JointPair pair = {joint_of_cell(c, member.first),
-                                      joint_of_cell(c + stride[d],
-                                                    member.second),
+                                      joint_of_cell(neighbour, member.second),
                                       c};
               if (pair.first != pair.second)
                 pairs.push_back(pair);

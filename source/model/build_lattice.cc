@@ -57,8 +57,8 @@ namespace auxfem
       const unsigned int n    = n_cells[direction];
       n_cells[direction]      = 1;
       const LatticeCounts one = continued_counts(cell, n_cells, direction + 1);
-      // make_array() rejects repeating a cell without period.
-      if (n == 1 || cell.period[direction] <= 0)
+      // make_array() rejects repeating a cell without vector.
+      if (n == 1 || !cell.repeats(direction))
         return one;
       n_cells[direction]      = 2;
       const LatticeCounts two = continued_counts(cell, n_cells, direction + 1);

@@ -309,7 +309,7 @@ namespace auxfem
                     }},
                    values.context.dimension,
                    cell);
-      cell.no_period_reasons.fill("A frame has no neighbour cells.");
+      cell.no_vector_reasons.fill("A frame has no neighbour cells.");
       return std::make_unique<PrebuiltCell>(cell);
     }
   } // namespace

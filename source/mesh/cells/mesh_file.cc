@@ -73,7 +73,7 @@ namespace auxfem
         add_joint_sets();
         cell.notes = mesh.notes;
         merge();
-        cell.no_period_reasons.fill("A mesh file has no neighbour cells.");
+        cell.no_vector_reasons.fill("A mesh file has no neighbour cells.");
         return std::move(cell);
       }
 
