@@ -105,7 +105,7 @@ namespace auxfem
     double size = 0;
     for (unsigned int d = 0; d < 3; ++d)
       size = std::max({size, cell_extent(cell, d), cell.vectors[d].norm()});
-    return 1e-8 * size;
+    return std::max(1e-8 * size, cell.merge_distance);
   }
 
   namespace
@@ -173,6 +173,34 @@ namespace auxfem
     return earlier;
   }
 
+  std::vector<unsigned int>
+  first_joints_within(const double                         distance,
+                      const std::vector<dealii::Point<3>> &joints)
+  {
+    namespace index                = boost::geometry::index;
+    const auto                tree = dealii::pack_rtree_of_indices(joints);
+    std::vector<unsigned int> first(joints.size());
+    for (unsigned int j = 0; j < joints.size(); ++j)
+      {
+        first[j]             = j;
+        dealii::Point<3> low = joints[j], high = joints[j];
+        for (unsigned int d = 0; d < 3; ++d)
+          {
+            low[d] -= distance;
+            high[d] += distance;
+          }
+        const dealii::BoundingBox<3> box({low, high});
+        for (auto other = tree.qbegin(index::intersects(box));
+             other != tree.qend();
+             ++other)
+          // A joint cannot be merged with one that is itself merged.
+          if (*other < first[j] && first[*other] == *other &&
+              joints[j].distance(joints[*other]) <= distance)
+            first[j] = *other;
+      }
+    return first;
+  }
+
   namespace
   {
     using Indices = std::vector<unsigned int>;
@@ -186,34 +214,6 @@ namespace auxfem
       return items.size() <= max_listed_items ? text
                                               : text + "; and " +
           std::to_string(items.size() - max_listed_items) + " more";
-    }
-
-    /** For each joint the first joint within @p distance, maybe itself. */
-    Indices first_joints_within(const double                         distance,
-                                const std::vector<dealii::Point<3>> &joints)
-    {
-      namespace index = boost::geometry::index;
-      const auto tree = dealii::pack_rtree_of_indices(joints);
-      Indices    first(joints.size());
-      for (unsigned int j = 0; j < joints.size(); ++j)
-        {
-          first[j]             = j;
-          dealii::Point<3> low = joints[j], high = joints[j];
-          for (unsigned int d = 0; d < 3; ++d)
-            {
-              low[d] -= distance;
-              high[d] += distance;
-            }
-          const dealii::BoundingBox<3> box({low, high});
-          for (auto other = tree.qbegin(index::intersects(box));
-               other != tree.qend();
-               ++other)
-            // A joint cannot be merged with one that is itself merged.
-            if (*other < first[j] && first[*other] == *other &&
-                joints[j].distance(joints[*other]) <= distance)
-              first[j] = *other;
-        }
-      return first;
     }
 
     /** Merges joints of one cell. */

@@ -250,9 +250,14 @@ namespace auxfem
     template <class Disturb>
     Lattice build(const Scene &scene, const Disturb &add_imperfections)
     {
-      Lattice lattice =
-        make_array(scene.lattice.cell->build(), scene.lattice.n_cells);
-      lattice.dimension = scene.context.dimension;
+      SceneContext context = scene.context;
+      context.path         = "Lattice";
+      Lattice lattice      = make_array_in_region(scene.lattice.cell->build(),
+                                             scene.lattice.n_cells,
+                                             scene.lattice.changes.region,
+                                             context);
+      lattice.dimension    = scene.context.dimension;
+      change_array(scene.lattice.changes, context, lattice);
       for (const auto &definition : scene.sets)
         add_set(definition, scene.context, lattice);
       assign_sections(scene, lattice);

@@ -4,6 +4,8 @@
 #include <auxfem/mesh/lattice.h>
 #include <auxfem/parameters/registry.h>
 
+#include <functional>
+
 namespace auxfem
 {
   /** A strut of a unit cell and the strut sets it belongs to. */
@@ -71,6 +73,10 @@ namespace auxfem
      * empty. */
     std::array<std::string, 3> no_vector_reasons;
 
+    /** Distance below which joints of different cells are one (m), if above
+     * 1e-8 of the cell's size. */
+    double merge_distance = 0;
+
     /**
      * Joints through which cells meet, by side (`left`, `right`, `bottom`,
      * `top`, `back`, `front`). On the array's boundary they form the set of
@@ -121,18 +127,22 @@ namespace auxfem
    * origin at i, j, k times them and the number i + nx * (j + ny * k).
    * Struts and pairs across two cells have the number of the first one.
    *
-   * Joints of different cells that lie closer than 1e-8 of the cell's size
-   * become one; joints of the same cell are never merged. The first of several
-   * coincident struts or pairs remains, and pairs whose joints have become one
-   * are dropped, so that a pair set may be empty.
+   * Joints of different cells that lie closer than the merge distance become
+   * one, at the place of the first; joints of the same cell are never merged.
+   * The first of several coincident struts or pairs remains, and pairs whose
+   * joints have become one are dropped, so that a pair set may be empty.
    *
    * Fills the joint sets `all`, `bottom`, `top`, `left`, `right` (in space also
    * `back`, `front`), the strut set `all`, and the sets of the cell. Throws
    * InputError if a number of cells is zero or a direction without vector is
    * repeated.
+   * @param keeps whether there is a cell whose joints have their mean at a
+   *   position (m); empty: everywhere
    */
-  Lattice make_array(const UnitCell                    &cell,
-                     const std::array<unsigned int, 3> &n_cells);
+  Lattice
+  make_array(const UnitCell                                      &cell,
+             const std::array<unsigned int, 3>                   &n_cells,
+             const std::function<bool(const dealii::Point<3> &)> &keeps = {});
 
   /**
    * Stacks a planar @p cell in layers: repeats it at the @p distance (m) along

@@ -26,6 +26,7 @@ namespace auxfem
                                             diamond_cell_entry(),
                                             space_reentrant_cell_entry(),
                                             frame_cell_entry(),
+                                            pattern_cell_entry(),
                                             mesh_file_cell_entry()};
     return registry;
   }

@@ -42,6 +42,9 @@ namespace auxfem
   /** Joints and struts given one by one (mesh/cells/frame.cc). */
   RegistryEntry<Cell> frame_cell_entry();
 
+  /** A cell of the user's own, repeated by vectors (mesh/cells/pattern.cc). */
+  RegistryEntry<Cell> pattern_cell_entry();
+
   /** Line elements of a mesh file (mesh/cells/mesh_file.cc). */
   RegistryEntry<Cell> mesh_file_cell_entry();
 } // namespace auxfem
