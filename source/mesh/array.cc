@@ -1,3 +1,4 @@
+#include <auxfem/mesh/lattice_reduction.h>
 #include <auxfem/mesh/merge_joints.h>
 #include <auxfem/mesh/strut_geometry.h>
 #include <auxfem/parameters/errors.h>
@@ -61,14 +62,14 @@ namespace auxfem
           if (n_cells[d] == 0)
             throw InputError("The number of cells along " + direction +
                              " is 0; at least 1 is needed.");
-          if (n_cells[d] > 1 && !(cell.period[d] > 0.))
+          if (n_cells[d] > 1 && !cell.repeats(d))
             throw InputError(
               "The lattice asks for " + std::to_string(n_cells[d]) +
               " cells along " + direction +
               ", but this cell cannot be repeated along " + direction + ". " +
-              (cell.no_period_reasons[d].empty()
+              (cell.no_vector_reasons[d].empty()
                  ? std::string()
-                 : cell.no_period_reasons[d] + " ") +
+                 : cell.no_vector_reasons[d] + " ") +
               "Set the number of cells along " + direction + " to 1.");
         }
     }
@@ -85,9 +86,14 @@ namespace auxfem
     class ArrayBuilder
     {
     public:
-      ArrayBuilder(const UnitCell &cell, const Index3 &n_cells)
+      using Keeps = std::function<bool(const dealii::Point<3> &)>;
+
+      ArrayBuilder(const UnitCell &cell,
+                   const Index3   &n_cells,
+                   const Keeps    &keeps)
         : cell(cell)
         , n_cells(n_cells)
+        , keeps(keeps)
         , tolerance(joint_tolerance(cell))
         , earlier_joints(find_earlier_joints(cell, n_cells))
       {
@@ -112,6 +118,8 @@ namespace auxfem
         if (cell.ports.empty())
           add_faces_of_bounding_box();
         finish_sets();
+        if (keeps)
+          remove_joints_of_no_cell();
         return std::move(lattice);
       }
 
@@ -139,6 +147,10 @@ namespace auxfem
       {
         number = number_of(at);
         add_joints(at);
+        if (keeps)
+          is_kept.push_back(keeps(middle_of_cell()));
+        if (keeps && !is_kept.back())
+          return;
         add_struts();
         add_pairs();
         for (const auto &[name, members] : cell.joint_sets)
@@ -150,9 +162,9 @@ namespace auxfem
 
       void add_joints(const Index3 &at)
       {
-        dealii::Tensor<1, 3> centre;
+        dealii::Tensor<1, 3> origin;
         for (unsigned int d = 0; d < 3; ++d)
-          centre[d] = at[d] * cell.period[d];
+          origin += at[d] * cell.vectors[d];
 
         global.clear();
         for (unsigned int j = 0; j < cell.joints.size(); ++j)
@@ -161,7 +173,7 @@ namespace auxfem
             if (index == invalid_index)
               {
                 index = lattice.joints.size();
-                lattice.joints.push_back(cell.joints[j] + centre);
+                lattice.joints.push_back(cell.joints[j] + origin);
               }
             global.push_back(index);
           }
@@ -193,6 +205,25 @@ namespace auxfem
               index = std::min(index, candidate);
           }
         return index;
+      }
+
+      /** Mean position of the joints of the current cell. */
+      dealii::Point<3> middle_of_cell() const
+      {
+        dealii::Point<3> sum;
+        for (const unsigned int joint : global)
+          sum += lattice.joints[joint] / double(global.size());
+        return sum;
+      }
+
+      void remove_joints_of_no_cell()
+      {
+        LatticeReduction reduction(lattice);
+        reduction.keep_joint.assign(lattice.joints.size(), false);
+        for (unsigned int c = 0; c < lattice.n_cells; ++c)
+          for (unsigned int j = 0; is_kept[c] && j < cell.joints.size(); ++j)
+            reduction.keep_joint[joint_of_cell(c, j)] = true;
+        reduction.apply();
       }
 
       unsigned int number_of(const Index3 &at) const
@@ -299,12 +330,20 @@ namespace auxfem
         for (unsigned int c = 0; c < lattice.n_cells; ++c)
           for (const auto &member : members)
             {
-              const unsigned int d = member.direction;
-              if (c / stride[d] % n_cells[d] + 1 == n_cells[d])
+              unsigned int neighbour = c;
+              bool         exists    = true;
+              for (unsigned int d = 0; d < 3; ++d)
+                {
+                  // Negative indices wrap round and are too large, too.
+                  const unsigned int at =
+                    c / stride[d] % n_cells[d] + member.shift[d];
+                  exists = exists && at < n_cells[d];
+                  neighbour += member.shift[d] * stride[d];
+                }
+              if (!exists || (keeps && !(is_kept[c] && is_kept[neighbour])))
                 continue;
               const JointPair pair = {joint_of_cell(c, member.first),
-                                      joint_of_cell(c + stride[d],
-                                                    member.second),
+                                      joint_of_cell(neighbour, member.second),
                                       c};
               if (pair.first != pair.second)
                 pairs.push_back(pair);
@@ -371,11 +410,13 @@ namespace auxfem
 
       const UnitCell &cell;
       const Index3   &n_cells;
+      const Keeps    &keeps;
       const double    tolerance; ///< for positions (m)
       const std::vector<std::vector<EarlierJoint>> earlier_joints; ///< by joint
       /** Sets of each strut of the cell. */
       std::vector<std::vector<std::vector<unsigned int> *>> sets_of_struts;
       Lattice                                               lattice;
+      std::vector<bool>         is_kept;    ///< by cell, if some are not
       unsigned int              number = 0; ///< of the current cell
       std::vector<unsigned int> global; ///< lattice joint of each cell joint
       std::vector<unsigned int> joints_of_cells; ///< the same, of all cells
@@ -384,10 +425,12 @@ namespace auxfem
     };
   } // namespace
 
-  Lattice make_array(const UnitCell &cell, const Index3 &n_cells)
+  Lattice make_array(const UnitCell &cell,
+                     const Index3   &n_cells,
+                     const std::function<bool(const dealii::Point<3> &)> &keeps)
   {
     Assert(!cell.joints.empty(), dealii::ExcMessage("A cell has joints."));
     check_numbers_of_cells(cell, n_cells);
-    return ArrayBuilder(cell, n_cells).build();
+    return ArrayBuilder(cell, n_cells, keeps).build();
   }
 } // namespace auxfem

@@ -21,7 +21,7 @@ namespace auxfem
           return p[2] == 0.;
         });
       const dealii::Tensor<1, 3> z = dealii::Point<3>(0, 0, 1);
-      return joints_are && !(cell.period[2] > 0.) &&
+      return joints_are && !cell.repeats(2) &&
         std::all_of(cell.struts.begin(),
                     cell.struts.end(),
                     [&z](const auto &s) {
@@ -100,13 +100,13 @@ namespace auxfem
     StrutsAcross across;
     across.set = "columns";
     for (const unsigned int joint : select(cell, columns, path))
-      across.ends.push_back({joint, 2, joint});
+      across.ends.push_back({joint, joint, {{0, 0, 1}}});
     if (across.ends.empty())
       throw InputError(path + "/Interlayer joints: \"" + columns +
                        "\" names no joints. Name the joints that columns "
                        "connect.");
     cell.struts_across.push_back(across);
-    cell.period[2] = distance;
+    cell.vectors[2][2] = distance;
     // Without ports the sides come from the bounding box.
     if (!cell.ports.empty())
       cell.ports["back"] = cell.ports["front"] = all_joints(cell);

@@ -129,19 +129,22 @@ namespace auxfem
 
   SubsectionSchema lattice_schema()
   {
+    Parameters parameters = {cell_choice(),
+                             cells_x,
+                             cells_y,
+                             cells_z,
+                             layer_distance,
+                             interlayer_joints,
+                             struts_may_cross};
+    for (const Parameter &parameter : array_change_parameters())
+      parameters.push_back(parameter);
     return {
       "Lattice",
       SubsectionSchema::Form::fixed,
       "Array of unit cells. In addition to the sets of the cell it has the "
       "joint sets all, left, right, bottom, top, in space back and front, "
       "and the strut sets all and, with a Layer distance, columns.",
-      {cell_choice(),
-       cells_x,
-       cells_y,
-       cells_z,
-       layer_distance,
-       interlayer_joints,
-       struts_may_cross},
+      parameters,
       "Cell",
       cell_variants()};
   }
@@ -156,6 +159,7 @@ namespace auxfem
       require_space(values, layer_distance);
     return {read_cell(values),
             {{values[cells_x], values[cells_y], values[cells_z]}},
+            read_array_changes(values),
             values[struts_may_cross]};
   }
 } // namespace auxfem

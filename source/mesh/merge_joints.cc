@@ -104,22 +104,54 @@ namespace auxfem
   {
     double size = 0;
     for (unsigned int d = 0; d < 3; ++d)
-      size = std::max({size, cell_extent(cell, d), cell.period[d]});
-    return 1e-8 * size;
+      size = std::max({size, cell_extent(cell, d), cell.vectors[d].norm()});
+    return std::max(1e-8 * size, cell.merge_distance);
   }
+
+  namespace
+  {
+    /** Vectors whose products with a position are its coordinates along those
+     * of the cell; 0 in directions without. */
+    std::array<dealii::Tensor<1, 3>, 3> dual_vectors(const UnitCell &cell)
+    {
+      dealii::Tensor<2, 3> products;
+      for (unsigned int d = 0; d < 3; ++d)
+        for (unsigned int e = 0; e < 3; ++e)
+          products[d][e] = cell.repeats(d) && cell.repeats(e)
+            ? cell.vectors[d] * cell.vectors[e]
+            : double(d == e);
+      const dealii::Tensor<2, 3>          inverse = invert(products);
+      std::array<dealii::Tensor<1, 3>, 3> dual;
+      for (unsigned int d = 0; d < 3; ++d)
+        for (unsigned int e = 0; e < 3; ++e)
+          dual[d] += inverse[d][e] * cell.vectors[e];
+      return dual;
+    }
+
+    /** Largest difference of cell numbers in direction @p d at which joints can
+     * coincide. */
+    int reach_of_cell(const UnitCell &cell, const dealii::Tensor<1, 3> &dual)
+    {
+      const auto [low, high] =
+        std::minmax_element(cell.joints.begin(),
+                            cell.joints.end(),
+                            [&](const auto &a, const auto &b) {
+                              return dual * a < dual * b;
+                            });
+      return dual * (*high - *low) + joint_tolerance(cell) * dual.norm();
+    }
+  } // namespace
 
   std::vector<std::vector<EarlierJoint>>
   find_earlier_joints(const UnitCell                    &cell,
                       const std::array<unsigned int, 3> &n_cells)
   {
     const JointFinder  finder(cell);
+    const auto         dual  = dual_vectors(cell);
     std::array<int, 3> reach = {{0, 0, 0}};
     for (unsigned int d = 0; d < 3; ++d)
       if (n_cells[d] > 1)
-        reach[d] =
-          std::min<int>(n_cells[d] - 1,
-                        (cell_extent(cell, d) + joint_tolerance(cell)) /
-                          cell.period[d]);
+        reach[d] = std::min<int>(n_cells[d] - 1, reach_of_cell(cell, dual[d]));
 
     std::vector<std::vector<EarlierJoint>> earlier(cell.joints.size());
     std::array<int, 3>                     offset;
@@ -132,13 +164,41 @@ namespace auxfem
               continue;
             dealii::Tensor<1, 3> shift;
             for (unsigned int d = 0; d < 3; ++d)
-              shift[d] = offset[d] * cell.period[d];
+              shift += offset[d] * cell.vectors[d];
             for (unsigned int joint = 0; joint < cell.joints.size(); ++joint)
               for (const unsigned int other :
                    finder.find(cell.joints[joint] - shift))
                 earlier[joint].push_back({offset, other});
           }
     return earlier;
+  }
+
+  std::vector<unsigned int>
+  first_joints_within(const double                         distance,
+                      const std::vector<dealii::Point<3>> &joints)
+  {
+    namespace index                = boost::geometry::index;
+    const auto                tree = dealii::pack_rtree_of_indices(joints);
+    std::vector<unsigned int> first(joints.size());
+    for (unsigned int j = 0; j < joints.size(); ++j)
+      {
+        first[j]             = j;
+        dealii::Point<3> low = joints[j], high = joints[j];
+        for (unsigned int d = 0; d < 3; ++d)
+          {
+            low[d] -= distance;
+            high[d] += distance;
+          }
+        const dealii::BoundingBox<3> box({low, high});
+        for (auto other = tree.qbegin(index::intersects(box));
+             other != tree.qend();
+             ++other)
+          // A joint cannot be merged with one that is itself merged.
+          if (*other < first[j] && first[*other] == *other &&
+              joints[j].distance(joints[*other]) <= distance)
+            first[j] = *other;
+      }
+    return first;
   }
 
   namespace
@@ -154,34 +214,6 @@ namespace auxfem
       return items.size() <= max_listed_items ? text
                                               : text + "; and " +
           std::to_string(items.size() - max_listed_items) + " more";
-    }
-
-    /** For each joint the first joint within @p distance, maybe itself. */
-    Indices first_joints_within(const double                         distance,
-                                const std::vector<dealii::Point<3>> &joints)
-    {
-      namespace index = boost::geometry::index;
-      const auto tree = dealii::pack_rtree_of_indices(joints);
-      Indices    first(joints.size());
-      for (unsigned int j = 0; j < joints.size(); ++j)
-        {
-          first[j]             = j;
-          dealii::Point<3> low = joints[j], high = joints[j];
-          for (unsigned int d = 0; d < 3; ++d)
-            {
-              low[d] -= distance;
-              high[d] += distance;
-            }
-          const dealii::BoundingBox<3> box({low, high});
-          for (auto other = tree.qbegin(index::intersects(box));
-               other != tree.qend();
-               ++other)
-            // A joint cannot be merged with one that is itself merged.
-            if (*other < first[j] && first[*other] == *other &&
-                joints[j].distance(joints[*other]) <= distance)
-              first[j] = *other;
-        }
-      return first;
     }
 
     /** Merges joints of one cell. */

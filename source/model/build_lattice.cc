@@ -57,8 +57,8 @@ namespace auxfem
       const unsigned int n    = n_cells[direction];
       n_cells[direction]      = 1;
       const LatticeCounts one = continued_counts(cell, n_cells, direction + 1);
-      // make_array() rejects repeating a cell without period.
-      if (n == 1 || cell.period[direction] <= 0)
+      // make_array() rejects repeating a cell without vector.
+      if (n == 1 || !cell.repeats(direction))
         return one;
       n_cells[direction]      = 2;
       const LatticeCounts two = continued_counts(cell, n_cells, direction + 1);
@@ -250,9 +250,14 @@ namespace auxfem
     template <class Disturb>
     Lattice build(const Scene &scene, const Disturb &add_imperfections)
     {
-      Lattice lattice =
-        make_array(scene.lattice.cell->build(), scene.lattice.n_cells);
-      lattice.dimension = scene.context.dimension;
+      SceneContext context = scene.context;
+      context.path         = "Lattice";
+      Lattice lattice      = make_array_in_region(scene.lattice.cell->build(),
+                                             scene.lattice.n_cells,
+                                             scene.lattice.changes.region,
+                                             context);
+      lattice.dimension    = scene.context.dimension;
+      change_array(scene.lattice.changes, context, lattice);
       for (const auto &definition : scene.sets)
         add_set(definition, scene.context, lattice);
       assign_sections(scene, lattice);

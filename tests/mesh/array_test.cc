@@ -20,8 +20,8 @@ namespace
                               {1, 2, 0, {"posts"}},
                               {3, 2, 0, {"rails"}},
                               {0, 3, 0, {"posts"}}};
-    cell.period[0]         = 1;
-    cell.period[1]         = 1;
+    cell.vectors[0][0]     = 1;
+    cell.vectors[1][1]     = 1;
     cell.pairs["diagonal"] = {{0, 2}};
     cell.pairs["left"]     = {{0, 3}, {1, 2}};
     return cell;
@@ -49,7 +49,7 @@ TEST(Array, SharedPairsAreKeptOnce)
 TEST(Array, PairsAcrossLinkCellsThatHaveANextOne)
 {
   UnitCell cell             = square();
-  cell.pairs_across["skew"] = {{0, 0, 2}, {1, 1, 3}};
+  cell.pairs_across["skew"] = {{0, 2, {{1, 0, 0}}}, {1, 3, {{0, 1, 0}}}};
   const auto lattice        = make_array(cell, {{3, 2, 1}});
   // Two neighbours along x in each of two rows, one along y in three columns.
   const auto &pairs = lattice.pair_sets.at("skew");
@@ -82,9 +82,9 @@ TEST(Array, PairsAcrossInSpace)
   UnitCell cell;
   cell.joints                = {{0, 0, 0}, {0, 0, 0.5}};
   cell.struts                = {{0, 1}};
-  cell.pairs_across["seats"] = {{1, 2, 0}};
+  cell.pairs_across["seats"] = {{1, 0, {{0, 0, 1}}}};
   for (unsigned int d = 0; d < 3; ++d)
-    cell.period[d] = 1;
+    cell.vectors[d][d] = 1;
   const auto  lattice = make_array(cell, {{2, 2, 3}});
   const auto &pairs   = lattice.pair_sets.at("seats");
   ASSERT_EQ(pairs.size(), 8u);
@@ -100,8 +100,8 @@ TEST(Array, PairsAcrossInSpace)
 TEST(Array, PairsAcrossMayBeMissing)
 {
   UnitCell cell               = square();
-  cell.pairs_across["x"]      = {{1, 0, 3}};
-  cell.pairs_across["shared"] = {{1, 0, 0}};
+  cell.pairs_across["x"]      = {{1, 3, {{1, 0, 0}}}};
+  cell.pairs_across["shared"] = {{1, 0, {{1, 0, 0}}}};
   // One cell has no neighbour.
   const auto one = make_array(cell, {{1, 2, 1}});
   EXPECT_TRUE(one.pair_sets.at("x").empty());
@@ -144,7 +144,7 @@ TEST(Array, CubesHaveFrontAndBack)
     cell.joints.emplace_back(i & 1, (i >> 1) & 1, (i >> 2) & 1);
   cell.struts = {{0, 4}};
   for (unsigned int d = 0; d < 3; ++d)
-    cell.period[d] = 1;
+    cell.vectors[d][d] = 1;
   const auto lattice = make_array(cell, {{2, 2, 2}});
   EXPECT_EQ(lattice.joints.size(), 27u);
   EXPECT_EQ(lattice.joint_sets.at("front").size(), 9u);
@@ -177,7 +177,8 @@ TEST(Array, ArcsInTwoPlanesOverAChordAreTwoStruts)
 TEST(Array, StrutsAcrossLinkCellsThatHaveANextOne)
 {
   UnitCell cell      = square();
-  cell.struts_across = {{"braces", {{0, 0, 2}}}, {"walls", {{0, 1, 3}}}};
+  cell.struts_across = {{"braces", {{0, 2, {{1, 0, 0}}}}},
+                        {"walls", {{0, 3, {{0, 1, 0}}}}}};
   const auto lattice = make_array(cell, {{3, 2, 1}});
   // Two neighbours along x in each of two rows, one along y in three columns.
   EXPECT_EQ(lattice.struts.size(), 17u + 4u + 3u);
@@ -199,8 +200,8 @@ TEST(Array, JointsOfOneCellStayApart)
 
 TEST(Array, RoundOffOfCellCentresDoesNotSplitJoints)
 {
-  UnitCell cell  = square();
-  cell.period[0] = 0.1 * 3;
+  UnitCell cell      = square();
+  cell.vectors[0][0] = 0.1 * 3;
   cell.joints[1] = cell.joints[2] = {0.3, 0, 0};
   cell.joints[2][1]               = 1;
   const auto lattice              = make_array(cell, {{200, 1, 1}});
@@ -210,8 +211,8 @@ TEST(Array, RoundOffOfCellCentresDoesNotSplitJoints)
 TEST(Array, RefusesToRepeatWithoutPeriod)
 {
   UnitCell cell             = square();
-  cell.period[1]            = 0;
-  cell.no_period_reasons[1] = "It has a roof.";
+  cell.vectors[1][1]        = 0;
+  cell.no_vector_reasons[1] = "It has a roof.";
   const auto message = input_error_of([&]() { make_array(cell, {{1, 3, 1}}); });
   EXPECT_TRUE(contains(message, "3 cells along y")) << message;
   EXPECT_TRUE(contains(message, "It has a roof.")) << message;

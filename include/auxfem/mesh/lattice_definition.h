@@ -1,6 +1,7 @@
 #ifndef auxfem_mesh_lattice_definition_h
 #define auxfem_mesh_lattice_definition_h
 
+#include <auxfem/mesh/array_changes.h>
 #include <auxfem/mesh/cell.h>
 #include <auxfem/parameters/subsection_schema.h>
 
@@ -33,6 +34,7 @@ namespace auxfem
   {
     std::shared_ptr<const Cell> cell;
     std::array<unsigned int, 3> n_cells = {{1, 1, 1}};
+    ArrayChanges                changes;
     /** Whether struts may pass through each other. */
     bool struts_may_cross = false;
   };

@@ -32,6 +32,11 @@ namespace auxfem
   find_earlier_joints(const UnitCell                    &cell,
                       const std::array<unsigned int, 3> &n_cells);
 
+  /** For each joint the first one within @p distance (m), maybe itself. */
+  std::vector<unsigned int>
+  first_joints_within(double                               distance,
+                      const std::vector<dealii::Point<3>> &joints);
+
   /** Names of joints and struts of a cell for messages, by their number. */
   struct CellNames
   {

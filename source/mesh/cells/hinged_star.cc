@@ -169,17 +169,17 @@ namespace auxfem
         add_bars_and_rod(cell);
         cell.pairs["in-cell"]                = {{m, rod_top}};
         cell.pairs["sides"]                  = {{a, d}};
-        cell.pairs_across["side neighbours"] = {{d, 0, a}};
-        cell.pairs_across["rod seats"]       = {{n, 1, rod_foot}};
+        cell.pairs_across["side neighbours"] = {{d, a, {{1, 0, 0}}}};
+        cell.pairs_across["rod seats"]       = {{n, rod_foot, {{0, 1, 0}}}};
 
         cell.ports["left"]   = {a};
         cell.ports["right"]  = {d};
         cell.ports["bottom"] = {rod_foot};
         cell.ports["top"]    = {n};
 
-        cell.period[0]            = 2. * shape.half_width + shape.column_gap;
-        cell.period[1]            = 2. * shape.half_height + shape.cell_gap;
-        cell.no_period_reasons[2] = "It is planar and has no Layer distance.";
+        cell.vectors[0][0]        = 2. * shape.half_width + shape.column_gap;
+        cell.vectors[1][1]        = 2. * shape.half_height + shape.cell_gap;
+        cell.no_vector_reasons[2] = "It is planar and has no Layer distance.";
         return cell;
       }
 

@@ -1,6 +1,7 @@
 #include <auxfem/mesh/cells/cell_table.h>
 #include <auxfem/mesh/cells/gmsh_reader.h>
 #include <auxfem/mesh/cells/line_mesh.h>
+#include <auxfem/mesh/cells/translations.h>
 #include <auxfem/mesh/merge_joints.h>
 #include <auxfem/mesh/position_function.h>
 #include <auxfem/mesh/strut_geometry.h>
@@ -73,7 +74,6 @@ namespace auxfem
         add_joint_sets();
         cell.notes = mesh.notes;
         merge();
-        cell.no_period_reasons.fill("A mesh file has no neighbour cells.");
         return std::move(cell);
       }
 
@@ -358,16 +358,25 @@ namespace auxfem
                  absolute_file(values[file_entry], values.context));
       values.files.push_back(values[file_entry]);
       const LineMesh mesh = read_lines(file, values);
-      return std::make_unique<PrebuiltCell>(
-        MeshToCell(mesh, file, values).build());
+      UnitCell       cell = MeshToCell(mesh, file, values).build();
+      set_translations(values, cell);
+      return std::make_unique<PrebuiltCell>(cell);
     }
   } // namespace
 
   RegistryEntry<Cell> mesh_file_cell_entry()
   {
+    Parameters parameters = {file_entry,
+                             length_unit,
+                             merge_distance(),
+                             run_script,
+                             time_limit};
+    for (const Parameter &vector : translation_parameters())
+      parameters.push_back(vector);
     return {"mesh file",
-            "Frame from the line elements of a mesh file.",
-            {file_entry, length_unit, merge_distance(), run_script, time_limit},
+            "Frame, or with vectors a cell, from the line elements of a mesh "
+            "file.",
+            parameters,
             make_mesh_file};
   }
 } // namespace auxfem

@@ -119,7 +119,7 @@ namespace auxfem
       name_sides(cell);
       add_pairs(cell);
       for (unsigned int axis = 0; axis < 3; ++axis)
-        cell.period[axis] = 2. * (vertex + length);
+        cell.vectors[axis][axis] = 2. * (vertex + length);
       return cell;
     }
 

@@ -135,21 +135,21 @@ namespace auxfem
         return depth - stub > 1e-9 * std::max(depth, stub);
       };
       if (overlaps(shape.side_depth, shape.horizontal_stub))
-        cell.no_period_reasons[0] = overlap_sentence("horizontal",
+        cell.no_vector_reasons[0] = overlap_sentence("horizontal",
                                                      shape.side_depth,
                                                      shape.horizontal_stub);
       else
-        cell.period[0] = cell.joints[cell.ports["right"][0]][0] -
+        cell.vectors[0][0] = cell.joints[cell.ports["right"][0]][0] -
           cell.joints[cell.ports["left"][0]][0];
 
       if (overlaps(shape.top_depth, shape.vertical_stub))
-        cell.no_period_reasons[1] =
+        cell.no_vector_reasons[1] =
           overlap_sentence("vertical", shape.top_depth, shape.vertical_stub);
       else
-        cell.period[1] = cell.joints[cell.ports["top"][0]][1] -
+        cell.vectors[1][1] = cell.joints[cell.ports["top"][0]][1] -
           cell.joints[cell.ports["bottom"][0]][1];
 
-      cell.no_period_reasons[2] = "It is planar and has no Layer distance.";
+      cell.no_vector_reasons[2] = "It is planar and has no Layer distance.";
     }
   } // namespace
 

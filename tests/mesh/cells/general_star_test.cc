@@ -55,7 +55,7 @@ TEST(GeneralStarCell, EqualsTheSymmetricStar)
       EXPECT_EQ(general.struts[i].sets, star.struts[i].sets);
     }
   EXPECT_EQ(general.pairs, star.pairs);
-  EXPECT_NEAR((general.period - star.period).norm(), 0, 1e-16);
+  EXPECT_NEAR((general.vectors[0] - star.vectors[0]).norm(), 0, 1e-16);
 }
 
 TEST(GeneralStarCell, TakesThePapersAngleOf30Degrees)
@@ -69,8 +69,8 @@ TEST(GeneralStarCell, TakesThePapersAngleOf30Degrees)
   const auto edge = cell.joints[0] - cell.joints[4];
   EXPECT_NEAR(edge.norm(), 0.5, 1e-15);
   EXPECT_NEAR(edge[1] / edge.norm(), 0.5, 1e-15);
-  EXPECT_NEAR(cell.period[0], 2 * (0.6 - 0.5 * cos_30 + 0.5), 1e-15);
-  EXPECT_NEAR(cell.period[1], 2 * (0.25 - 0.1 + 0.1), 1e-15);
+  EXPECT_NEAR(cell.vectors[0][0], 2 * (0.6 - 0.5 * cos_30 + 0.5), 1e-15);
+  EXPECT_NEAR(cell.vectors[1][1], 2 * (0.25 - 0.1 + 0.1), 1e-15);
 }
 
 TEST(GeneralStarCell, TipsThatMeetBecomeOneJoint)

@@ -92,8 +92,8 @@ TEST(HingedStarCell, AutomaticMeasures)
   expect_position(lattice, "C", 0.55, 0.25);
   expect_position(lattice, "m", 0, 0.125);
   expect_position(lattice, "rod foot", 0, -0.35);
-  EXPECT_NEAR(cell.period[0], 2 * 0.55 + 0.11, 1e-15);
-  EXPECT_NEAR(cell.period[1], 2 * 0.25 + 0.1, 1e-15);
+  EXPECT_NEAR(cell.vectors[0][0], 2 * 0.55 + 0.11, 1e-15);
+  EXPECT_NEAR(cell.vectors[1][1], 2 * 0.25 + 0.1, 1e-15);
 }
 
 TEST(HingedStarCell, StrutsAndTheirSets)

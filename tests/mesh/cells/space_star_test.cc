@@ -225,7 +225,7 @@ TEST(SpaceStarCell, TipsOfNeighboursStayApart)
       const double gap =
         2 * strut_length * (1 - std::cos(degrees / 180 * dealii::numbers::PI));
       for (unsigned int axis = 0; axis < 3; ++axis)
-        EXPECT_NEAR(cell.period[axis] - 2 * tip,
+        EXPECT_NEAR(cell.vectors[axis][axis] - 2 * tip,
                     gap,
                     10 * space_star_round_off);
     }

@@ -190,7 +190,7 @@ TEST(StarCell, SquareAt90DegKeepsTheTipsOfNeighboursApart)
   const auto lattice = make_array(cell, {{2, 1, 1}});
   EXPECT_EQ(lattice.joints.size(), 2u * 12u - 1u);
   // Gap between the tips: 2 L (1 - cos theta0) = 2 L.
-  EXPECT_NEAR(cell.period[0] - 2 * cell.joints[0][0],
+  EXPECT_NEAR(cell.vectors[0][0] - 2 * cell.joints[0][0],
               0.02,
               star_round_off * 10);
 }

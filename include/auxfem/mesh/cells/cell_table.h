@@ -18,8 +18,32 @@ namespace auxfem
   /** Symmetric star cell in space (mesh/cells/space_star.cc). */
   RegistryEntry<Cell> space_star_cell_entry();
 
+  /** @name Cells of common lattices, one file per family in mesh/cells/ */
+  ///@{
+  RegistryEntry<Cell> square_cell_entry();
+  RegistryEntry<Cell> triangular_cell_entry();
+  RegistryEntry<Cell> kagome_cell_entry();
+  RegistryEntry<Cell> hexagonal_cell_entry();
+  RegistryEntry<Cell> reentrant_cell_entry();
+  RegistryEntry<Cell> arrowhead_cell_entry();
+  RegistryEntry<Cell> tetrachiral_cell_entry();
+  RegistryEntry<Cell> anti_tetrachiral_cell_entry();
+  RegistryEntry<Cell> hexachiral_cell_entry();
+  RegistryEntry<Cell> rotating_squares_cell_entry();
+  RegistryEntry<Cell> cubic_cell_entry();
+  RegistryEntry<Cell> body_centred_cell_entry();
+  RegistryEntry<Cell> face_centred_cell_entry();
+  RegistryEntry<Cell> octet_cell_entry();
+  RegistryEntry<Cell> kelvin_cell_entry();
+  RegistryEntry<Cell> diamond_cell_entry();
+  RegistryEntry<Cell> space_reentrant_cell_entry();
+  ///@}
+
   /** Joints and struts given one by one (mesh/cells/frame.cc). */
   RegistryEntry<Cell> frame_cell_entry();
+
+  /** A cell of the user's own, repeated by vectors (mesh/cells/pattern.cc). */
+  RegistryEntry<Cell> pattern_cell_entry();
 
   /** Line elements of a mesh file (mesh/cells/mesh_file.cc). */
   RegistryEntry<Cell> mesh_file_cell_entry();
