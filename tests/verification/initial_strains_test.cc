@@ -212,6 +212,49 @@ TEST(InitialStrains, PretensionTunesAString)
               1e-5);
 }
 
+namespace
+{
+  /** Square of the lowest angular frequency (1/s2) of a clamped strut, heated
+   * to
+   * @p ratio times the strain 4 pi^2 I / (A L^2). */
+  double square_of_heated_strut(const double ratio)
+  {
+    SceneText text = one_strut(2, "Density = 7800");
+    warm(text,
+         testing_support::text(ratio * 4 * pi * pi * second_moment /
+                               (area * expansion)));
+    const Scene scene =
+      read_scene_from_text(text.support("ends", "0, 1", "clamp")
+                             .set("Analysis", "modes")
+                             .set("Modes/About", "static equilibrium")
+                             .mesh(4, 2)
+                             .time(1, 0.1, "newmark")
+                             .str(),
+                           "test.prm");
+    LatticeRun run(plan_of_modes(scene), MPI_COMM_SELF);
+    run.prepare();
+    run.start();
+    const NaturalModes found =
+      natural_modes(run.solver(), run.solution.state, 1);
+    return std::pow(found.modes.front().angular_frequency(), 2);
+  }
+} // namespace
+
+// A clamped strut buckles where its lowest frequency falls to zero: 1 without
+// shear flexibility, with it as an independent integration gives.
+TEST(InitialStrains, HeatBucklesAClampedStrut)
+{
+  constexpr double one = 0.99, other = 0.995;
+  const double     square = square_of_heated_strut(one),
+               lower      = square_of_heated_strut(other);
+  ComparisonTable table("Strain that buckles a heated clamped strut, over "
+                        "Euler's");
+  table.row("with shear flexibility",
+            one + (other - one) * square / (square - lower),
+            0.99593,
+            1e-5);
+}
+
 // A held strut of a material that relaxes: P (1 - r + r exp(-t / tau)).
 TEST(InitialStrains, PretensionRelaxes)
 {
