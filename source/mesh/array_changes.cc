@@ -88,7 +88,7 @@ namespace auxfem
       std::vector<dealii::Point<3>> mapped = lattice.joints;
       for (unsigned int c = 0; c < lattice.dimension; ++c)
         {
-          if (changes.map[c] == mapped_position[c].default_value)
+          if (changes.map[c].empty())
             continue;
           PositionFunction coordinate(changes.map[c],
                                       "expression",
@@ -139,7 +139,8 @@ namespace auxfem
     changes.missing_probability = values[probability];
     changes.seed                = values[missing_seed];
     for (unsigned int c = 0; c < 3; ++c)
-      changes.map[c] = values[mapped_position[c]];
+      if (!values.is_default(mapped_position[c]))
+        changes.map[c] = values[mapped_position[c]];
     require_space(values, mapped_position[2]);
     return changes;
   }
@@ -177,7 +178,7 @@ namespace auxfem
     if (!changes.missing_struts.empty())
       remove_missing(changes, context, lattice);
     for (unsigned int c = 0; c < 3; ++c)
-      if (changes.map[c] != mapped_position[c].default_value)
+      if (!changes.map[c].empty())
         return map_joints(changes, context, lattice);
   }
 } // namespace auxfem

@@ -39,11 +39,7 @@ namespace
     SceneContext context;
     context.path      = "Lattice";
     context.dimension = lattice.dimension;
-    ArrayChanges all  = changes;
-    for (unsigned int c = 0; c < 3; ++c)
-      if (all.map[c].empty())
-        all.map[c] = "xyz"[c];
-    change_array(all, context, lattice);
+    change_array(changes, context, lattice);
   }
 
   ArrayChanges missing(const std::string &struts,

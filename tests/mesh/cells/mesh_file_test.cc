@@ -536,5 +536,5 @@ TEST(MeshFileCell, CannotBeRepeated)
     make_array(cell->build(), {{2, 1, 1}});
   });
   EXPECT_TRUE(contains(message, "2 cells along x")) << message;
-  EXPECT_TRUE(contains(message, "no neighbour cells")) << message;
+  EXPECT_TRUE(contains(message, "no Vector x to the next cell")) << message;
 }
