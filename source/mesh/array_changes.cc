@@ -43,13 +43,11 @@ namespace auxfem
        {"Map y", "y", "The same for y."},
        {"Map z", "z", "The same for z; with Dimension = 3."}}};
 
-    void refuse_empty(const Lattice     &lattice,
-                      const Text        &parameter,
-                      const std::string &text,
-                      const std::string &path)
+    /** @param where path of the parameter, with its value */
+    void refuse_empty(const Lattice &lattice, const std::string &where)
     {
       if (lattice.struts.empty())
-        throw InputError(path + "/" + parameter.name + " = " + text +
+        throw InputError(where +
                          ": no strut of the lattice remains. Leave more of "
                          "it.");
     }
@@ -75,9 +73,11 @@ namespace auxfem
           }
       const unsigned int all  = lattice.struts.size();
       const std::string  lost = reduction.apply();
-      refuse_empty(lattice, missing, changes.missing_struts, context.path);
-      lattice.notes.push_back("Missing are " + std::to_string(n) + " of " +
-                              std::to_string(all) + " struts." +
+      refuse_empty(lattice,
+                   context.path + "/" + missing.name + " = " +
+                     changes.missing_struts);
+      lattice.notes.push_back(std::to_string(n) + " of " + std::to_string(all) +
+                              " struts are missing." +
                               (lost.empty() ? "" : " " + lost));
     }
 
@@ -110,7 +110,7 @@ namespace auxfem
       LatticeReduction reduction(lattice);
       reduction.target = first_joints_within(1e-8 * size, mapped);
       reduction.apply();
-      refuse_empty(lattice, mapped_position[0], changes.map[0], context.path);
+      refuse_empty(lattice, context.path + "/Map");
     }
   } // namespace
 
@@ -164,7 +164,8 @@ namespace auxfem
       n_kept += is_kept;
       return is_kept;
     });
-    refuse_empty(lattice, kept_region, region, context.path);
+    refuse_empty(lattice,
+                 context.path + "/" + kept_region.name + " = " + region);
     lattice.notes.push_back("Lattice/Region leaves " + std::to_string(n_kept) +
                             " of " + std::to_string(lattice.n_cells) +
                             " cells.");

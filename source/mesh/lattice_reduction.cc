@@ -59,11 +59,11 @@ namespace auxfem
       renumber(new_strut, members);
     std::string lost;
     if (n_lost_joints > 0)
-      lost += std::to_string(n_lost_joints) + " joints without struts";
+      lost += "joints without struts: " + std::to_string(n_lost_joints);
     if (n_pairs > 0)
-      lost += (lost.empty() ? "" : " and ") + std::to_string(n_pairs) +
-        " pairs for connectors";
-    return lost.empty() ? "" : lost + " go with them.";
+      lost += (lost.empty() ? "" : ", ") + std::string("connectors: ") +
+        std::to_string(n_pairs);
+    return lost.empty() ? "" : "Also removed are " + lost + ".";
   }
 
   void LatticeReduction::renumber_struts()

@@ -99,8 +99,8 @@ TEST(ArrayChanges, JointsAndPairsGoWithTheirStruts)
   EXPECT_EQ(other.joints.size(), 3u);
   EXPECT_EQ(other.pair_sets.at("damper").size(), 0u);
   EXPECT_EQ(other.notes.back(),
-            "Missing are 2 of 4 struts. 1 joints without struts and 1 pairs "
-            "for connectors go with them.");
+            "2 of 4 struts are missing. Also removed are joints without "
+            "struts: 1, connectors: 1.");
 }
 
 TEST(ArrayChanges, MapsClosePanelsToTubes)

@@ -51,6 +51,16 @@ namespace auxfem
     return result;
   }
 
+  const Quantity &equal_strut_length()
+  {
+    static const Quantity parameter{"Strut length",
+                                    "10 mm",
+                                    "m",
+                                    Range::positive(),
+                                    "Length L of all struts."};
+    return parameter;
+  }
+
   void require_space(const std::string &name, const SceneContext &context)
   {
     if (context.dimension != 3)

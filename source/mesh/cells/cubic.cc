@@ -7,12 +7,6 @@ namespace auxfem
 {
   namespace
   {
-    const Quantity cubic_strut_length{"Strut length",
-                                      "10 mm",
-                                      "m",
-                                      Range::positive(),
-                                      "Length L of all struts."};
-
     /** Corner @p i (0 to 7) of a cube with the edge @p a. */
     dealii::Point<3> corner_of_cube(const unsigned int i, const double a)
     {
@@ -35,7 +29,7 @@ namespace auxfem
     std::unique_ptr<Cell> make_cubic(ParameterValues &values)
     {
       require_space("cubic", values.context);
-      const double L = values[cubic_strut_length];
+      const double L = values[equal_strut_length()];
       CellDrawing  drawing(L);
       for (unsigned int i = 0; i < 8; ++i)
         for (unsigned int d = 0; d < 3; ++d)
@@ -49,7 +43,7 @@ namespace auxfem
     std::unique_ptr<Cell> make_body_centred(ParameterValues &values)
     {
       require_space("body-centred cubic", values.context);
-      const double L = values[cubic_strut_length], a = 2 * L / std::sqrt(3.);
+      const double L = values[equal_strut_length()], a = 2 * L / std::sqrt(3.);
       CellDrawing  drawing(L);
       for (unsigned int i = 0; i < 8; ++i)
         drawing.strut(corner_of_cube(i, a), {a / 2, a / 2, a / 2}, "diagonals");
@@ -70,7 +64,7 @@ namespace auxfem
     std::unique_ptr<Cell> make_face_centred(ParameterValues &values)
     {
       require_space("face-centred cubic", values.context);
-      const double a = std::sqrt(2.) * values[cubic_strut_length];
+      const double a = std::sqrt(2.) * values[equal_strut_length()];
       CellDrawing  drawing(a);
       draw_face_diagonals(a, drawing);
       return std::make_unique<PrebuiltCell>(repeated_cube(drawing, a));
@@ -79,7 +73,7 @@ namespace auxfem
     std::unique_ptr<Cell> make_octet(ParameterValues &values)
     {
       require_space("octet", values.context);
-      const double a = std::sqrt(2.) * values[cubic_strut_length];
+      const double a = std::sqrt(2.) * values[equal_strut_length()];
       CellDrawing  drawing(a);
       draw_face_diagonals(a, drawing);
       // The octahedron between the middles of the faces.
@@ -97,7 +91,7 @@ namespace auxfem
   {
     return {"cubic",
             "Cube of twelve struts (Dimension = 3).",
-            {cubic_strut_length},
+            {equal_strut_length()},
             make_cubic};
   }
 
@@ -105,7 +99,7 @@ namespace auxfem
   {
     return {"body-centred cubic",
             "Struts from the centre of a cube to its corners (Dimension = 3).",
-            {cubic_strut_length},
+            {equal_strut_length()},
             make_body_centred};
   }
 
@@ -113,7 +107,7 @@ namespace auxfem
   {
     return {"face-centred cubic",
             "Diagonals of the faces of a cube (Dimension = 3).",
-            {cubic_strut_length},
+            {equal_strut_length()},
             make_face_centred};
   }
 
@@ -122,7 +116,7 @@ namespace auxfem
     return {"octet",
             "Tetrahedra and octahedra: the face-centred cubic cell with "
             "struts between the middles of its faces (Dimension = 3).",
-            {cubic_strut_length},
+            {equal_strut_length()},
             make_octet};
   }
 } // namespace auxfem

@@ -9,12 +9,6 @@ namespace auxfem
 {
   namespace
   {
-    const Quantity foam_strut_length{"Strut length",
-                                     "10 mm",
-                                     "m",
-                                     Range::positive(),
-                                     "Length L of all struts."};
-
     /** Corners of a truncated octahedron in a cube with the edge @p a: the
      * permutations of (0, +-1/4, +-1/2) a about its centre. */
     std::vector<dealii::Point<3>> corners_of_kelvin_cell(const double a)
@@ -36,7 +30,7 @@ namespace auxfem
     std::unique_ptr<Cell> make_kelvin(ParameterValues &values)
     {
       require_space("Kelvin", values.context);
-      const double L = values[foam_strut_length], a = 2 * std::sqrt(2.) * L;
+      const double L = values[equal_strut_length()], a = 2 * std::sqrt(2.) * L;
       CellDrawing  drawing(a);
       const auto   corners = corners_of_kelvin_cell(a);
       for (const auto &one : corners)
@@ -50,7 +44,7 @@ namespace auxfem
     std::unique_ptr<Cell> make_diamond(ParameterValues &values)
     {
       require_space("diamond", values.context);
-      const double L = values[foam_strut_length], a = 4 * L / std::sqrt(3.);
+      const double L = values[equal_strut_length()], a = 4 * L / std::sqrt(3.);
       CellDrawing  drawing(a);
       // Four joints inside, each joined to a corner of the cube and three
       // middles of faces: at (1, 1, 1) a / 4, and with two signs changed.
@@ -79,7 +73,7 @@ namespace auxfem
   {
     return {"Kelvin",
             "Edges of truncated octahedra, the foam of Kelvin (Dimension = 3).",
-            {foam_strut_length},
+            {equal_strut_length()},
             make_kelvin};
   }
 
@@ -88,7 +82,7 @@ namespace auxfem
     return {"diamond",
             "Joints of four struts each, as the atoms of diamond (Dimension = "
             "3).",
-            {foam_strut_length},
+            {equal_strut_length()},
             make_diamond};
   }
 } // namespace auxfem

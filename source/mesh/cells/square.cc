@@ -5,15 +5,9 @@ namespace auxfem
 {
   namespace
   {
-    const Quantity square_strut_length{"Strut length",
-                                       "10 mm",
-                                       "m",
-                                       Range::positive(),
-                                       "Length L of all struts."};
-
     std::unique_ptr<Cell> make_square(ParameterValues &values)
     {
-      const double           L = values[square_strut_length];
+      const double           L = values[equal_strut_length()];
       CellDrawing            drawing(L);
       const dealii::Point<3> corners[] = {{0, 0, 0},
                                           {L, 0, 0},
@@ -32,7 +26,7 @@ namespace auxfem
   {
     return {"square",
             "Square of four struts.",
-            {square_strut_length},
+            {equal_strut_length()},
             make_square};
   }
 } // namespace auxfem

@@ -7,16 +7,10 @@ namespace auxfem
 {
   namespace
   {
-    const Quantity triangular_strut_length{"Strut length",
-                                           "10 mm",
-                                           "m",
-                                           Range::positive(),
-                                           "Length L of all struts."};
-
     /** Two rows of equilateral triangles. */
     std::unique_ptr<Cell> make_triangular(ParameterValues &values)
     {
-      const double       L = values[triangular_strut_length];
+      const double       L = values[equal_strut_length()];
       const double       h = std::sqrt(3.) / 2 * L;
       CellDrawing        drawing(L);
       const unsigned int middle = drawing.joint(L / 2, h);
@@ -33,16 +27,10 @@ namespace auxfem
         drawing.repeated(dealii::Point<3>(L, 2 * h, 0)));
     }
 
-    const Quantity kagome_strut_length{"Strut length",
-                                       "10 mm",
-                                       "m",
-                                       Range::positive(),
-                                       "Length L of all struts."};
-
     /** Two rows of triangles that meet at their corners only. */
     std::unique_ptr<Cell> make_kagome(ParameterValues &values)
     {
-      const double L = values[kagome_strut_length];
+      const double L = values[equal_strut_length()];
       const double h = std::sqrt(3.) / 2 * L;
       CellDrawing  drawing(L);
       unsigned int triangle[2][3];
@@ -83,7 +71,7 @@ namespace auxfem
   {
     return {"triangular",
             "Equilateral triangles, two rows of them.",
-            {triangular_strut_length},
+            {equal_strut_length()},
             make_triangular};
   }
 
@@ -92,7 +80,7 @@ namespace auxfem
     return {"kagome",
             "Equilateral triangles that meet at their corners, two rows of "
             "them.",
-            {kagome_strut_length},
+            {equal_strut_length()},
             make_kagome};
   }
 } // namespace auxfem

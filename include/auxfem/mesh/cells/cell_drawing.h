@@ -2,6 +2,7 @@
 #define auxfem_mesh_cells_cell_drawing_h
 
 #include <auxfem/mesh/cell.h>
+#include <auxfem/parameters/registry.h>
 
 #include <string>
 
@@ -58,6 +59,9 @@ namespace auxfem
   private:
     const double tolerance; ///< of positions (m)
   };
+
+  /** Parameter `Strut length` of cells whose struts are equally long. */
+  const Quantity &equal_strut_length();
 
   /** Throws InputError if the scene is planar: the cell @p name is not. */
   void require_space(const std::string &name, const SceneContext &context);

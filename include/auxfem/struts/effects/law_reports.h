@@ -10,7 +10,7 @@
 namespace auxfem
 {
   /**
-   * What struts with a SectionLaw report about a state: section forces, stored
+   * Reports of struts with a SectionLaw on a state: section forces, stored
    * energy, yielding, and integrals of these over the elements. @p Beam is
    * undamped.
    */
