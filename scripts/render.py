@@ -4,6 +4,7 @@ of history.csv.
 
     scripts/render.py lattice PICTURE.png RUN TIME... [--color FIELD] [options]
     scripts/render.py curves  PICTURE.png RUN COLUMN... [options]
+    scripts/render.py rest    PICTURE.png FILE.vtu [--color FIELD] [options]
 
 RUN is the output folder of a run. Struts are drawn as tubes at their current
 place, rigid parts grey, plates brown, connectors as thin lines, one panel for each TIME (s,
@@ -11,7 +12,8 @@ the nearest frame is taken); all frames of the run fit into a panel, so that
 pictures of single times make a film. FIELD is a field of solution.pvd; of vectors the
 magnitude is shown. Curves of several runs come into one picture with --compare
 RUN; --dashed RUN draws one dashed, in the colours from the first on again.
-A COLUMN may be computed: --define "angle = degrees([bar.phi]) + 30".
+A COLUMN may be computed: --define "angle = degrees([bar.phi]) + 30". The third kind draws
+a lattice.vtu of `auxfem --check`, coloured by its height, section, ...
 
 `cmake --install` installs it as auxfem-render. Needs python3-vtk9 of Debian's own
 Python, which the first line names, and a display; without one (`xvfb` and `xauth` installed):
@@ -50,6 +52,10 @@ TITLES = {
     "plastic_strain": "plastic strain",
     "utilisation": "stress over yield stress",
     "intactness": "part of the forces that is left",
+    "height": "height of the section (m)",
+    "width": "width of the section (m)",
+    "youngs_modulus": "Young's modulus (Pa)",
+    "density": "density (kg/m3)",
 }
 COLORS = [(31, 119, 180), (214, 39, 40), (44, 160, 44), (148, 103, 189),
           (255, 127, 14), (90, 90, 90)]
@@ -81,18 +87,29 @@ def nearest_frame(series, time):
     return min(frames_of(series), key=lambda frame: abs(frame[0] - time))
 
 
-def moved_lines(file):
-    """Lines of a .vtu or .pvtu file, moved by their displacement."""
+def grid_of(file):
+    """Content of a .vtu or .pvtu file."""
     reader = (vtk.vtkXMLPUnstructuredGridReader() if file.suffix == ".pvtu"
               else vtk.vtkXMLUnstructuredGridReader())
     reader.SetFileName(str(file))
     reader.Update()
-    grid = reader.GetOutput()
+    return reader.GetOutput()
+
+
+def moved_lines(file):
+    """Lines of a .vtu or .pvtu file, moved by their displacement."""
+    grid = grid_of(file)
     grid.GetPointData().SetActiveVectors("displacement")
     warp = vtk.vtkWarpVector()
     warp.SetInputData(grid)
+    warp.Update()
+    return strips_of(warp.GetOutput())
+
+
+def strips_of(grid):
+    """The lines of a grid, each strut in one piece."""
     surface = vtk.vtkGeometryFilter()
-    surface.SetInputConnection(warp.GetOutputPort())
+    surface.SetInputData(grid)
     strips = vtk.vtkStripper()
     strips.SetInputConnection(surface.GetOutputPort())
     strips.Update()
@@ -195,11 +212,11 @@ def label(text, x, y, size):
     return actor
 
 
-def color_bar(colors):
+def color_bar(colors, n_labels=5):
     bar = vtk.vtkScalarBarActor()
     bar.SetLookupTable(colors)
     bar.SetOrientationToHorizontal()
-    bar.SetNumberOfLabels(5)
+    bar.SetNumberOfLabels(n_labels)
     bar.SetLabelFormat("%.3g")
     bar.SetPosition(0.3, 0.12)
     bar.SetWidth(0.4)
@@ -355,6 +372,48 @@ def draw_lattice(arguments):
     write_picture(window, arguments.picture, SAMPLES)
 
 
+def lines_with(grid, field):
+    """Lines of the grid whose @p field is at least zero."""
+    chosen = vtk.vtkThreshold()
+    chosen.SetInputData(grid)
+    chosen.SetInputArrayToProcess(0, 0, 0, vtk.vtkDataObject.FIELD_ASSOCIATION_POINTS,
+                                  field)
+    chosen.SetUpperThreshold(0)
+    chosen.SetThresholdFunction(vtk.vtkThreshold.THRESHOLD_UPPER)
+    chosen.Update()
+    return strips_of(chosen.GetOutput())
+
+
+def draw_rest(arguments):
+    grid = grid_of(pathlib.Path(arguments.run))
+    struts = lines_with(grid, "strut")
+    connectors = lines_with(grid, "connectors")
+    field = arguments.color
+    low, high = struts.GetPointData().GetArray(field or "radius").GetRange(0)
+    colors = color_map(low, high if high > low else low + 1)
+    box = box_around([struts])
+    width, height = size_in(arguments.view, box)
+    bar_height = BAR_STRIP if field else 0
+    total = round(arguments.width * height / width) + bar_height
+    window = vtk.vtkRenderWindow()
+    window.SetOffScreenRendering(1)
+    window.SetSize(SAMPLES * arguments.width, SAMPLES * total)
+    panel = renderer(window, 0, bar_height / total, 1, 1)
+    tubes = tube_actor(tubes_of(struts, arguments.thickness), field or "radius",
+                       colors, (low, high))
+    if not field:
+        tubes.GetMapper().ScalarVisibilityOff()
+        tubes.GetProperty().SetColor(0.16, 0.47, 0.72)
+    panel.AddActor(tubes)
+    panel.AddActor(line_actor(connectors, CONNECTOR, 1.5))
+    look_at(panel, box, arguments.view)
+    if field:
+        bar = renderer(window, 0, 0, 1, bar_height / total)
+        bar.AddActor2D(label(TITLES.get(field, field), 0.5, 0.72, 14))
+        bar.AddActor2D(color_bar(colors, 3))
+    write_picture(window, arguments.picture, SAMPLES)
+
+
 def defined_columns(definitions):
     """Formula of each column of --define, by its name."""
     formulas = {}
@@ -498,19 +557,23 @@ def main():
     kinds = parser.add_subparsers(dest="kind", required=True)
     lattice = kinds.add_parser("lattice", help="the lattice at given times")
     curves = kinds.add_parser("curves", help="columns of history.csv")
-    for kind in (lattice, curves):
+    rest = kinds.add_parser("rest", help="the lattice as it is made")
+    for kind in (lattice, curves, rest):
         kind.add_argument("picture", help="file to write (PNG)")
-        kind.add_argument("run", help="output folder of a run")
+        kind.add_argument("run", help="output folder of a run" if kind != rest
+                          else "lattice.vtu of auxfem --check")
         kind.add_argument("--width", type=int, default=900,
                           help="of the picture, in pixels")
     lattice.add_argument("values", metavar="time", nargs="+", type=float)
     lattice.add_argument("--color", metavar="FIELD",
                          help="default: bending_moment, in space "
                               "strain_energy_density")
-    lattice.add_argument("--view", default="front", choices=sorted(VIEWS),
-                         help="along z, or obliquely for lattices in space")
-    lattice.add_argument("--thickness", type=float, default=1, metavar="FACTOR",
-                         help="draw struts this much thicker than they are")
+    rest.add_argument("--color", metavar="FIELD", help="default: one colour")
+    for kind in (lattice, rest):
+        kind.add_argument("--view", default="front", choices=sorted(VIEWS),
+                          help="along z, or obliquely for lattices in space")
+        kind.add_argument("--thickness", type=float, default=1, metavar="FACTOR",
+                          help="draw struts this much thicker than they are")
     lattice.add_argument("--largest", type=float, metavar="VALUE",
                          help="end of the colour scale; larger values look "
                               "like it")
@@ -534,10 +597,8 @@ def main():
                                  "left-centre", "left-bottom"],
                         help="its place, on the right unless said")
     arguments = parser.parse_args()
-    if arguments.kind == "lattice":
-        draw_lattice(arguments)
-    else:
-        draw_curves(arguments)
+    draw = {"lattice": draw_lattice, "curves": draw_curves, "rest": draw_rest}
+    draw[arguments.kind](arguments)
 
 
 if __name__ == "__main__":

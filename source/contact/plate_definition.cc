@@ -25,6 +25,16 @@ namespace auxfem
       "A point of the plane, the centre of the sphere, or a point of the "
       "cylinder's axis, at rest."};
 
+    const Quantity plate_gap = {
+      "Gap",
+      "as placed",
+      "m",
+      Range::non_negative(),
+      "Gap to the face of the nearest strut at rest; the body is moved from its "
+      "Position towards that strut, a plane along its normal. 0: it touches, "
+      "also a lattice with imperfections. as placed: Position counts.",
+      {"as placed"}};
+
     const auto plate_motion = for_axes<TimeExpression>(
       {"Displacement",
        "0",
@@ -139,7 +149,7 @@ namespace auxfem
 
   SubsectionSchema plates_schema()
   {
-    Parameters parameters = {plate_shape, plate_position};
+    Parameters parameters = {plate_shape, plate_position, plate_gap};
     parameters.insert(parameters.end(),
                       plate_motion.begin(),
                       plate_motion.end());
@@ -172,6 +182,8 @@ namespace auxfem
     plate.path     = values.context.path;
     plate.surface  = read_surface(values);
     plate.position = dealii::Point<3>(vector_of(values, plate_position));
+    if (!values.is_word(plate_gap))
+      plate.gap = values[plate_gap];
     read_motion(values, plate);
     read_initial_velocity_of(values, plate);
     const double mass = values[plate_mass];

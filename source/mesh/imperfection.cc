@@ -101,13 +101,13 @@ namespace auxfem
     const std::array<Text, 3> disturbances     = {
           {{"Displacement x",
             "0",
-            "Expression in x, y, z and xmin, xmax, ... (m)."},
+            "Expression in x, y, z and xmin, xmax, ... (m), random(seed) and normal(seed)."},
            {"Displacement y",
             "0",
-            "Expression in x, y, z and xmin, xmax, ... (m)."},
+            "Expression in x, y, z and xmin, xmax, ... (m), random(seed) and normal(seed)."},
            {"Displacement z",
             "0",
-            "Expression in x, y, z and xmin, xmax, ... (m)."}}};
+            "Expression in x, y, z and xmin, xmax, ... (m), random(seed) and normal(seed)."}}};
     const Quantity largest_offset = {
       "Amplitude",
       "",

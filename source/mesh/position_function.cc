@@ -38,17 +38,22 @@ namespace auxfem
                    const std::string  &hint,
                    const Lattice      &lattice,
                    const SceneContext &context,
-                   const std::string  &path)
-      : text(text)
+                   const std::string  &path,
+                   const Random        random)
+      : is_random(random == Random::allowed &&
+                  (text.find("random") != std::string::npos ||
+                   text.find("normal") != std::string::npos))
+      , text(text)
       , noun(noun)
       , hint(hint)
       , path(path)
       , expression(read(bounding_box(lattice), context))
     {}
 
-    double value_at(const dealii::Point<3> &at)
+    double value_at(const dealii::Point<3> &at, const unsigned int number)
     {
       position           = at;
+      item               = number;
       const double value = expression.value();
       if (std::isnan(value))
         fail("its value at (" + std::to_string(at[0]) + ", " +
@@ -56,6 +61,8 @@ namespace auxfem
              ") m is not a number.");
       return value;
     }
+
+    const bool is_random;
 
   private:
     Expression read(const std::array<dealii::Point<3>, 2> &box,
@@ -72,7 +79,11 @@ namespace auxfem
         }
       try
         {
-          return Expression(text, coordinates, bounds, context.constants);
+          return Expression(text,
+                            coordinates,
+                            bounds,
+                            context.constants,
+                            is_random ? &item : nullptr);
         }
       catch (const ExpressionError &error)
         {
@@ -90,6 +101,7 @@ namespace auxfem
 
     const std::string text, noun, hint, path;
     dealii::Point<3>  position;
+    unsigned int      item = 0;
     Expression        expression;
   };
 
@@ -98,20 +110,28 @@ namespace auxfem
                                      const std::string  &hint,
                                      const Lattice      &lattice,
                                      const SceneContext &context,
-                                     const std::string  &path)
+                                     const std::string  &path,
+                                     const Random        random)
     : implementation(std::make_unique<Implementation>(text,
                                                       noun,
                                                       hint,
                                                       lattice,
                                                       context,
-                                                      path))
+                                                      path,
+                                                      random))
   {}
 
   PositionFunction::~PositionFunction() = default;
 
-  double PositionFunction::value_at(const dealii::Point<3> &position)
+  double PositionFunction::value_at(const dealii::Point<3> &position,
+                                    const unsigned int      item)
   {
-    return implementation->value_at(position);
+    return implementation->value_at(position, item);
+  }
+
+  bool PositionFunction::is_random() const
+  {
+    return implementation->is_random;
   }
 
   bool is_condition(const std::string &text)

@@ -111,7 +111,7 @@ namespace auxfem
     return {{{along_one / determinant, along_other / determinant}}};
   }
 
-  double distance(const Segment &one, const Segment &other)
+  NearestPoints nearest_points(const Segment &one, const Segment &other)
   {
     const dealii::Tensor<1, 3> a   = one.end - one.begin,
                                b   = other.end - other.begin,
@@ -127,6 +127,6 @@ namespace auxfem
         t = in_segment(t);
         s = aa > 0 ? in_segment((ab * t - ag) / aa) : 0;
       }
-    return (gap + s * a - t * b).norm();
+    return {(gap + s * a - t * b).norm(), {{s, t}}};
   }
 } // namespace auxfem

@@ -1,16 +1,17 @@
+#include <auxfem/mesh/designed_array.h>
 #include <auxfem/mesh/position_function.h>
 #include <auxfem/mesh/sets.h>
+#include <auxfem/mesh/strut_crossings.h>
 #include <auxfem/model/build_lattice.h>
+#include <auxfem/model/plate_placement.h>
 #include <auxfem/model/rigid_bodies.h>
 #include <auxfem/parameters/errors.h>
-
-#include <deal.II/base/utilities.h>
+#include <auxfem/scene/graded_sections.h>
 
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/normal_distribution.hpp>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -130,73 +131,6 @@ namespace auxfem
 
   namespace
   {
-    /** @param path of the parameter that names the set */
-    void check_name(const std::string &name,
-                    const std::string &path,
-                    const Lattice     &lattice)
-    {
-      // Selections must distinguish names from lists and conditions.
-      const bool starts_well =
-        !name.empty() && std::isalpha(static_cast<unsigned char>(name[0]));
-      const bool is_plain =
-        std::all_of(name.begin(), name.end(), [](const unsigned char letter) {
-          return std::isalnum(letter) ||
-            std::string(" _-.").find(letter) != std::string::npos;
-        });
-      if (!starts_well || !is_plain)
-        throw InputError(
-          path + ": \"" + name +
-          "\" cannot name a set. Begin with a letter and go on "
-          "with letters, digits, blanks, \"_\", \"-\" or \".\".");
-
-      const char *kind = lattice.joint_sets.count(name) ? "joints"
-        : lattice.strut_sets.count(name)                ? "struts"
-        : lattice.pair_sets.count(name)                 ? "joint pairs"
-                                                        : nullptr;
-      if (kind)
-        throw InputError(path + ": the lattice has a set of " + kind +
-                         " named \"" + name +
-                         "\" already. Choose another name.");
-    }
-
-    void add_set(const SetDefinition &definition,
-                 const SceneContext  &context,
-                 Lattice             &lattice)
-    {
-      check_name(definition.name, definition.path, lattice);
-      const std::string &text  = definition.selection;
-      const auto         colon = text.find(':');
-      const std::string  kind  = dealii::Utilities::trim(text.substr(0, colon));
-      const std::string  members =
-        colon == std::string::npos ? "" : text.substr(colon + 1);
-      if (colon != std::string::npos && kind == "joints")
-        lattice.joint_sets[definition.name] =
-          select_joints(lattice, members, context, definition.path);
-      else if (colon != std::string::npos && kind == "struts")
-        lattice.strut_sets[definition.name] =
-          select_struts(lattice, members, context, definition.path);
-      else
-        throw InputError(definition.path + ": \"" + text +
-                         "\" does not say what it selects. Begin with "
-                         "\"joints:\" or \"struts:\", for example \"joints: "
-                         "y > ymax - 1e-6\".");
-    }
-
-    void assign_sections(const Scene &scene, Lattice &lattice)
-    {
-      for (auto &strut : lattice.struts)
-        strut.section = invalid_index;
-      for (unsigned int i = 0; i < scene.sections.size(); ++i)
-        {
-          const SectionDefinition &definition = scene.sections[i];
-          for (const unsigned int strut : select_struts(lattice,
-                                                        definition.struts,
-                                                        scene.context,
-                                                        definition.path))
-            lattice.struts[strut].section = i;
-        }
-    }
-
     std::string describe(const unsigned int number,
                          const Lattice     &lattice,
                          const unsigned int dimension)
@@ -237,12 +171,16 @@ namespace auxfem
         "every strut), or make them Rigid parts.");
     }
 
-    void add_plate(const PlateDefinition &plate, Lattice &lattice)
+    void add_plate(const PlateDefinition &plate,
+                   const Scene           &scene,
+                   Lattice               &lattice)
     {
-      check_name(plate.name, plate.path, lattice);
+      check_set_name(plate.name, plate.path, lattice);
+      const dealii::Point<3> position =
+        position_of_plate(plate, scene, lattice);
       lattice.joint_sets[plate.name] = {
         static_cast<unsigned int>(lattice.joints.size())};
-      lattice.joints.push_back(plate.position);
+      lattice.joints.push_back(position);
       ++lattice.n_plates;
     }
 
@@ -250,22 +188,16 @@ namespace auxfem
     template <class Disturb>
     Lattice build(const Scene &scene, const Disturb &add_imperfections)
     {
-      SceneContext context = scene.context;
-      context.path         = "Lattice";
-      Lattice lattice      = make_array_in_region(scene.lattice.cell->build(),
-                                             scene.lattice.n_cells,
-                                             scene.lattice.changes.region,
-                                             context);
-      lattice.dimension    = scene.context.dimension;
-      change_array(scene.lattice.changes, context, lattice);
-      for (const auto &definition : scene.sets)
-        add_set(definition, scene.context, lattice);
+      Lattice lattice =
+        make_designed_array(scene.lattice, scene.sets, scene.context);
       assign_sections(scene, lattice);
       add_imperfections(lattice);
       make_rigid_parts(scene, lattice);
       check_sections(lattice, scene.context.dimension);
+      if (!scene.lattice.struts_may_cross)
+        refuse_crossing_struts(lattice);
       for (const PlateDefinition &plate : scene.plates)
-        add_plate(plate, lattice);
+        add_plate(plate, scene, lattice);
       return lattice;
     }
   } // namespace
@@ -313,17 +245,30 @@ namespace auxfem
     {
       for (unsigned int c = 0; c < lattice.dimension; ++c)
         {
-          PositionFunction displacement(definition.displacement[c],
+          PositionFunction    displacement(definition.displacement[c],
                                         "expression",
                                         "",
                                         lattice,
                                         context,
                                         definition.path + "/Displacement " +
-                                          "xyz"[c]);
-          for (unsigned int i = 0; i < lattice.joints.size(); ++i)
-            offsets.joints[i][c] += displacement.value_at(lattice.joints[i]);
+                                          "xyz"[c],
+                                        PositionFunction::Random::allowed);
+          std::vector<double> moved(lattice.joints.size());
+          for (unsigned int i = 0; i < moved.size(); ++i)
+            {
+              moved[i] = displacement.value_at(lattice.joints[i], i);
+              offsets.joints[i][c] += moved[i];
+            }
           for (unsigned int i = 0; i < lattice.struts.size(); ++i)
             {
+              if (displacement.is_random())
+                {
+                  // Random numbers belong to joints; struts keep their shape.
+                  const auto &ends = lattice.struts[i].joints;
+                  offsets.middles[i][c] +=
+                    (moved[ends[0]] + moved[ends[1]]) / 2;
+                  continue;
+                }
               dealii::Point<3>     middle;
               dealii::Tensor<1, 3> tangent;
               lattice.axis(lattice.struts[i], 0.5, middle, tangent);

@@ -1,6 +1,7 @@
 #include <auxfem/output/console.h>
 #include <auxfem/output/notes.h>
 #include <auxfem/output/output_folder.h>
+#include <auxfem/output/overview.h>
 #include <auxfem/output/summary.h>
 #include <auxfem/output/verdict.h>
 

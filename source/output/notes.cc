@@ -14,7 +14,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <limits>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -40,28 +40,38 @@ namespace auxfem
       return std::sqrt(12 * second_moment / section.area);
     }
 
-    /** The shortest elastic strut of a section. */
-    struct ShortestStrut
+    /** The elastic strut of a section that is the thickest for its length. */
+    struct ThickestStrut
     {
-      unsigned int strut  = 0;
-      double       length = std::numeric_limits<double>::infinity(); ///< m
+      unsigned int strut     = 0;
+      double       thickness = 0, length = 1; ///< m
+
+      double ratio() const
+      {
+        return thickness / length;
+      }
     };
 
-    std::vector<ShortestStrut> shortest_struts(const Lattice    &lattice,
-                                               const std::size_t n_sections)
+    /** By the number of the section in the file. */
+    std::map<unsigned int, ThickestStrut>
+    thickest_struts(const Scene &scene, const Lattice &lattice)
     {
-      std::vector<ShortestStrut> shortest(n_sections);
+      std::map<unsigned int, ThickestStrut> thickest;
       for (unsigned int i = 0; i < lattice.struts.size(); ++i)
         {
           const Strut &strut = lattice.struts[i];
           if (strut.is_rigid())
             continue;
-          ShortestStrut &shortest_strut = shortest[strut.section];
-          if (const double length = lattice.length(strut);
-              length < shortest_strut.length)
-            shortest_strut = {i, length};
+          const SectionDefinition &definition = scene.sections[strut.section];
+          const ThickestStrut      here       = {i,
+                                                 thickness(definition.section,
+                                                lattice.dimension),
+                                                 lattice.length(strut)};
+          if (ThickestStrut &known = thickest[definition.number];
+              here.ratio() > known.ratio())
+            known = here;
         }
-      return shortest;
+      return thickest;
     }
 
     void add_imperfections(const Lattice            &lattice,
@@ -136,23 +146,18 @@ namespace auxfem
                             const LatticeModel       &model,
                             std::vector<std::string> &notes)
     {
-      const Lattice                   &lattice = model.lattice;
-      const std::vector<ShortestStrut> shortest =
-        shortest_struts(lattice, scene.sections.size());
-      for (unsigned int s = 0; s < scene.sections.size(); ++s)
+      for (const auto &[number, found] : thickest_struts(scene, model.lattice))
         {
-          const auto [strut, length] = shortest[s];
-          const double found =
-            thickness(scene.sections[s].section, lattice.dimension);
-          if (found <= max_slender_ratio * length)
+          if (found.ratio() <= max_slender_ratio)
             continue;
           std::ostringstream note;
-          note << scene.sections[s].path << ": the struts are about " << found
-               << " m thick, but strut " << strut << " is only " << length
+          note << scene.sections[number].path << ": strut " << found.strut
+               << " is about " << found.thickness << " m thick, but only "
+               << found.length
                << " m long; beam theory requires slender struts. ";
-          if (found / 1000 <= max_slender_ratio * length)
-            note << "A number without a unit is in m; if you meant " << found
-                 << " mm, add the unit. Otherwise check";
+          if (found.ratio() / 1000 <= max_slender_ratio)
+            note << "A number without a unit is in m; if you meant "
+                 << found.thickness << " mm, add the unit. Otherwise check";
           else
             note << "If this is unintended, check";
           note << " the dimensions of the section and the size of the "
@@ -188,9 +193,12 @@ namespace auxfem
 
     void add_unknown_fibres(const Scene &scene, std::vector<std::string> &notes)
     {
+      std::set<unsigned int> seen;
       for (const SectionDefinition &definition : scene.sections)
         {
           const Section &section = definition.section;
+          if (!seen.insert(definition.number).second)
+            continue;
           if (!section.yield_strain || !section.outer_fibres.empty())
             continue;
           std::ostringstream text;

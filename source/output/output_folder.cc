@@ -365,9 +365,11 @@ namespace auxfem
         {"solution", "rigid_parts", "connectors", "contacts", "plates"}};
       if (is_copied(scene))
         contents.files.emplace_back("original.prm");
-      for (const SectionDefinition &definition : scene.sections)
-        if (definition.section.law && definition.section.law->failure_time())
-          contents.files.emplace_back(broken_struts_table);
+      const auto may_break = [](const SectionDefinition &definition) {
+        return definition.section.law && definition.section.law->failure_time();
+      };
+      if (std::any_of(scene.sections.begin(), scene.sections.end(), may_break))
+        contents.files.emplace_back(broken_struts_table);
       contents.files.insert(contents.files.end(),
                             further.files.begin(),
                             further.files.end());

@@ -2,6 +2,7 @@
 #include <auxfem/output/history.h>
 #include <auxfem/output/notes.h>
 #include <auxfem/output/output_folder.h>
+#include <auxfem/output/overview.h>
 #include <auxfem/output/recorder.h>
 #include <auxfem/output/run_checkpoints.h>
 #include <auxfem/output/run_output.h>
@@ -456,16 +457,5 @@ namespace auxfem
                                             const FolderOptions &options)
   {
     return std::make_unique<RunOutput>(scene, communicator, options);
-  }
-
-  void print_overview(const Scene &scene, const Equations &equations)
-  {
-    const Counts counts = count(equations);
-    if (equations.model().numbering.layout().rank() == 0)
-      std::cout << overview_text(scene,
-                                 counts,
-                                 equations.model().plan.simulated.decisions,
-                                 notes_on(equations))
-                << std::endl;
   }
 } // namespace auxfem

@@ -65,6 +65,29 @@ namespace auxfem
               {"ranks", counts.ranks}};
     }
 
+    void add_mass_and_size(Json &json, const MassAndSize &of_lattice)
+    {
+      json["size_metre"] = {of_lattice.size[0],
+                            of_lattice.size[1],
+                            of_lattice.size[2]};
+      if (of_lattice.mass)
+        json["mass_kilogram"] = *of_lattice.mass;
+      if (of_lattice.relative_density)
+        json["relative_density"] = *of_lattice.relative_density;
+      for (const auto &[section, n_struts] : of_lattice.struts_of_section)
+        json["struts_of_section"][section] = n_struts;
+    }
+
+    /** Names of the sections in the file. */
+    std::vector<std::string> names_of_sections(const Scene &scene)
+    {
+      std::vector<std::string> names;
+      for (const SectionDefinition &section : scene.sections)
+        if (section.number == names.size())
+          names.push_back(section.name);
+      return names;
+    }
+
     Json json_of(const Work &totals)
     {
       return {{"steps", totals.steps},
@@ -99,50 +122,6 @@ namespace auxfem
       return text;
     }
 
-    void list_effects(std::ostream                      &stream,
-                      const std::string                 &title,
-                      const std::vector<EffectDecision> &decisions,
-                      const bool                         on)
-    {
-      std::size_t width = 0;
-      for (const EffectDecision &decision : decisions)
-        width = std::max(width, decision.name.size());
-
-      bool is_first = true;
-      for (const EffectDecision &decision : decisions)
-        if (decision.on == on)
-          {
-            if (is_first)
-              stream << '\n' << title << '\n';
-            is_first = false;
-            stream << "  " << decision.name
-                   << std::string(width - decision.name.size() + 2, ' ')
-                   << decision.reason << '\n';
-          }
-    }
-
-    /** Text on the elements of the struts, with their number if it varies. */
-    std::string divisions_text(const Counts &counts)
-    {
-      if (counts.struts_of_division.empty())
-        return "";
-      if (counts.struts_of_division.size() == 1)
-        return " of order " +
-          std::to_string(counts.struts_of_division.begin()->first.order);
-      const bool are_equally_many =
-        struts_by(&StrutDivision::n_elements, counts).size() == 1;
-      std::string text;
-      for (const auto &[division, n] : counts.struts_of_division)
-        {
-          text += (text.empty() ? ": " : ", ") + std::to_string(n) +
-            (text.empty() ? " struts of order " : " of order ") +
-            std::to_string(division.order);
-          if (!are_equally_many && division.n_elements > 1)
-            text +=
-              " with " + std::to_string(division.n_elements) + " elements";
-        }
-      return text;
-    }
   } // namespace
 
   Counts count(const Equations &equations)
@@ -173,6 +152,8 @@ namespace auxfem
     counts.free_unknowns = numbering.unknowns().n_free();
     counts.constraints   = numbering.constraints().n_multipliers();
     counts.ranks         = numbering.layout().n_ranks();
+    counts.mass_and_size =
+      mass_and_size(equations.model().plan.scene, equations.model().lattice);
     return counts;
   }
 
@@ -311,14 +292,6 @@ namespace auxfem
     }
   } // namespace
 
-  std::string heading_text(const Scene &scene)
-  {
-    std::string text = "auxfem " + version_text() + "\n" + scene.file;
-    if (!scene.title.empty())
-      text += ": " + scene.title;
-    return text;
-  }
-
   std::string closing_energies_text(const EnergyRecord &record,
                                     const std::string  &folder)
   {
@@ -344,8 +317,9 @@ namespace auxfem
         json["load_factor"] = summary.path->load_factor;
       }
     add_verdict(json, summary.findings);
-    json["counts"]           = json_of(summary.counts);
-    json["sections"]         = names_of_groups(scene.sections);
+    json["counts"] = json_of(summary.counts);
+    add_mass_and_size(json, summary.counts.mass_and_size);
+    json["sections"]         = names_of_sections(scene);
     json["connector_groups"] = names_of_groups(scene.connectors);
     json["work"]             = json_of(summary.totals);
     if (summary.time_error)
@@ -375,50 +349,6 @@ namespace auxfem
     if (summary.strain.along(summary.strain.axis()))
       json["largest_effective_strain"] = json_of(summary.strain);
     return json_text(json) + '\n';
-  }
-
-  std::string overview_text(const Scene                       &scene,
-                            const Counts                      &counts,
-                            const std::vector<EffectDecision> &decisions,
-                            const std::vector<std::string>    &notes)
-  {
-    std::ostringstream stream;
-    stream << heading_text(scene) << "\n\n";
-
-    const auto line = [&stream](const std::string &name,
-                                const unsigned int value,
-                                const std::string &remark = "") {
-      const std::string number = std::to_string(value);
-      stream << "  " << name << std::string(14 - name.size(), ' ')
-             << std::string(std::max<int>(0, 10 - number.size()), ' ') << number
-             << remark << '\n';
-    };
-    line("Joints", counts.joints);
-    line("Struts", counts.struts);
-    line("Elements", counts.elements, divisions_text(counts));
-    line("Connectors", counts.connectors);
-    if (counts.rigid_parts > 0)
-      line("Rigid parts", counts.rigid_parts);
-    if (counts.constraints > 0)
-      line("Constraints", counts.constraints);
-    line("Unknowns",
-         counts.unknowns,
-         counts.constraints == 0
-           ? ", " + std::to_string(counts.free_unknowns) + " of them free"
-           : ", " + std::to_string(counts.free_unknowns) +
-             " of them free motions, which leaves " +
-             std::to_string(int(counts.free_unknowns) -
-                            int(counts.constraints)) +
-             " degrees of freedom");
-    line("MPI ranks", counts.ranks);
-
-    list_effects(stream, "Simulated", decisions, true);
-    list_effects(stream, "Left out", decisions, false);
-    for (const std::string &note : notes)
-      stream << "\nNote\n" << indented(note) << '\n';
-    std::string text = stream.str();
-    text.pop_back();
-    return text;
   }
 
   namespace

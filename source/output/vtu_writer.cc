@@ -206,7 +206,10 @@ namespace auxfem
             append_point(point, values);
             values.push_back(radius);
             for (const unsigned int value :
-                 {number, strut.cell, strut.section, numbering.layout().rank()})
+                 {number,
+                  strut.cell,
+                  equations.model().plan.scene.sections[strut.section].number,
+                  numbering.layout().rank()})
               values.push_back(value);
             for (const SetMembers &set : sets)
               values.push_back(set[number] ? 1 : 0);

@@ -26,6 +26,40 @@ namespace auxfem
       return decision;
     }
 
+    /** Number of the item in this thread's current evaluation. */
+    thread_local std::uint64_t current_item = 0;
+
+    /** Well-mixed bits of @p x (Steele, Lea and Flood, 2014, splitmix64). */
+    std::uint64_t mixed(std::uint64_t x)
+    {
+      x += 0x9e3779b97f4a7c15;
+      x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
+      x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
+      return x ^ (x >> 31);
+    }
+
+    /** Number @p k of the present item, uniform in [0, 1). */
+    double random_number(const double seed, const unsigned int k)
+    {
+      const auto whole = static_cast<std::int64_t>(std::floor(seed));
+      return std::ldexp(
+        double(mixed(mixed(mixed(std::uint64_t(whole)) + current_item) + k) >>
+               11),
+        -53);
+    }
+
+    double uniform_random(const double seed)
+    {
+      return random_number(seed, 0);
+    }
+
+    /** By the method of Box and Muller (1958). */
+    double normal_random(const double seed)
+    {
+      return std::sqrt(-2 * std::log1p(-random_number(seed, 1))) *
+        std::cos(2 * dealii::numbers::PI * random_number(seed, 2));
+    }
+
     double if_function(const double condition,
                        const double then_value,
                        const double else_value)
@@ -190,11 +224,19 @@ namespace auxfem
   Expression::Expression(const std::string           &text,
                          const std::vector<Variable> &variables,
                          const std::vector<Constant> &own_constants,
-                         const std::vector<Constant> &scene_constants)
+                         const std::vector<Constant> &scene_constants,
+                         const unsigned int *const    item)
+    : item(item)
   {
     try
       {
         define_common(parser);
+        if (item != nullptr)
+          {
+            // muParser must not fold them: they depend on the item.
+            parser.DefineFun("random", &uniform_random, false);
+            parser.DefineFun("normal", &normal_random, false);
+          }
         define_constants(variables, own_constants, scene_constants);
         for (const auto &[name, value] : variables)
           parser.DefineVar(name, value);
@@ -257,7 +299,7 @@ namespace auxfem
 
     // GetUsedVar() ignores unknown names and leaves its own compiled form
     // behind: it is called second, and the text is set again.
-    constant = parser.GetUsedVar().empty();
+    constant = item == nullptr && parser.GetUsedVar().empty();
     parser.SetExpr(text);
     // The first evaluation folds constants, whose decisions do not recur.
     parser.Eval();
@@ -266,6 +308,7 @@ namespace auxfem
   Expression::BranchedValue Expression::evaluate() const
   {
     branches           = 0;
+    current_item       = item == nullptr ? 0 : *item;
     const double value = parser.Eval();
     return {value, branches};
   }

@@ -1,6 +1,8 @@
 #include <auxfem/parameters/describe.h>
 #include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/inheritance.h>
 #include <auxfem/scene/general_parameters.h>
+#include <auxfem/scene/graded_sections.h>
 #include <auxfem/scene/scene.h>
 
 #include <algorithm>
@@ -75,7 +77,7 @@ namespace auxfem
       return n;
     }
 
-    Scene make_scene(const ParameterSubsection &root, const std::string &file)
+    Scene make_scene(ParameterSubsection root, const std::string &file)
     {
       Scene                 scene;
       Mistakes              mistakes;
@@ -85,6 +87,10 @@ namespace auxfem
       scene.context.directory = directory_of(file);
       read_model_and_dimension(root, scene);
       check_subsection_names(root, scene.context.model, mistakes);
+      inherit_values(sections_schema(),
+                     base_section_parameter(),
+                     root,
+                     mistakes);
       for (const SceneSubsection &subsection : scene_subsections())
         if (subsection.schema.serves(scene.context.model))
           {
@@ -111,6 +117,7 @@ namespace auxfem
       check_consistency(scene, mistakes);
       mistakes.throw_if_any(file);
       scene.input_files.assign(files.begin(), files.end());
+      grade_sections(scene);
       return scene;
     }
 

@@ -45,6 +45,21 @@ namespace auxfem
       "Height: 1 - 0.5 * s. Each element has the section of its middle. none: "
       "constant."};
 
+    const Text base = {
+      "Base",
+      "none",
+      "Name of another section, whose values count where this one gives none."};
+
+    const Text grading = {
+      "Grading",
+      "none",
+      "Factors from strut to strut, NAME: EXPRESSION separated by semicolons, "
+      "e.g. Height: 1 + 0.5 * y / ymax; Density: 1 + 0.1 * normal(1). NAME: a "
+      "number of the shape, Young's modulus, Density, Yield strain, damping or "
+      "Thermal expansion. Expressions may use x, y, z of the strut's middle and "
+      "xmin, xmax, ... in the designed lattice (m), strut, cell, "
+      "random(seed) in [0, 1) and normal(seed). none: all struts alike."};
+
     /** Sets the variation along the strut and the shape of its middle. */
     void set_taper(const ParameterValues             &values,
                    const RegistryEntry<CrossSection> &shape,
@@ -57,6 +72,11 @@ namespace auxfem
         values.refuse(taper,
                       "the outer fibres of Shape = " + shape.name +
                         " are not known. Choose a shape with dimensions");
+    }
+
+    const RegistryEntry<CrossSection> &shape_of(const ParameterValues &values)
+    {
+      return find_entry(cross_section_registry(), values[shape_choice()]);
     }
 
     /** In the plane, struts bend about the drawn axis 3. */
@@ -78,6 +98,17 @@ namespace auxfem
         << c * c * section.second_moment_3 + s * s * section.second_moment_2
         << " m4";
       values.refuse(shape_choice(), text.str());
+    }
+
+    /** Sets all that depends on the shape alone. */
+    void read_shape(ParameterValues &values, SectionDefinition &definition)
+    {
+      const RegistryEntry<CrossSection> &shape        = shape_of(values);
+      static_cast<CrossSection &>(definition.section) = *shape.make(values);
+      if (values[taper] != "none")
+        set_taper(values, shape, definition.section);
+      if (values.context.dimension == 2)
+        refuse_turned_axes(values, definition.section);
     }
 
     MaterialDefinition
@@ -138,7 +169,7 @@ namespace auxfem
       const SectionShape here = section.law->needed_shape(section.shape),
                          there =
                            section.law->needed_shape(section.at(0.25).shape);
-      if (here < there || there < here)
+      if (!are_alike(here, there))
         values.refuse(taper,
                       "the proportions of the section vary, for which this "
                       "material has no fibres. Let both dimensions vary alike, "
@@ -183,12 +214,15 @@ namespace auxfem
                        });
   }
 
+  const Parameter &base_section_parameter()
+  {
+    return base;
+  }
+
   SubsectionSchema sections_schema()
   {
-    Parameters parameters = {section_struts,
-                             shape_choice(),
-                             taper,
-                             section_material};
+    Parameters parameters =
+      {section_struts, base, shape_choice(), taper, grading, section_material};
     for (const Parameter &parameter : material_parameters())
       parameters.push_back(parameter);
     parameters.push_back(reference);
@@ -212,13 +246,7 @@ namespace auxfem
     definition.name   = values.name();
     definition.path   = values.context.path;
     definition.struts = values[section_struts];
-    const RegistryEntry<CrossSection> &shape =
-      find_entry(cross_section_registry(), values[shape_choice()]);
-    static_cast<CrossSection &>(definition.section) = *shape.make(values);
-    if (values[taper] != "none")
-      set_taper(values, shape, definition.section);
-    if (values.context.dimension == 2)
-      refuse_turned_axes(values, definition.section);
+    read_shape(values, definition);
     const MaterialDefinition material = material_of(values, materials);
     if (material.law && material.law->yields() &&
         definition.section.shape.kind == SectionShape::Kind::without_fibres)
@@ -230,6 +258,14 @@ namespace auxfem
     refuse_varied_fibres(values, definition.section);
     if (!values.is_word(reference))
       definition.section.reference = unit_vector_of(values, reference);
+    definition.number = others.size();
+    if (values[grading] != "none")
+      definition.grading =
+        std::make_shared<Grading>(values,
+                                  grading,
+                                  definition,
+                                  shape_of(values).parameters,
+                                  read_shape);
     return definition;
   }
 } // namespace auxfem

@@ -2,7 +2,7 @@
 #include <auxfem/output/console.h>
 #include <auxfem/output/csv_table.h>
 #include <auxfem/output/output_folder.h>
-#include <auxfem/output/summary.h>
+#include <auxfem/output/overview.h>
 #include <auxfem/parameters/registry.h>
 #include <auxfem/state/interruption.h>
 #include <auxfem/study/study.h>

@@ -6,6 +6,7 @@
 #include <support/scene_text.h>
 
 #include <cmath>
+#include <set>
 
 #include <support/messages.h>
 
@@ -106,6 +107,28 @@ TEST(Imperfections, AddUp)
                   1e-16);
       EXPECT_NEAR(lattice.joints[i][1] - designed[1], 2e-5, 1e-16);
     }
+}
+
+TEST(Imperfections, ExpressionsScatterJointByJoint)
+{
+  const Lattice lattice =
+    lattice_of(with("expression",
+                    "Displacement x = 1e-5 * y / ymax * normal(1) | "
+                    "Displacement y = 1e-5 * random(2)"));
+  std::set<double> different;
+  for (unsigned int i = 0; i < lattice.joints.size(); ++i)
+    {
+      const dealii::Tensor<1, 3> moved =
+        lattice.joints[i] - lattice.as_designed->joints[i];
+      different.insert(moved[1]);
+      EXPECT_GE(moved[1], 0);
+      EXPECT_LE(moved[1], 1e-5);
+      if (lattice.as_designed->joints[i][1] == 0)
+        EXPECT_EQ(moved[0], 0);
+    }
+  EXPECT_EQ(different.size(), lattice.joints.size());
+  for (const Strut &strut : lattice.struts)
+    EXPECT_NEAR(strut.sagitta, 0, 1e-15);
 }
 
 TEST(Imperfections, InvalidInputIsRejected)

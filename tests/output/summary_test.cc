@@ -1,3 +1,4 @@
+#include <auxfem/output/overview.h>
 #include <auxfem/output/summary.h>
 #include <auxfem/version.h>
 

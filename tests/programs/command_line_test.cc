@@ -1,6 +1,7 @@
 #include <auxfem/parameters/text.h>
 #include <auxfem/version.h>
 
+#include <support/graphics_series.h>
 #include <support/run_program.h>
 
 #include <nlohmann/json.hpp>
@@ -138,6 +139,8 @@ namespace
                                     "set Components",
                                     "set Relation",
                                     "set Taper",
+                                    "set Base",
+                                    "set Grading",
                                     "set Joint sets",
                                     "set Strut sets",
                                     "set Pairs",
@@ -193,7 +196,7 @@ namespace
 
 
 
-  TEST_F(CommandLineProgram, CheckCountsAndWritesNothing)
+  TEST_F(CommandLineProgram, CheckCountsAndDrawsTheLattice)
   {
     write("star.prm", data_text("star.prm"));
     const ProgramRun run =
@@ -213,10 +216,20 @@ namespace
       EXPECT_TRUE(std::regex_search(run.output, std::regex(pattern)))
         << pattern << run.output;
 
-    EXPECT_FALSE(fs::exists(path("out")));
     EXPECT_FALSE(fs::exists(path("output")));
-    const auto n_files = std::distance(fs::directory_iterator(folder), {});
-    EXPECT_EQ(n_files, 3) << "scene, stdout.txt, stderr.txt";
+    EXPECT_EQ(std::distance(fs::directory_iterator(path("out")), {}), 1);
+    const GraphicsSeries lattice(path("out/lattice.vtu"), path("tables"));
+    const Table         &points = lattice.points.at(0);
+    // Two ends of each strut and each connector.
+    EXPECT_EQ(points.n_rows, 2 * (48 + 4));
+    unsigned int n_connectors = 0;
+    for (unsigned int i = 0; i < points.n_rows; ++i)
+      {
+        n_connectors += points["connectors"][i] == 0;
+        EXPECT_EQ(points["strut"][i] < 0, points["connectors"][i] == 0);
+        EXPECT_EQ(points["height"][i] > 0, points["strut"][i] >= 0);
+      }
+    EXPECT_EQ(n_connectors, 8u);
   }
 
 

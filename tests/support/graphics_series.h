@@ -12,7 +12,7 @@ namespace auxfem
     {
     public:
       /**
-       * Reads @p pvd by read_vtu.py, which leaves its tables in @p folder.
+       * Reads @p pvd, or a single .vtu, by read_vtu.py, which leaves its tables in @p folder.
        * Throws std::runtime_error with the words of VTK if that fails.
        */
       GraphicsSeries(const std::string &pvd, const std::string &folder)

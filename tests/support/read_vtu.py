@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Reads a series of .pvd/.pvtu/.vtu files with VTK and writes it as tables.
 
-Usage: read_vtu.py SERIES.pvd FOLDER
+Usage: read_vtu.py SERIES.pvd FOLDER, or FILE.vtu in place of the series
 
 FOLDER gets `datasets.csv` (number, time, points, segments, pieces) and for each
 data set `N.points.csv` (x, y, z and all fields; vectors as NAME.0, NAME.1, ...)
@@ -29,6 +29,9 @@ def stop(message):
 
 def collection(pvd):
     """Times and files of a .pvd; the files are relative to its folder."""
+    if pvd.endswith(".vtu"):
+        yield 0.0, pvd
+        return
     root = ElementTree.parse(pvd).getroot()
     if root.tag != "VTKFile" or root.get("type") != "Collection":
         stop(pvd + " is not a VTK collection")

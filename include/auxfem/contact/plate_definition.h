@@ -22,7 +22,10 @@ namespace auxfem
   {
     std::string                         name;
     std::shared_ptr<const RigidSurface> surface;
-    dealii::Point<3> position; ///< of the reference point, at rest (m)
+    dealii::Point<3> position; ///< of the reference point, as given (m)
+    /** Gap at rest to the nearest strut (m), to which the plate is moved;
+     * empty: it stays at its position. */
+    std::optional<double> gap;
     /** Prescribed components; none if all are free. */
     std::optional<SupportDefinition> support;
     /** Empty without mass. */

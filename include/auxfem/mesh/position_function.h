@@ -22,26 +22,40 @@ namespace auxfem
 
   /**
    * A scalar function of position: an Expression in `x`, `y`, `z` (m) and the
-   * bounds `xmin`, `xmax`, ... of the lattice's joints.
+   * bounds `xmin`, `xmax`, ... of the lattice's joints, with random numbers of
+   * items if these are given.
    */
   class PositionFunction
   {
   public:
+    enum class Random
+    {
+      refused,
+      allowed
+    };
+
     /**
      * Throws InputError naming @p path and @p text if it cannot be parsed.
      * @param noun name of the text in messages, e.g. `condition`
      * @param hint last sentence of these messages
+     * @param random whether the text may have random numbers
      */
     PositionFunction(const std::string  &text,
                      const std::string  &noun,
                      const std::string  &hint,
                      const Lattice      &lattice,
                      const SceneContext &context,
-                     const std::string  &path);
+                     const std::string  &path,
+                     Random              random = Random::refused);
     ~PositionFunction();
 
-    /** Value at @p position (m). Throws InputError if it is not a number. */
-    double value_at(const dealii::Point<3> &position);
+    /** Value at @p position (m). Throws InputError if it is not a number.
+     * @param item number of the joint or strut there, for random numbers */
+    double value_at(const dealii::Point<3> &position, unsigned int item = 0);
+
+    /** Whether the text has random numbers, so that items at the same place may
+     * have different values. */
+    bool is_random() const;
 
   private:
     class Implementation;

@@ -50,9 +50,23 @@ namespace auxfem
   std::optional<std::array<double, 2>> intersection(const Segment &one,
                                                     const Segment &other);
 
-  /** Shortest distance (m) between two segments (Ericson, Real-Time Collision
-   * Detection, 2005, section 5.1.9). */
-  double distance(const Segment &one, const Segment &other);
+  /** Points of two segments that are nearest to each other. */
+  struct NearestPoints
+  {
+    double distance; ///< m
+    /** Places of the points as fractions of both lengths. */
+    std::array<double, 2> fractions;
+  };
+
+  /** Nearest points of two segments (Ericson, Real-Time Collision Detection,
+   * 2005, section 5.1.9). A segment may be a point. */
+  NearestPoints nearest_points(const Segment &one, const Segment &other);
+
+  /** Shortest distance (m) between two segments. */
+  inline double distance(const Segment &one, const Segment &other)
+  {
+    return nearest_points(one, other).distance;
+  }
 } // namespace auxfem
 
 #endif

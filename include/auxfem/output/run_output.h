@@ -31,9 +31,6 @@ namespace auxfem
   std::unique_ptr<Recorder> make_run_output(const Scene         &scene,
                                             MPI_Comm             communicator,
                                             const FolderOptions &options = {});
-
-  /** Prints the overview as begin() does, without writing files. Collective. */
-  void print_overview(const Scene &scene, const Equations &equations);
 } // namespace auxfem
 
 #endif

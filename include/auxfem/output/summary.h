@@ -2,6 +2,7 @@
 #define auxfem_output_summary_h
 
 #include <auxfem/equations/equations.h>
+#include <auxfem/model/mass_and_size.h>
 #include <auxfem/output/failures.h>
 #include <auxfem/output/history.h>
 #include <auxfem/output/notes.h>
@@ -33,6 +34,7 @@ namespace auxfem
     /** Constraints, each with a multiplier. */
     unsigned int constraints = 0;
     unsigned int ranks       = 1;
+    MassAndSize  mass_and_size;
   };
 
   /** Counts of @p equations. Collective. */
@@ -127,24 +129,12 @@ namespace auxfem
     return names;
   }
 
-  /** The first lines of a run on the screen: program, file and title. */
-  std::string heading_text(const Scene &scene);
-
   /** Last lines about energies and the folder; see closing_text(). */
   std::string closing_energies_text(const EnergyRecord &record,
                                     const std::string  &folder);
 
   /** The text of summary.json, with the date of now. */
   std::string summary_json(const Scene &scene, const Summary &summary);
-
-  /**
-   * Lines with counts, simulated and omitted effects with their reasons, and @p
-   * notes, without the final line break.
-   */
-  std::string overview_text(const Scene                       &scene,
-                            const Counts                      &counts,
-                            const std::vector<EffectDecision> &decisions,
-                            const std::vector<std::string>    &notes);
 
   /** The last lines of a run on the screen, without the last line break. */
   std::string closing_text(const Summary &summary, const std::string &folder);

@@ -29,7 +29,10 @@ namespace auxfem
   /**
    * A formula of the user in muParser's syntax. Besides muParser's functions it
    * has `if(condition, then, else)`, `pow`, `floor` and `ceil`; `log` is the
-   * natural logarithm. `pi` and the scene's constants are defined.
+   * natural logarithm. `pi` and the scene's constants are defined. Formulas
+   * evaluated item by item also have `random(seed)`, uniform in [0, 1), and
+   * `normal(seed)` with mean 0 and standard deviation 1; each item has its own
+   * values, whatever the order of evaluation.
    */
   class Expression
   {
@@ -41,11 +44,14 @@ namespace auxfem
     /**
      * Throws ExpressionError if @p text is invalid, or if one of @p
      * scene_constants has the name of a variable or of one of @p own_constants.
+     * @param item number of the present item, which must outlive the formula;
+     * nullptr: no random numbers
      */
     Expression(const std::string           &text,
                const std::vector<Variable> &variables,
                const std::vector<Constant> &own_constants,
-               const std::vector<Constant> &scene_constants);
+               const std::vector<Constant> &scene_constants,
+               const unsigned int          *item = nullptr);
 
     /** Lines with the constants, operators and functions of every formula. */
     static std::string syntax_help();
@@ -84,6 +90,8 @@ namespace auxfem
 
     mu::Parser parser;
     bool       constant = false;
+
+    const unsigned int *const item;
   };
 
   /**

@@ -2,6 +2,7 @@
 #define auxfem_struts_fibres_h
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace auxfem
@@ -28,6 +29,13 @@ namespace auxfem
   {
     return one.kind < other.kind ||
       (one.kind == other.kind && one.ratio < other.ratio);
+  }
+
+  /** Whether shapes agree but for round-off. */
+  inline bool are_alike(const SectionShape &one, const SectionShape &other)
+  {
+    return one.kind == other.kind &&
+      std::abs(one.ratio - other.ratio) <= 1e-9 * one.ratio;
   }
 
   /** Numbers of fibres in a section. */

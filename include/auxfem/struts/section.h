@@ -2,6 +2,7 @@
 #define auxfem_struts_section_h
 
 #include <auxfem/mathematics/rotation.h>
+#include <auxfem/struts/grading.h>
 #include <auxfem/struts/material.h>
 #include <auxfem/struts/shapes/cross_section.h>
 #include <auxfem/struts/taper.h>
@@ -141,6 +142,13 @@ namespace auxfem
     /** False if the scene gives no density, allowed only without inertia and
      * weight. */
     bool has_density = true;
+    /** Number of the subsection in the file, for output. */
+    unsigned int number = 0;
+    /** Variation from strut to strut; empty: none. */
+    std::shared_ptr<Grading> grading;
+    /** The only struts with this section, one of several made by a grading;
+     * empty: all of `struts` that no later section has. */
+    std::vector<unsigned int> graded_struts;
   };
 
   /** Whether a section has a material that yields. */
@@ -151,6 +159,10 @@ namespace auxfem
 
   /** `Sections`. */
   SubsectionSchema sections_schema();
+
+  /** Parameter `Base` of sections: the section that gives the values not
+   * given. */
+  const Parameter &base_section_parameter();
 
   /**
    * Reads the values of one such subsection. Throws InputError if they are

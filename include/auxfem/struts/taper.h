@@ -5,12 +5,11 @@
 
 #include <map>
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace auxfem
 {
-  class Expression;
+  class Factors;
 
   /** Shape whose dimensions vary along the strut: each is a number times an
    * expression in s, which is 0 at the first joint and 1 at the second. */
@@ -35,21 +34,14 @@ namespace auxfem
     const CrossSection &shape_at(double s) const;
 
   private:
-    struct Factor
-    {
-      std::string                 dimension; ///< name of its parameter
-      double                      value;     ///< where the factor is 1 (SI)
-      std::unique_ptr<Expression> expression;
-    };
-
-    /** Factor of a dimension at @p s; positive. */
-    double factor_at(const Factor &factor, double s) const;
+    /** Factor of the dimension @p i at @p s; positive. */
+    double factor_at(unsigned int i, double s) const;
 
     const ParameterValues              values;
-    const Parameter                   &parameter;
     const RegistryEntry<CrossSection> &shape;
     std::unique_ptr<double>            position; ///< variable of expressions
-    std::vector<Factor>                factors;
+    std::unique_ptr<const Factors>     factors;
+    std::vector<double>                dimensions; ///< where factors are 1 (SI)
     /** Shapes found so far: some take a second to compute. */
     mutable std::map<double, CrossSection> known;
   };

@@ -2,6 +2,7 @@
 #include <auxfem/analysis/paths/path_stepper.h>
 #include <auxfem/analysis/paths/singular_points.h>
 #include <auxfem/analysis/simulation/lattice_run.h>
+#include <auxfem/output/overview.h>
 #include <auxfem/output/run_output.h>
 #include <auxfem/output/singular_point_files.h>
 #include <auxfem/parameters/errors.h>
@@ -411,7 +412,7 @@ namespace auxfem
       LatticeRun run(plan_of_path(scene), communicator);
       run.prepare();
       require_existing_columns(scene, run.lattice);
-      print_overview(scene, run.equations);
+      show_lattice(scene, run.equations);
     }
   } // namespace
 

@@ -4,6 +4,7 @@
 #include <auxfem/output/csv_table.h>
 #include <auxfem/output/history.h>
 #include <auxfem/output/output_folder.h>
+#include <auxfem/output/overview.h>
 #include <auxfem/output/summary.h>
 #include <auxfem/output/verdict.h>
 #include <auxfem/parameters/errors.h>

@@ -7,6 +7,7 @@
 #include <auxfem/model/load_history.h>
 #include <auxfem/output/console.h>
 #include <auxfem/output/history.h>
+#include <auxfem/output/overview.h>
 #include <auxfem/output/run_output.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/state/interruption.h>
@@ -370,7 +371,7 @@ namespace auxfem
     run.prepare();
     require_existing_columns(scene, run.lattice);
     explain_kinematics(run);
-    print_overview(scene, run.equations);
+    show_lattice(scene, run.equations);
     advise_on_inertia(run);
     if (scene.discretization.tolerance &&
         run.model.numbering.layout().rank() == 0)

@@ -6,6 +6,7 @@
 #include <auxfem/output/csv_table.h>
 #include <auxfem/output/history.h>
 #include <auxfem/output/output_folder.h>
+#include <auxfem/output/overview.h>
 #include <auxfem/output/run_output.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/state/interruption.h>
@@ -427,6 +428,6 @@ namespace auxfem
     LatticeRun run(plan_of_vibrations(scene), communicator);
     require_existing_columns(scene, run.lattice);
     run.prepare();
-    print_overview(scene, run.equations);
+    show_lattice(scene, run.equations);
   }
 } // namespace auxfem

@@ -8,6 +8,7 @@
 #include <auxfem/analysis/small_motions/modes.h>
 #include <auxfem/output/console.h>
 #include <auxfem/output/output_folder.h>
+#include <auxfem/output/overview.h>
 #include <auxfem/output/run_output.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/numerical_limits.h>
@@ -443,7 +444,7 @@ namespace auxfem
   {
     LatticeRun run(plan_with_elements(scene), communicator);
     run.prepare();
-    print_overview(scene, run.equations);
+    show_lattice(scene, run.equations);
   }
 
   AnalysisEntry modes_entry()

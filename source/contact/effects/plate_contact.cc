@@ -213,14 +213,14 @@ namespace auxfem
       std::vector<std::vector<dealii::Point<3>>>
       outline(const unsigned int plate, const double size) const override
       {
-        const PlateDefinition &definition =
-          *proximity.plates()[plate].definition;
+        const PlateProximity::Plate &drawn = proximity.plates()[plate];
         std::vector<std::vector<dealii::Point<3>>> lines;
-        for (const auto &line : definition.surface->outline(size, dimension))
+        for (const auto &line :
+             drawn.definition->surface->outline(size, dimension))
           {
             lines.emplace_back();
             for (const Vector3 &point : line)
-              lines.back().push_back(definition.position + point);
+              lines.back().push_back(drawn.position + point);
           }
         return lines;
       }
@@ -320,7 +320,7 @@ namespace auxfem
                                        coupled_pair.unknowns.data(),
                                        displacement.data());
         curve.coefficients[0] -=
-          proximity.plates()[coupled_pair.pair.plate].definition->position +
+          proximity.plates()[coupled_pair.pair.plate].position +
           motion_of_plate(pair, displacement);
         return curve;
       }

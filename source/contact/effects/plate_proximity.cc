@@ -129,6 +129,7 @@ namespace auxfem
           model.numbering.global().joints[model.lattice.joint_of_plate(i)];
         all_plates.push_back(
           {&definitions[i],
+           model.lattice.joints[model.lattice.joint_of_plate(i)],
            std::vector<int>(joint_numbers.begin(),
                             joint_numbers.begin() + dimension)});
       }
@@ -179,7 +180,7 @@ namespace auxfem
         for (const ContactAxis &axis : axes)
           if (const double here =
                 depth_at_rest(&axis - axes.data(),
-                              *plate.definition,
+                              plate,
                               input_precision *
                                 (axis.half_thickness + thickest));
               here > depth)
@@ -200,11 +201,11 @@ namespace auxfem
       }
   }
 
-  double PlateProximity::depth_at_rest(const unsigned int     axis,
-                                       const PlateDefinition &plate,
-                                       const double           tolerance) const
+  double PlateProximity::depth_at_rest(const unsigned int axis,
+                                       const Plate       &plate,
+                                       const double       tolerance) const
   {
-    const RigidSurface &surface = *plate.surface;
+    const RigidSurface &surface = *plate.definition->surface;
     AxisCurve           curve   = curves.at_rest(axis);
     curve.coefficients[0] -= plate.position;
     const ControlPolygon polygon(curve, curve.degree);
@@ -261,9 +262,9 @@ namespace auxfem
     // allow for uneven stretch.
     const double reach =
       0.55 * std::max(axis.length, (ends[1] - ends[0]).norm());
-    const PlateDefinition &plate = *all_plates[pair.plate].definition;
-    return plate.surface->distance((ends[0] + ends[1]) / 2 - plate.position -
-                                   plate_displacement) -
+    const Plate &plate = all_plates[pair.plate];
+    return plate.definition->surface->distance(
+             (ends[0] + ends[1]) / 2 - plate.position - plate_displacement) -
       reach - axis.half_thickness;
   }
 
@@ -427,9 +428,9 @@ namespace auxfem
                                         const Vector3    &before,
                                         const Vector3    &now) const
   {
-    const ContactAxis     &axis  = axes[pair.axis];
-    const PlateDefinition &plate = *all_plates[pair.plate].definition;
-    const bool             is_coupled =
+    const ContactAxis &axis  = axes[pair.axis];
+    const Plate       &plate = all_plates[pair.plate];
+    const bool         is_coupled =
       std::binary_search(near_pairs.begin(), near_pairs.end(), pair);
     const double allowed =
       is_coupled ? allowed_part * thickness(pair.axis) : 0.;
@@ -446,7 +447,7 @@ namespace auxfem
     const auto starts    = points_of_axes.touchable_parts(pair.axis, from),
                ends      = points_of_axes.touchable_parts(pair.axis, to);
     for (std::size_t i = 0; i < starts.size(); ++i)
-      if (const auto found = find_passage(*plate.surface,
+      if (const auto found = find_passage(*plate.definition->surface,
                                           starts[i],
                                           ends[i],
                                           axis.half_thickness - allowed))
@@ -458,7 +459,8 @@ namespace auxfem
             found->path_fraction * to.at(parameter);
           return Depth{axis.strut,
                        pair.plate,
-                       axis.half_thickness - plate.surface->distance(place),
+                       axis.half_thickness -
+                         plate.definition->surface->distance(place),
                        is_coupled};
         }
     return {};

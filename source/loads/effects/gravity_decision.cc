@@ -1,5 +1,6 @@
 #include <auxfem/mesh/sets.h>
 #include <auxfem/model/effect_decisions.h>
+#include <auxfem/model/mass_and_size.h>
 #include <auxfem/parameters/errors.h>
 
 #include <algorithm>
@@ -9,22 +10,6 @@ namespace auxfem
 {
   namespace
   {
-    /** Mass (kg) of struts, rigid parts and point masses. */
-    double total_mass(const RunPlan &plan, const Lattice &lattice)
-    {
-      double mass = 0;
-      for (const Strut &strut : lattice.struts)
-        if (!strut.is_rigid())
-          mass += plan.scene.sections[strut.section].section.mass_per_length() *
-            lattice.length(strut);
-      for (const RigidPart &part : lattice.rigid_parts)
-        mass += part.mass;
-      for (const MassDefinition &point : plan.scene.masses)
-        mass +=
-          point.mass * joints_of(point, lattice, plan.scene.context).size();
-      return mass;
-    }
-
     /** Largest norm of a vector function of time, by samples. */
     template <std::size_t n>
     double largest_norm(const std::array<TimeFunction, n> &components,
@@ -104,7 +89,7 @@ namespace auxfem
         }
       if (!(forces > 0))
         return std::nullopt;
-      const double weight = total_mass(plan, lattice) *
+      const double weight = total_mass(plan.scene, lattice) *
         largest_norm(plan.scene.gravity.acceleration, plan.time.end_time);
       return EffectMeasure{std::min(1., weight / forces), "the loads"};
     }

@@ -89,6 +89,7 @@ namespace auxfem
     struct Plate
     {
       const PlateDefinition *definition;
+      dealii::Point<3>       position; ///< at rest (m)
       std::vector<int>       unknowns;
     };
 
@@ -160,9 +161,9 @@ namespace auxfem
 
     /** Penetration of an axis into a plate at rest (m); 0 if at most
      * @p tolerance. */
-    double depth_at_rest(unsigned int           axis,
-                         const PlateDefinition &plate,
-                         double                 tolerance) const;
+    double depth_at_rest(unsigned int axis,
+                         const Plate &plate,
+                         double       tolerance) const;
 
     /** Lower bound of the gap (m) between an owned axis and the displaced
      * plate. */
