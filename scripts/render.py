@@ -12,7 +12,7 @@ the nearest frame is taken); all frames of the run fit into a panel, so that
 pictures of single times make a film. FIELD is a field of solution.pvd; of vectors the
 magnitude is shown. Curves of several runs come into one picture with --compare
 RUN; --dashed RUN draws one dashed, in the colours from the first on again.
-A COLUMN may be computed: --define "angle = degrees([bar.phi]) + 30". The third kind draws
+A COLUMN may be a pattern as frequency_*, or be computed: --define "angle = degrees([bar.phi]) + 30". The third kind draws
 a lattice.vtu of `auxfem --check`, coloured by its height, section, ...
 
 `cmake --install` installs it as auxfem-render. Needs python3-vtk9 of Debian's own
@@ -23,6 +23,7 @@ Python, which the first line names, and a display; without one (`xvfb` and `xaut
 
 import argparse
 import csv
+import fnmatch
 import math
 import pathlib
 import re
@@ -435,8 +436,16 @@ def evaluate(formula, row):
                 {"__builtins__": {}}, {**vars(math), **numbers})
 
 
-def read_history(run, columns, formulas):
-    file = pathlib.Path(run) / "history.csv"
+def named_columns(run, table, patterns):
+    """The columns that fit patterns as frequency_*, others as they are."""
+    with open(pathlib.Path(run) / (table + ".csv"), encoding="utf-8") as stream:
+        names = next(csv.reader(stream))
+    return [name for pattern in patterns
+            for name in (fnmatch.filter(names, pattern) or [pattern])]
+
+
+def read_history(run, table, columns, formulas):
+    file = pathlib.Path(run) / (table + ".csv")
     with open(file, encoding="utf-8") as stream:
         rows = list(csv.DictReader(stream))
     try:
@@ -447,8 +456,8 @@ def read_history(run, columns, formulas):
                  + ", ".join(rows[0]))
 
 
-def unit_of(run, column):
-    with open(pathlib.Path(run) / "history.units.csv",
+def unit_of(run, table, column):
+    with open(pathlib.Path(run) / (table + ".units.csv"),
               encoding="utf-8") as stream:
         for row in csv.reader(stream):
             if row[0] == column:
@@ -506,7 +515,8 @@ def add_plots(chart, columns, arguments):
     formulas = defined_columns(arguments.define)
     for place, run in enumerate(solid + arguments.dashed):
         is_dashed = place >= len(solid)
-        history = read_history(run, [arguments.over] + columns, formulas)
+        history = read_history(run, arguments.table, [arguments.over] + columns,
+                               formulas)
         for i, column in enumerate(columns):
             plot = chart.AddPlot(vtk.vtkChart.LINE)
             plot.SetInputData(
@@ -520,6 +530,8 @@ def add_plots(chart, columns, arguments):
 
 
 def draw_curves(arguments):
+    arguments.values = named_columns(arguments.run, arguments.table,
+                                     arguments.values)
     panels = ([[column] for column in arguments.values] if arguments.panels
               else [arguments.values])
     matrix = vtk.vtkChartMatrix()
@@ -529,11 +541,12 @@ def draw_curves(arguments):
     for i, columns in enumerate(panels):
         chart = matrix.GetChart(vtk.vtkVector2i(i, 0))
         add_plots(chart, columns, arguments)
-        units = {unit_of(arguments.run, column) for column in columns}
+        units = {unit_of(arguments.run, arguments.table, column)
+                 for column in columns}
         title = " / ".join(sorted(units))
         if arguments.panels:
             title = f"{columns[0]} ({title})" if title else columns[0]
-        unit = unit_of(arguments.run, arguments.over)
+        unit = unit_of(arguments.run, arguments.table, arguments.over)
         label_axes(chart, {
             vtk.vtkAxis.BOTTOM:
                 f"{arguments.over} ({unit})" if unit else arguments.over,
@@ -578,6 +591,8 @@ def main():
                          help="end of the colour scale; larger values look "
                               "like it")
     curves.add_argument("values", metavar="column", nargs="+")
+    curves.add_argument("--table", default="history", metavar="NAME",
+                        help="of NAME.csv and NAME.units.csv")
     curves.add_argument("--over", default="time", metavar="COLUMN",
                         help="what is plotted to the right")
     curves.add_argument("--compare", action="append", default=[],

@@ -130,11 +130,10 @@ namespace auxfem
                                "go on with the run in DIR from its last "
                                "checkpoint")
                    ->type_name("DIR");
-        add_action(
-          "--check",
-          Action::check,
-          "read and check FILE.prm, build the mesh, print counts, "
-          "size and mass,\nwrite DIR/lattice.vtu for ParaView; no run");
+        add_action("--check",
+                   Action::check,
+                   "read and check FILE.prm, print counts and size, write "
+                   "DIR/lattice.vtu");
         add_action("--compare",
                    Action::compare,
                    "compute each FILE.prm (Model = reduced cell) with every "

@@ -14,6 +14,8 @@ namespace auxfem
       modes_entry(),
       buckling_entry(),
       frequency_response_entry(),
+      effective_properties_entry(),
+      dispersion_entry(),
       reduced_cell_entry(),
       study_entry()};
     return registry;

@@ -1,5 +1,6 @@
 #include <auxfem/mesh/array_changes.h>
 #include <auxfem/mesh/designed_array.h>
+#include <auxfem/mesh/periodic_array.h>
 #include <auxfem/mesh/sets.h>
 #include <auxfem/parameters/errors.h>
 
@@ -66,6 +67,18 @@ namespace auxfem
                               const std::vector<SetDefinition> &sets,
                               const SceneContext               &context)
   {
+    if (definition.is_infinite)
+      {
+        PeriodicArray array = make_periodic_array(definition.cell->build(),
+                                                  definition.n_cells,
+                                                  context.dimension);
+        for (const SetDefinition &set : sets)
+          add_set(set, context, array.lattice);
+        array.lattice.n_images = array.periodicity.images.size();
+        array.lattice.periodicity =
+          std::make_shared<const Periodicity>(std::move(array.periodicity));
+        return array.lattice;
+      }
     SceneContext of_lattice = context;
     of_lattice.path         = "Lattice";
     Lattice lattice         = make_array_in_region(definition.cell->build(),

@@ -160,6 +160,7 @@ namespace auxfem
     return {read_cell(values),
             {{values[cells_x], values[cells_y], values[cells_z]}},
             read_array_changes(values),
-            values[struts_may_cross]};
+            values[struts_may_cross],
+            false};
   }
 } // namespace auxfem

@@ -1,4 +1,5 @@
 #include <auxfem/mesh/designed_array.h>
+#include <auxfem/mesh/periodic_array.h>
 #include <auxfem/mesh/position_function.h>
 #include <auxfem/mesh/sets.h>
 #include <auxfem/mesh/strut_crossings.h>
@@ -7,6 +8,7 @@
 #include <auxfem/model/rigid_bodies.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/scene/graded_sections.h>
+#include <auxfem/scene/infinite_lattice.h>
 
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/normal_distribution.hpp>
@@ -184,6 +186,21 @@ namespace auxfem
       ++lattice.n_plates;
     }
 
+    /** Adds a joint for each translation of an infinite lattice, at its end. */
+    void add_translations(Lattice &lattice)
+    {
+      if (!lattice.periodicity)
+        return;
+      const auto &vectors = lattice.periodicity->vectors;
+      for (unsigned int d = 0; d < vectors.size(); ++d)
+        {
+          lattice.joint_sets[name_of_translation(d)] = {
+            static_cast<unsigned int>(lattice.joints.size())};
+          lattice.joints.emplace_back(vectors[d]);
+        }
+      lattice.n_translations = vectors.size();
+    }
+
     /** @param add_imperfections adds imperfections to the designed lattice */
     template <class Disturb>
     Lattice build(const Scene &scene, const Disturb &add_imperfections)
@@ -198,6 +215,7 @@ namespace auxfem
         refuse_crossing_struts(lattice);
       for (const PlateDefinition &plate : scene.plates)
         add_plate(plate, scene, lattice);
+      add_translations(lattice);
       return lattice;
     }
   } // namespace

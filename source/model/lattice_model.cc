@@ -148,6 +148,23 @@ namespace auxfem
         : std::vector<StrutDivision>(lattice.struts.size(), plan.division);
     }
 
+    std::vector<LinearRelation>
+    all_relations(const RunPlan                   &plan,
+                  const Lattice                   &lattice,
+                  const std::vector<JointRelease> &releases,
+                  const double                     length)
+    {
+      std::vector<LinearRelation> relations =
+        linear_relations(plan.scene, lattice, length);
+      // Waves have a phase between images.
+      if (plan.analysis == Analysis::dispersion)
+        return relations;
+      for (LinearRelation &relation :
+           periodic_relations(lattice, releases, length))
+        relations.push_back(std::move(relation));
+      return relations;
+    }
+
     Ties all_ties(const Scene                               &scene,
                   const Lattice                             &lattice,
                   const std::vector<JointRelease>           &releases,
@@ -174,7 +191,7 @@ namespace auxfem
     , mean_strut_length(mean_length(lattice))
     , releases(plan.simulated.hinges ? joint_releases(plan.scene, lattice)
                                      : std::vector<JointRelease>())
-    , relations(linear_relations(plan.scene, lattice, mean_strut_length))
+    , relations(all_relations(plan, lattice, releases, mean_strut_length))
     , free_spins(auxfem::free_spins(plan, lattice, releases, relations))
     , connector_pairs(pairs_of(plan.scene, lattice))
     , shared_numbering(std::make_shared<const DofNumbering>(

@@ -1,4 +1,5 @@
 #include <auxfem/mathematics/rotation.h>
+#include <auxfem/mesh/periodic_array.h>
 #include <auxfem/mesh/sets.h>
 #include <auxfem/model/linear_relations.h>
 #include <auxfem/model/unknown_records.h>
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace auxfem
@@ -123,6 +125,75 @@ namespace auxfem
       relations.push_back(relation);
     }
   } // namespace
+
+  namespace
+  {
+    /** Whether strut ends rotate with the joint, by joint. */
+    std::vector<bool>
+    joints_with_rotation(const Lattice                   &lattice,
+                         const std::vector<JointRelease> &releases)
+    {
+      std::set<std::pair<unsigned int, unsigned int>> released;
+      for (const JointRelease &release : releases)
+        for (const JointRelease::AtJoint &at : release.joints)
+          for (const StrutEnd &end : at.ends)
+            released.insert({end.strut, end.end});
+      std::vector<bool> rotates(lattice.joints.size(), false);
+      for (unsigned int s = 0; s < lattice.struts.size(); ++s)
+        for (const unsigned int end : {0, 1})
+          if (!lattice.struts[s].is_rigid() && released.count({s, end}) == 0)
+            rotates[lattice.struts[s].joints[end]] = true;
+      return rotates;
+    }
+
+    LinearRelation jump(const Lattice     &lattice,
+                        const JointImage  &image,
+                        const unsigned int component)
+    {
+      LinearRelation relation = {"Infinite lattice",
+                                 {Term{{image.joint, component}, 1.},
+                                  Term{{image.base, component}, -1.}}};
+      for (unsigned int d = 0; d < lattice.n_translations; ++d)
+        if (image.shift[d] != 0)
+          relation.terms.push_back(
+            {{lattice.joint_of_translation(d), component},
+             -double(image.shift[d])});
+      return relation;
+    }
+  } // namespace
+
+  std::vector<LinearRelation>
+  periodic_relations(const Lattice                   &lattice,
+                     const std::vector<JointRelease> &releases,
+                     const double                     length)
+  {
+    std::vector<LinearRelation> relations;
+    if (!lattice.periodicity)
+      return relations;
+    const std::vector<bool> rotates = joints_with_rotation(lattice, releases);
+    // The joint whose rotation the images of a base have.
+    std::map<unsigned int, unsigned int> turned;
+    for (unsigned int joint = 0; joint < lattice.n_structural_joints(); ++joint)
+      if (rotates[joint] && !lattice.is_image(joint))
+        turned[joint] = joint;
+    for (const JointImage &image : lattice.periodicity->images)
+      {
+        for (unsigned int c = 0; c < lattice.dimension; ++c)
+          relations.push_back(jump(lattice, image, c));
+        if (!rotates[image.joint])
+          continue;
+        const auto [like, is_first] =
+          turned.try_emplace(image.base, image.joint);
+        for (unsigned int c = first_rotation;
+             c < n_motion_components && !is_first;
+             ++c)
+          if (lattice.dimension == 3 || is_in_plane(c))
+            relations.push_back({"Infinite lattice",
+                                 {Term{{image.joint, c}, length},
+                                  Term{{like->second, c}, -length}}});
+      }
+    return relations;
+  }
 
   std::vector<LinearRelation> linear_relations(const Scene   &scene,
                                                const Lattice &lattice,

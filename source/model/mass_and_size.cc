@@ -70,7 +70,8 @@ namespace auxfem
     for (const RigidPart &part : lattice.rigid_parts)
       mass += part.mass;
     for (const MassDefinition &point : scene.masses)
-      mass += point.mass * joints_of(point, lattice, scene.context).size();
+      for (const unsigned int joint : joints_of(point, lattice, scene.context))
+        mass += lattice.is_image(joint) ? 0 : point.mass;
     return mass;
   }
 
@@ -93,7 +94,8 @@ namespace auxfem
       });
     if (has_density)
       result.mass = total_mass(scene, lattice);
-    result.relative_density = relative_density(scene, lattice, result);
+    if (!lattice.periodicity)
+      result.relative_density = relative_density(scene, lattice, result);
     for (const auto &entry : numbers)
       result.struts_of_section.push_back(entry.second);
     return result;

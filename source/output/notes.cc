@@ -246,9 +246,10 @@ namespace auxfem
         (overlap.is_passing ? passing : others).push_back(overlap.struts);
       if (!passing.empty())
         notes.push_back("Struts " + pairs_text(passing) +
-                        " cross at rest without a common joint, so they pass "
-                        "each other freely, as if side by side. If they are "
-                        "connected, give them a joint there.");
+                        " lie in each other at rest by more than half their "
+                        "thickness, so they pass each other freely, as if "
+                        "side by side. If this is unintended, check their "
+                        "sections and their distance.");
       if (!others.empty())
         notes.push_back(
           "Struts " + pairs_text(others) +

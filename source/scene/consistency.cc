@@ -275,8 +275,9 @@ namespace auxfem
       else if (scene.analysis == Analysis::static_path ||
                scene.analysis == Analysis::buckling)
         check_stability_analysis(scene, mistakes);
-      else if (!scene.time.scheme->is_dynamic() ||
-               scene.effects.inertia == Switch::off)
+      else if (scene.analysis != Analysis::effective_properties &&
+               (!scene.time.scheme->is_dynamic() ||
+                scene.effects.inertia == Switch::off))
         mistakes.add(message(scene,
                              "Analysis = ",
                              name,

@@ -132,6 +132,8 @@ namespace auxfem
       {"modes", Analysis::modes},
       {"buckling", Analysis::buckling},
       {"frequency response", Analysis::frequency_response},
+      {"effective properties", Analysis::effective_properties},
+      {"dispersion", Analysis::dispersion},
       {"study", Analysis::study}};
 
     const Choice analysis = {
@@ -142,13 +144,17 @@ namespace auxfem
        analyses[2].first,
        analyses[3].first,
        analyses[4].first,
-       analyses[5].first},
+       analyses[5].first,
+       analyses[6].first,
+       analyses[7].first},
       "Kind of computation. simulation: time steps by Time/Scheme; static path: "
       "equilibria by arc length, through limit points and bifurcations, see "
       "Path; modes: natural frequencies and modes, see Modes; buckling: load "
       "factors at which the lattice buckles, with their modes, see Modes; "
       "frequency response: steady vibrations under harmonic loads, see Frequency "
-      "response; study: many runs with other parameters, see Study."};
+      "response; effective properties: stiffness, Poisson's ratios and density "
+      "of the infinite lattice of these cells; dispersion: its waves, see "
+      "Dispersion; study: many runs with other parameters, see Study."};
     const Text constants = {
       "Constants",
       "",

@@ -3,6 +3,7 @@
 #include <auxfem/parameters/inheritance.h>
 #include <auxfem/scene/general_parameters.h>
 #include <auxfem/scene/graded_sections.h>
+#include <auxfem/scene/infinite_lattice.h>
 #include <auxfem/scene/scene.h>
 
 #include <algorithm>
@@ -115,6 +116,9 @@ namespace auxfem
       scene.newton =
         scene.newton.for_steps_within(scene.time.relative_tolerance);
       check_consistency(scene, mistakes);
+      mistakes.throw_if_any(file);
+      if (is_infinite(scene.analysis))
+        make_infinite(scene, mistakes);
       mistakes.throw_if_any(file);
       scene.input_files.assign(files.begin(), files.end());
       grade_sections(scene);
@@ -273,6 +277,7 @@ namespace auxfem
       {path_schema(), set<&Scene::path, read_path>},
       {frequency_response_schema(),
        set<&Scene::frequency_response, read_frequency_response>},
+      {dispersion_schema(), set<&Scene::dispersion, read_dispersion>},
       {study_schema(), set<&Scene::study, read_study>},
       {quantities_schema(), add_quantity}};
     return all;

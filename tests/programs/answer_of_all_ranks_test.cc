@@ -40,7 +40,8 @@ namespace
   TEST_F(AnswerOfAllRanks, CheckCountsTheWhole)
   {
     write("scene.prm", data_text("star.prm"));
-    const ProgramRun run = run_on_all_ranks({"--check", "scene.prm"});
+    const ProgramRun run =
+      run_on_all_ranks({"--check", "scene.prm", "--output", "out"});
     EXPECT_EQ(run.exit_code, 0) << run.errors;
     const std::string ranks =
       std::to_string(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD));
@@ -53,7 +54,6 @@ namespace
       EXPECT_TRUE(std::regex_search(run.output, std::regex(pattern)))
         << pattern << run.output;
     EXPECT_EQ(count(run.output, "MPI ranks"), 1u);
-    EXPECT_FALSE(std::filesystem::exists(path("output")));
   }
 
 

@@ -141,6 +141,7 @@ namespace
                                     "set Taper",
                                     "set Base",
                                     "set Grading",
+                                    "set Path =",
                                     "set Joint sets",
                                     "set Strut sets",
                                     "set Pairs",

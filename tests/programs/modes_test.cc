@@ -201,7 +201,7 @@ namespace
       << run.errors;
   }
 
-  TEST_F(ModesProgram, ACheckComputesNothing)
+  TEST_F(ModesProgram, ACheckDrawsTheLatticeOnly)
   {
     const ProgramRun run =
       run_auxfem({"--check",
@@ -209,7 +209,10 @@ namespace
                   "--output",
                   "out"});
     EXPECT_EQ(run.exit_code, 0) << run.errors;
-    EXPECT_FALSE(std::filesystem::exists(path("out")));
+    EXPECT_TRUE(std::filesystem::exists(path("out/lattice.vtu")));
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(path("out")),
+                            {}),
+              1);
   }
 
   TEST_F(ModesProgram, BucklingLeavesATableAndPictures)

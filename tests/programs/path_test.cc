@@ -103,7 +103,7 @@ namespace
       << refused.errors;
   }
 
-  TEST_F(PathProgram, ACheckComputesNothing)
+  TEST_F(PathProgram, ACheckDrawsTheLatticeOnly)
   {
     const ProgramRun run =
       run_auxfem({"--check",
@@ -111,6 +111,9 @@ namespace
                   "--output",
                   "out"});
     EXPECT_EQ(run.exit_code, 0) << run.errors;
-    EXPECT_FALSE(std::filesystem::exists(path("out")));
+    EXPECT_TRUE(std::filesystem::exists(path("out/lattice.vtu")));
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(path("out")),
+                            {}),
+              1);
   }
 } // namespace

@@ -109,12 +109,13 @@ TEST_F(StudyProgram, RunsGoSideBySideOnRanks)
   EXPECT_EQ(n_runs(), 5u);
 }
 
-TEST_F(StudyProgram, CheckListsTheRunsAndWritesNothing)
+TEST_F(StudyProgram, CheckListsTheRunsAndDrawsTheLattice)
 {
   const ProgramRun run = run_auxfem(arguments({"--check"}));
   EXPECT_EQ(run.exit_code, 0) << run.errors;
   expect_contains(run.output, {"9 simulations", "4 elements a strut"});
-  EXPECT_FALSE(fs::exists(path("out")));
+  EXPECT_EQ(std::distance(fs::directory_iterator(path("out")), {}), 1);
+  EXPECT_TRUE(fs::exists(path("out/lattice.vtu")));
 }
 
 TEST_F(StudyProgram, MistakesCostNoEarlierResults)

@@ -129,7 +129,7 @@ TEST(GradedSections, RandomNumbersDependOnSeedAndStrutAlone)
 
 TEST(GradedSections, RefuseWhatCannotBeGraded)
 {
-  EXPECT_TRUE(contains(message(chain("Depth: 1")), "Height, Width"));
+  EXPECT_TRUE(contains(message(chain("Depth: 1")), "Width, Height"));
   EXPECT_TRUE(contains(message(chain("Yield strain: 2")), "Allowed: "));
   EXPECT_TRUE(contains(message(chain("Height = 1")), "has no colon"));
   EXPECT_TRUE(contains(message(chain("Height: wrong")), "cannot understand"));

@@ -69,7 +69,7 @@ TEST(Taper, RefusesWhatItCannotRead)
   expect_parts(message(taper("1 - s")),
                {"Sections/bar/Taper", "no colon", "Height: 1 - 0.5 * s"});
   expect_parts(message(taper("Radius: 1 - s")),
-               {"\"Radius\" is no length of Shape = rectangle",
+               {"\"Radius\" is no number of this section that Taper can vary",
                 "Width, Height"});
   expect_parts(message(taper("Height: 1 - x")), {"cannot understand"});
   expect_parts(message(taper("Height: 1 - s")),

@@ -344,6 +344,7 @@ TEST(ViscoelasticStruts, ReportForcesOfTheirOwn)
         .frame(is_plane ? "0 0; 1 0; 1.5 1; 0.2 0.7"
                         : "0 0 0; 1 0 0.2; 1.5 1 0; 0.2 0.7 0.6",
                "0 1; 1 2; 2 3; 3 0; 0 2; 1 3")
+        .set("Lattice/Struts may cross", "true")
         .add("Materials/elastic",
              "Young's modulus = " + text(polymer_modulus) +
                " | Poisson's ratio = 0")

@@ -57,6 +57,8 @@ namespace auxfem
   AnalysisEntry modes_entry();
   AnalysisEntry buckling_entry();
   AnalysisEntry frequency_response_entry();
+  AnalysisEntry effective_properties_entry();
+  AnalysisEntry dispersion_entry();
   AnalysisEntry reduced_cell_entry();
   AnalysisEntry study_entry();
   ///@}

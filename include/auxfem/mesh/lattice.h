@@ -166,6 +166,8 @@ namespace auxfem
     unsigned int cell = 0;
   };
 
+  struct Periodicity;
+
   /**
    * The structure as a graph in space: joints, struts, joint pairs for
    * connectors, and named sets of all three. Plain data without finite
@@ -182,6 +184,19 @@ namespace auxfem
     /** Number of rigid plates. The last joints are their reference points: they
      * belong to no other set and do not count for the lattice's size. */
     unsigned int n_plates = 0;
+
+    /** Of one period of an infinite lattice; nullptr: it ends at its joints. */
+    std::shared_ptr<const Periodicity> periodicity;
+
+    /** @name In an infinite lattice */
+    ///@{
+    /** Number of joints that are images of others, behind these. */
+    unsigned int n_images = 0;
+    /** Number of joints that stand for the translations of the period. They
+     * come behind all others; their displacement is the difference of the
+     * displacements over that translation. */
+    unsigned int n_translations = 0;
+    ///@}
 
     std::vector<Strut> struts;
 
@@ -208,10 +223,23 @@ namespace auxfem
      * without imperfections. */
     std::shared_ptr<const Lattice> as_designed;
 
-    /** Number of joints other than those of plates. */
+    /** Number of joints other than those of plates and translations. */
     unsigned int n_structural_joints() const
     {
-      return joints.size() - n_plates;
+      return joints.size() - n_plates - n_translations;
+    }
+
+    /** Whether a joint is an image of another one. */
+    bool is_image(const unsigned int joint) const
+    {
+      return joint < n_structural_joints() &&
+        joint >= n_structural_joints() - n_images;
+    }
+
+    /** The joint of translation number @p d. */
+    unsigned int joint_of_translation(const unsigned int d) const
+    {
+      return n_structural_joints() + n_plates + d;
     }
 
     /** Reference joint of plate number @p plate, in the order of the scene. */

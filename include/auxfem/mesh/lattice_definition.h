@@ -37,6 +37,8 @@ namespace auxfem
     ArrayChanges                changes;
     /** Whether struts may pass through each other. */
     bool struts_may_cross = false;
+    /** Whether the array is one period of an infinite lattice. */
+    bool is_infinite = false;
   };
 
   /** Schema of `Lattice`. */

@@ -1,11 +1,24 @@
 #ifndef auxfem_model_linear_relations_h
 #define auxfem_model_linear_relations_h
 
+#include <auxfem/model/joint_releases.h>
 #include <auxfem/model/numbering.h>
 #include <auxfem/scene/run_plan.h>
 
 namespace auxfem
 {
+  /**
+   * Relations of an infinite lattice: displacements of images differ from those
+   * of their base joints by displacements of the joints of translations,
+   * rotations are equal.
+   * @param releases strut ends that rotate by themselves
+   * @param length coefficient (m) of rotations
+   */
+  std::vector<LinearRelation>
+  periodic_relations(const Lattice                   &lattice,
+                     const std::vector<JointRelease> &releases,
+                     double                           length);
+
   /**
    * Linear relations of all `Constraints/NAME`: n - 1 for n joints that move
    * alike, one across each line in the plane and two in space.

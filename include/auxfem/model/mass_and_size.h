@@ -22,8 +22,8 @@ namespace auxfem
     /** Volume of elastic struts (m3). */
     double strut_volume = 0;
     /** strut_volume over that of the box of the joints, in the
-     * plane of the depth of the widest section. None if the box is flat or a
-     * section has no dimensions. */
+     * plane of the depth of the widest section. None if the box is flat, a
+     * section has no dimensions, or the lattice is infinite. */
     std::optional<double> relative_density;
     /** Number of elastic struts by section as in the file; sections without
      * struts are left out. */

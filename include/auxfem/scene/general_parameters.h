@@ -45,13 +45,22 @@ namespace auxfem
   /** `Analysis`: kind of computation. */
   enum class Analysis
   {
-    simulation,         ///< time steps by the time scheme
-    static_path,        ///< equilibria by arc length
-    modes,              ///< natural frequencies and modes
-    buckling,           ///< load factors at which the lattice buckles
-    frequency_response, ///< steady vibrations under harmonic loads
-    study               ///< many simulations with other parameters
+    simulation,           ///< time steps by the time scheme
+    static_path,          ///< equilibria by arc length
+    modes,                ///< natural frequencies and modes
+    buckling,             ///< load factors at which the lattice buckles
+    frequency_response,   ///< steady vibrations under harmonic loads
+    effective_properties, ///< those of the infinite lattice as a continuum
+    dispersion,           ///< waves of the infinite lattice
+    study                 ///< many simulations with other parameters
   };
+
+  /** Whether @p analysis takes the lattice as one period of an infinite one. */
+  constexpr bool is_infinite(const Analysis analysis)
+  {
+    return analysis == Analysis::effective_properties ||
+      analysis == Analysis::dispersion;
+  }
 
   /** Whether @p analysis is linearized about one state. */
   constexpr bool is_linearized(const Analysis analysis)

@@ -11,6 +11,7 @@
 #include <auxfem/mesh/lattice_definition.h>
 #include <auxfem/rigid/rigid_part.h>
 #include <auxfem/scene/analysis_definitions.h>
+#include <auxfem/scene/dispersion_definition.h>
 #include <auxfem/scene/general_parameters.h>
 #include <auxfem/scene/study_definition.h>
 #include <auxfem/struts/discretization_parameters.h>
@@ -66,6 +67,7 @@ namespace auxfem
     ModesDefinition              modes;
     PathDefinition               path;
     FrequencyResponseDefinition  frequency_response;
+    DispersionDefinition         dispersion;
     StudyDefinition              study;
     /** Contents of parameters.prm: all parameters with the values used. */
     std::string all_parameters;

@@ -86,15 +86,6 @@ namespace auxfem
       return best != invalid_index;
     }
 
-    RunPlan with_finer_elements(RunPlan plan)
-    {
-      plan.division = {std::min(plan.division.order + 1,
-                                highest_strut_order(
-                                  plan.scene.context.dimension)),
-                       2 * plan.division.n_elements};
-      return plan;
-    }
-
     /**
      * @p state with the displacement @p shape only, without large rotations.
      */
@@ -242,6 +233,15 @@ namespace auxfem
                            division.n_inner_nodes(),
                            first.division.n_elements,
                            plan);
+  }
+
+  RunPlan with_finer_elements(RunPlan plan)
+  {
+    plan.division = {std::min(plan.division.order + 1,
+                              highest_strut_order(
+                                plan.scene.context.dimension)),
+                     2 * plan.division.n_elements};
+    return plan;
   }
 
   bool elements_accepted(const Scene &scene, const MeshErrors &errors)

@@ -364,6 +364,8 @@ namespace auxfem
       for (const unsigned int joint :
            joints_of(mass, lattice, model.plan.scene.context))
         {
+          if (lattice.is_image(joint))
+            continue;
           refuse_missing_rotation(mass, numbering, joint);
           for (const unsigned int c : numbering.components())
             {

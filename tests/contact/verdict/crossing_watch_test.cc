@@ -88,16 +88,6 @@ TEST(CrossingWatch, ChecksSmallDisplacementsSetByTheUserToo)
   EXPECT_TRUE(led("0.075 * t").empty());
 }
 
-TEST(CrossingWatch, CrossingAtRestIsAllowed)
-{
-  const auto found = findings_of(bars(2,
-                                      "0.9 0; 0 0; 0.3 -1; 0.3 1",
-                                      "0 1; 2 3",
-                                      "1, 2, 3",
-                                      "Displacement y = 0.2 * t"));
-  EXPECT_TRUE(found.empty()) << verdict_text(found);
-}
-
 TEST(CrossingWatch, AStrutMayCrossItself)
 {
   // Its end rotates by more than a turn and passes its start.

@@ -63,6 +63,9 @@ namespace auxfem
                        const MeshErrors &errors,
                        RunPlan          &plan);
 
+  /** The plan of a comparison: twice as many elements, of the next order. */
+  RunPlan with_finer_elements(RunPlan plan);
+
   /**
    * Whether @p errors meet the tolerance of @p scene, or the user prescribes
    * the elements.

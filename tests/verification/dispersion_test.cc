@@ -1,0 +1,238 @@
+#include <auxfem/analysis/infinite_lattice/bloch_waves.h>
+#include <auxfem/analysis/infinite_lattice/dispersion.h>
+#include <auxfem/mesh/periodic_array.h>
+
+#include <support/scene_text.h>
+#include <verification/result_table.h>
+
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <support/pi.h>
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+namespace
+{
+  // Walls of length 1 and t = 0.05 with shear flexibility and rotary inertia,
+  // E = rho = 1, nu = 0.3.
+  SceneText waves_of(const std::string &lattice,
+                     const unsigned int order,
+                     const unsigned int refinements = 0)
+  {
+    return SceneText()
+      .set("Analysis", "dispersion")
+      .add("Lattice", lattice)
+      .rectangle("wall", 1, 0.05, {1, 1, 0.3})
+      .set("Effects/Shear flexibility", "on")
+      .mesh(order, refinements);
+  }
+
+  const std::string lattice_of_squares = "Cell = square | Strut length = 1",
+                    lattice_of_stars =
+                      "Cell = star | Strut length = 1 | Opening angle = 60 deg",
+                    // The primitive cell of the regular hexagons.
+    lattice_of_hexagons =
+      "Cell = pattern | Joints = 0 0; 0 1 | Struts = 0 1 | "
+      "Neighbour struts = inclined: 1 0 at 1 0; inclined: 1 0 at 0 1 | "
+      "Vector x = 0.86602540378443865 1.5 | "
+      "Vector y = -0.86602540378443865 1.5";
+
+  /** WavesOfLattice of a scene, which lives as long. */
+  class WavesOfLattice
+  {
+  public:
+    explicit WavesOfLattice(const SceneText &text)
+      : scene(read_scene_from_text(text.str(), "waves.prm"))
+      , run(plan_of(scene), MPI_COMM_SELF)
+      , bloch(run)
+    {}
+
+    std::vector<double> frequencies(const double k1, const double k2) const
+    {
+      std::vector<double> all;
+      for (const BlochWave &wave :
+           bloch.waves({{2 * pi * k1, 2 * pi * k2, 0}}, 9))
+        all.push_back(wave.angular_frequency);
+      return all;
+    }
+
+    /** Speed of wave @p i at the length @p k of the wave vector along x, by its
+     * frequency and by its group velocity. */
+    std::array<double, 2> speeds(const double k, const unsigned int i) const
+    {
+      const double phase = k * run.lattice.periodicity->vectors[0][0];
+      const auto   wave  = bloch.waves({{phase, 0, 0}}, i + 1).back();
+      return {{wave.angular_frequency / k, (*wave.group_velocity)[0]}};
+    }
+
+  private:
+    static RunPlan plan_of(const Scene &scene)
+    {
+      RunPlan plan(scene);
+      plan.effects.large_rotation = Switch::off;
+      plan.effects.rotary_inertia = Switch::on;
+      return plan;
+    }
+
+    const Scene scene;
+    LatticeRun  run;
+    BlochWaves  bloch;
+  };
+
+  struct WaveReference
+  {
+    std::string         point;
+    double              k1, k2;
+    std::vector<double> frequencies; ///< rad/s
+  };
+
+  /** @param allowed relative difference */
+  void compare_waves(const std::string                &title,
+                     const SceneText                  &scene,
+                     const std::vector<WaveReference> &references,
+                     const double                      allowed)
+  {
+    const WavesOfLattice waves(scene);
+    ComparisonTable      table(title + ", exact dynamic stiffness (rad/s)");
+    for (const WaveReference &reference : references)
+      {
+        const auto found = waves.frequencies(reference.k1, reference.k2);
+        for (std::size_t i = 0; i < reference.frequencies.size(); ++i)
+          {
+            const std::string at =
+              reference.point + " " + std::to_string(i + 1);
+            if (reference.frequencies[i] == 0)
+              table.row(at, found[i], 0, 1e-5);
+            else
+              table.relative(at, found[i], reference.frequencies[i], allowed);
+          }
+      }
+  }
+} // namespace
+
+TEST(Dispersion, Square)
+{
+  compare_waves(
+    "Square lattice",
+    waves_of(lattice_of_squares, 6, 2),
+    {{"Gamma", 0, 0, {0, 0, 0.39152164, 0.39152164, 0.56046146, 0.85656006}},
+     {"X",
+      0.5,
+      0,
+      {0.081648315, 0.22034209, 0.31469620, 0.70216576, 0.93897261}},
+     {"M", 0.5, 0.5, {0.14185680, 0.31747429, 0.83453562, 0.83453562}}},
+    1e-6);
+}
+
+TEST(Dispersion, Hexagon)
+{
+  compare_waves(
+    "Hexagonal lattice",
+    waves_of(lattice_of_hexagons, 6, 1),
+    {{"Gamma", 0, 0, {0, 0, 0.14185680, 0.39152164, 0.39152164, 0.56046146}},
+     {"M",
+      0.5,
+      0,
+      {0.037007306, 0.22287852, 0.24710626, 0.31326688, 0.65279076}},
+     {"K", 1. / 3, 2. / 3, {0.081648315, 0.21892307, 0.21892307, 0.31469620}}},
+    1e-6);
+}
+
+TEST(Dispersion, Star)
+{
+  compare_waves("Star lattice at 60 degrees",
+                waves_of(lattice_of_stars, 6),
+                {{"Gamma",
+                  0,
+                  0,
+                  {0,
+                   0,
+                   0.018654428,
+                   0.024553243,
+                   0.046615645,
+                   0.046615645,
+                   0.076353765,
+                   0.076353765,
+                   0.18348102}},
+                 {"X",
+                  0.5,
+                  0,
+                  {0.0087925148,
+                   0.016897275,
+                   0.020823709,
+                   0.029103671,
+                   0.048281142,
+                   0.050627696,
+                   0.074726652,
+                   0.075929108,
+                   0.18659975}},
+                 {"M",
+                  0.5,
+                  0.5,
+                  {0.010199921,
+                   0.020512955,
+                   0.035279327,
+                   0.035345100,
+                   0.035345100,
+                   0.055827606,
+                   0.071547638,
+                   0.077573023,
+                   0.18695494}}},
+                1e-5);
+}
+
+// Long waves have the speeds of the continuum; the frequency is off by the
+// square of the wave vector.
+TEST(Dispersion, LongWavesAreThoseOfTheContinuum)
+{
+  ComparisonTable      table("Long waves of the star lattice along x, roots of "
+                             "n.C.n over the density (m/s)");
+  const WavesOfLattice waves(waves_of(lattice_of_stars, 4));
+  const std::array<double, 2> speeds = {{0.0083684868, 0.0428333889}};
+  for (const unsigned int i : {0, 1})
+    {
+      const double k = 0.05, by_k = waves.speeds(k, i)[0],
+                   by_half = waves.speeds(k / 2, i)[0];
+      table.relative(i == 0 ? "slow" : "fast",
+                     (4 * by_half - by_k) / 3,
+                     speeds[i],
+                     1e-6);
+      EXPECT_NEAR((by_k - speeds[i]) / (by_half - speeds[i]), 4, 0.05);
+    }
+}
+
+TEST(Dispersion, GroupVelocitiesAreDerivatives)
+{
+  const WavesOfLattice waves(waves_of(lattice_of_stars, 4));
+  const double         k = 0.4, step = 1e-4;
+  for (const unsigned int i : {0, 1, 2})
+    {
+      const double above = waves.speeds(k + step, i)[0] * (k + step),
+                   below = waves.speeds(k - step, i)[0] * (k - step);
+      EXPECT_NEAR(waves.speeds(k, i)[1], (above - below) / (2 * step), 1e-6);
+    }
+}
+
+TEST(Dispersion, BandGapsOfTheStar)
+{
+  const double                     first = 0.142455469; // pinned-pinned strut
+  const WavesOfLattice             waves(waves_of(lattice_of_stars, 6));
+  std::vector<std::vector<double>> bands;
+  for (unsigned int i = 0; i <= 6; ++i)
+    for (unsigned int j = 0; j <= i; ++j)
+      bands.push_back(waves.frequencies(i / 12., j / 12.));
+  const auto gaps = band_gaps(bands);
+  ASSERT_EQ(gaps.size(), 2u);
+  ComparisonTable table("Band gaps of the star lattice over the frequency of a "
+                        "pinned strut, exact dynamic stiffness");
+  EXPECT_EQ(gaps[0].below, 6u);
+  EXPECT_EQ(gaps[1].below, 8u);
+  table.relative("6-7, begin", gaps[0].lowest / first, 0.39189514, 1e-5);
+  table.relative("6-7, end", gaps[0].highest / first, 0.50224564, 1e-5);
+  table.relative("8-9, begin", gaps[1].lowest / first, 0.54454226, 1e-5);
+  table.relative("8-9, end", gaps[1].highest / first, 1.2879886, 1e-5);
+}
