@@ -4,6 +4,7 @@
 #include <auxfem/scene/graded_sections.h>
 
 #include <algorithm>
+#include <deque>
 #include <map>
 
 namespace auxfem
@@ -58,6 +59,7 @@ namespace auxfem
         if (variants.empty())
           return;
         sections[place] = std::move(variants.front());
+        sections.reserve(sections.size() + variants.size());
         std::move(variants.begin() + 1,
                   variants.end(),
                   std::back_inserter(sections));
@@ -66,7 +68,8 @@ namespace auxfem
     private:
       const SectionDefinition                     section;
       std::map<std::vector<double>, unsigned int> by_factors;
-      std::vector<SectionDefinition>              variants;
+      /** A deque, as there may be one for each strut. */
+      std::deque<SectionDefinition> variants;
     };
   } // namespace
 

@@ -62,13 +62,14 @@ namespace auxfem
       }
   }
 
-  double Factors::factor(const unsigned int i, const std::string &place) const
+  double Factors::factor(const unsigned int                  i,
+                         const std::function<std::string()> &place) const
   {
     const double value = expressions[i].value();
     if (!(value > 0 && std::isfinite(value)))
       values.refuse(parameter,
                     "the factor of " + scaled_names[i] + " is " +
-                      text_of(value, 3) + " " + place +
+                      text_of(value, 3) + " " + place() +
                       ". It must be positive everywhere");
     return value;
   }

@@ -133,7 +133,7 @@ namespace auxfem
     variables->item     = place.strut;
     std::vector<double> result;
     for (unsigned int i = 0; i < factors->names().size(); ++i)
-      result.push_back(factors->factor(i, text_of(place)));
+      result.push_back(factors->factor(i, [&] { return text_of(place); }));
     return result;
   }
 

@@ -40,10 +40,12 @@ namespace auxfem
   double Taper::factor_at(const unsigned int i, const double s) const
   {
     *position = s;
-    std::ostringstream place;
-    place.precision(3);
-    place << "at s = " << s;
-    return factors->factor(i, place.str());
+    return factors->factor(i, [s] {
+      std::ostringstream place;
+      place.precision(3);
+      place << "at s = " << s;
+      return place.str();
+    });
   }
 
   const CrossSection &Taper::shape_at(const double s) const

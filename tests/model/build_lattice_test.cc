@@ -1,10 +1,13 @@
 #include <auxfem/model/build_lattice.h>
+#include <auxfem/model/joint_releases.h>
 
 #include <gtest/gtest.h>
+#include <support/scene_text.h>
 
 #include <mesh/ladder.h>
 
 using namespace auxfem;
+using namespace auxfem::testing_support;
 
 namespace
 {
@@ -87,4 +90,32 @@ TEST(BuildLattice, NamesAStrutWithoutSection)
   const auto message       = input_error_of([&]() { build_lattice(scene); });
   EXPECT_TRUE(contains(message, "Strut 4 (joints 0 and 3")) << message;
   EXPECT_TRUE(contains(message, "and 1 more have no section")) << message;
+}
+
+TEST(BuildLattice, PatternsMayHaveRigidPartsAndHinges)
+{
+  // Rigid triangles, each with an arm hinged at a corner that reaches the next.
+  const Scene scene = read_scene_from_text(
+    SceneText()
+      .cells("pattern", 3, 1)
+      .add("Lattice",
+           "Joints = 0 0; 0.5 0; 0 0.5; 1 0 | Struts = 0 1; 1 2; 2 0; 1 3 | "
+           "Strut sets = plate: 0 1 2; arm: 3 | Joint sets = pin: 1 | "
+           "Vector x = 1 0")
+      .rectangle("bar", 0.01, 0.01, {1, 1})
+      .set("Rigid parts/plate/Struts", "plate")
+      .hinge("pins", "pin", "arm")
+      .str(),
+    "test.prm");
+  const Lattice lattice = build_lattice(scene);
+  EXPECT_EQ(lattice.struts.size(), 3 * 4u);
+  ASSERT_EQ(lattice.rigid_parts.size(), 3u);
+  for (const RigidPart &part : lattice.rigid_parts)
+    EXPECT_EQ(part.joints.size(), 3u);
+  const auto releases = joint_releases(scene, lattice);
+  ASSERT_EQ(releases.size(), 1u);
+  unsigned int n_released = 0;
+  for (const JointRelease::AtJoint &at : releases[0].joints)
+    n_released += at.ends.size();
+  EXPECT_EQ(n_released, 3u);
 }

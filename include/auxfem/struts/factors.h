@@ -3,6 +3,7 @@
 
 #include <auxfem/parameters/expression.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -36,9 +37,11 @@ namespace auxfem
       return scaled_names;
     }
 
-    /** The factor @p i of names() at the present values of the variables, which
-     * @p place describes. Throws InputError if it is not positive. */
-    double factor(unsigned int i, const std::string &place) const;
+    /** The factor @p i of names() at the present values of the variables.
+     * Throws InputError if it is not positive; @p place then describes these
+     * values. */
+    double factor(unsigned int                        i,
+                  const std::function<std::string()> &place) const;
 
   private:
     const ParameterValues    values;
