@@ -79,14 +79,14 @@ namespace auxfem
           std::make_shared<const Periodicity>(std::move(array.periodicity));
         return array.lattice;
       }
-    SceneContext of_lattice = context;
-    of_lattice.path         = "Lattice";
-    Lattice lattice         = make_array_in_region(definition.cell->build(),
+    SceneContext lattice_context = context;
+    lattice_context.path         = "Lattice";
+    Lattice lattice   = make_array_in_region(definition.cell->build(),
                                            definition.n_cells,
                                            definition.changes.region,
-                                           of_lattice);
-    lattice.dimension       = context.dimension;
-    change_array(definition.changes, of_lattice, lattice);
+                                           lattice_context);
+    lattice.dimension = context.dimension;
+    change_array(definition.changes, lattice_context, lattice);
     for (const SetDefinition &set : sets)
       add_set(set, context, lattice);
     return lattice;

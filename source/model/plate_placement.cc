@@ -15,18 +15,14 @@ namespace auxfem
     /** Number of parts of a strut that are searched for the nearest point. */
     constexpr unsigned int n_parts = 16;
 
-    /** Half thickness of a strut (m), of a tapered one the largest: in the
-     * plane the one in it, in space the smaller one. */
+    /** Half thickness of a strut (m), of a tapered one the largest. */
     double half_thickness(const Section &section, const unsigned int dimension)
     {
       double largest = 0;
       for (unsigned int i = 0; i <= (section.taper ? n_parts : 0); ++i)
-        {
-          const auto halves = section.at(double(i) / n_parts).half_thicknesses;
-          largest           = std::max(largest,
-                             dimension == 2 ? halves[1]
-                                                      : std::min(halves[0], halves[1]));
-        }
+        largest = std::max(
+          largest,
+          section.at(double(i) / n_parts).contact_half_thickness(dimension));
       return largest;
     }
 

@@ -66,26 +66,26 @@ namespace auxfem
       return text;
     }
     /** Lines on MassAndSize. */
-    std::string text_of(const MassAndSize &of_lattice)
+    std::string text_of(const MassAndSize &found)
     {
       std::ostringstream text;
       text.precision(4);
-      const dealii::Tensor<1, 3> &size = of_lattice.size;
+      const dealii::Tensor<1, 3> &size = found.size;
       text << "  Size          " << size[0] << " x " << size[1];
       if (size[2] > 0)
         text << " x " << size[2];
       text << " m\n";
-      if (of_lattice.mass)
-        text << "  Mass          " << *of_lattice.mass << " kg\n";
-      if (of_lattice.relative_density)
+      if (found.mass)
+        text << "  Mass          " << *found.mass << " kg\n";
+      if (found.relative_density)
         text << "  Struts fill   "
-             << percentage_text(*of_lattice.relative_density, 3)
+             << percentage_text(*found.relative_density, 3)
              << " of the volume of this size\n";
       std::string sections;
-      for (const auto &[section, n_struts] : of_lattice.struts_of_section)
+      for (const auto &[section, n_struts] : found.struts_of_section)
         sections += (sections.empty() ? "" : ", ") + section + " " +
           std::to_string(n_struts);
-      if (of_lattice.struts_of_section.size() > 1)
+      if (found.struts_of_section.size() > 1)
         text << indented("Struts by section: " + sections) << '\n';
       return text.str();
     }

@@ -65,16 +65,14 @@ namespace auxfem
               {"ranks", counts.ranks}};
     }
 
-    void add_mass_and_size(Json &json, const MassAndSize &of_lattice)
+    void add_mass_and_size(Json &json, const MassAndSize &found)
     {
-      json["size_metre"] = {of_lattice.size[0],
-                            of_lattice.size[1],
-                            of_lattice.size[2]};
-      if (of_lattice.mass)
-        json["mass_kilogram"] = *of_lattice.mass;
-      if (of_lattice.relative_density)
-        json["relative_density"] = *of_lattice.relative_density;
-      for (const auto &[section, n_struts] : of_lattice.struts_of_section)
+      json["size_metre"] = {found.size[0], found.size[1], found.size[2]};
+      if (found.mass)
+        json["mass_kilogram"] = *found.mass;
+      if (found.relative_density)
+        json["relative_density"] = *found.relative_density;
+      for (const auto &[section, n_struts] : found.struts_of_section)
         json["struts_of_section"][section] = n_struts;
     }
 

@@ -185,7 +185,8 @@ namespace auxfem
      * belong to no other set and do not count for the lattice's size. */
     unsigned int n_plates = 0;
 
-    /** Of one period of an infinite lattice; nullptr: it ends at its joints. */
+    /** Period of an infinite lattice; nullptr: the lattice ends at its joints.
+     */
     std::shared_ptr<const Periodicity> periodicity;
 
     /** @name In an infinite lattice */

@@ -11,7 +11,7 @@
 
 namespace auxfem
 {
-  /** What a lattice weighs and measures. */
+  /** Mass and size of a lattice. */
   struct MassAndSize
   {
     /** Extent of the joints along x, y, z (m). */

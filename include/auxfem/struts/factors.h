@@ -13,7 +13,7 @@ namespace auxfem
   class Factors
   {
   public:
-    /** What the expressions of a parameter may use. */
+    /** Names that expressions of a parameter may use, and advice. */
     struct Language
     {
       const Parameter                  &parameter;

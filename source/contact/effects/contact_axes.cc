@@ -12,14 +12,6 @@ namespace auxfem
 {
   namespace
   {
-    /** Half thickness (m): in the plane the one in it, in space the smaller
-     * one. */
-    double half_thickness(const Section &section, const unsigned int dimension)
-    {
-      const auto &halves = section.half_thicknesses;
-      return dimension == 2 ? halves[1] : std::min(halves[0], halves[1]);
-    }
-
     /** Contact thickness and stiffness of sections and rigid struts. */
     class ContactSections
     {
@@ -29,7 +21,8 @@ namespace auxfem
         , factor(factor)
       {
         for (const Section &section : model.sections)
-          if (const double h = half_thickness(section, model.lattice.dimension);
+          if (const double h =
+                section.contact_half_thickness(model.lattice.dimension);
               h > 0)
             stiffest = std::max(stiffest, stiffness(section, h));
       }
@@ -44,7 +37,8 @@ namespace auxfem
           return;
         const Section section =
           model.sections[strut.section].at((axis.begin + axis.end) / 2);
-        axis.half_thickness = half_thickness(section, model.lattice.dimension);
+        axis.half_thickness =
+          section.contact_half_thickness(model.lattice.dimension);
         if (!strut.is_rigid())
           axis.stiffness = axis.half_thickness > 0
             ? stiffness(section, axis.half_thickness)

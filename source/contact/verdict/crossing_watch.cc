@@ -83,10 +83,8 @@ namespace auxfem
        * one. */
       double half_thickness(const unsigned int strut) const
       {
-        const auto &halves =
-          sections[lattice.struts[strut].section].half_thicknesses;
-        return lattice.dimension == 2 ? halves[1]
-                                      : std::min(halves[0], halves[1]);
+        return sections[lattice.struts[strut].section].contact_half_thickness(
+          lattice.dimension);
       }
 
       /** Whether two struts share a joint or are the same. */

@@ -6,6 +6,7 @@
 
 #include <deal.II/base/point.h>
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <vector>
@@ -38,6 +39,14 @@ namespace auxfem
     /** Half thickness across axes 2 and 3 for contact (m); 0: unknown, the
      * section is given by its stiffnesses. */
     std::array<double, 2> half_thicknesses = {{0., 0.}};
+    /** Half thickness (m) of struts for contact: in the plane the one in it, in
+     * space the smaller one. */
+    double contact_half_thickness(const unsigned int dimension) const
+    {
+      return dimension == 2
+        ? half_thicknesses[1]
+        : std::min(half_thicknesses[0], half_thicknesses[1]);
+    }
     /** Shape, for laws that divide the section into fibres. */
     SectionShape shape;
     /** Radius of the tube drawn in ParaView (m). */
