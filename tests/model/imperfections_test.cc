@@ -124,7 +124,9 @@ TEST(Imperfections, ExpressionsScatterJointByJoint)
       EXPECT_GE(moved[1], 0);
       EXPECT_LE(moved[1], 1e-5);
       if (lattice.as_designed->joints[i][1] == 0)
-        EXPECT_EQ(moved[0], 0);
+        {
+          EXPECT_EQ(moved[0], 0);
+        }
     }
   EXPECT_EQ(different.size(), lattice.joints.size());
   for (const Strut &strut : lattice.struts)
