@@ -91,6 +91,23 @@ namespace auxfem
     patches.push_back(std::move(patch));
   }
 
+  bool LineGraphics::write_file(const std::string &file) const
+  {
+    std::ofstream stream = open_output_file(file);
+    if (!stream)
+      return false;
+    try
+      {
+        write_vtu(stream);
+      }
+    catch (const dealii::ExceptionBase &)
+      {
+        return false;
+      }
+    stream.close();
+    return bool(stream);
+  }
+
   void LineGraphics::set_time(const double time, const unsigned int number)
   {
     dealii::DataOutBase::VtkFlags flags;

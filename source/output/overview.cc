@@ -231,10 +231,7 @@ namespace auxfem
       for (unsigned int i = 0; i < model.lattice.struts.size(); ++i)
         add_strut(model, i, graphics);
       add_connectors(model, graphics);
-      std::ofstream stream = open_output_file(file);
-      graphics.write_vtu(stream);
-      stream.close();
-      if (!stream)
+      if (!graphics.write_file(file))
         throw InputError("Cannot write " + file +
                          ".\nChoose another folder with Output/Directory or "
                          "--output DIR.");

@@ -235,6 +235,19 @@ namespace
 
 
 
+  TEST_F(CommandLineProgram, CheckRefusesAFolderThatCannotBe)
+  {
+    write("star.prm", data_text("star.prm"));
+    write("file", "not a folder");
+    const ProgramRun run =
+      run_auxfem({"--check", "star.prm", "--output", "file/out"});
+    EXPECT_EQ(run.exit_code, 1);
+    expect_contains(run.errors,
+                    {"Cannot write file/out/lattice.vtu", "--output DIR"});
+  }
+
+
+
   TEST_F(CommandLineProgram, OverridesCountInOrderAndReachTheRun)
   {
     write("star.prm", data_text("star.prm"));

@@ -47,6 +47,9 @@ namespace auxfem
     void add_line(const std::vector<dealii::Point<3>> &points,
                   const std::vector<float>            &values);
 
+    /** Writes all lines to the .vtu @p file; returns whether that succeeded. */
+    bool write_file(const std::string &file) const;
+
     /** Marks the files with a time (s) and the number of the file. */
     void set_time(double time, unsigned int number);
 

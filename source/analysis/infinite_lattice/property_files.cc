@@ -159,10 +159,7 @@ namespace auxfem
           largest = std::max(largest, elastic.youngs_modulus(n));
       for (const auto &curve : curves)
         add_curve(elastic, curve, largest, graphics);
-      std::ofstream stream = open_output_file(file);
-      graphics.write_vtu(stream);
-      stream.close();
-      if (!stream)
+      if (!graphics.write_file(file))
         throw ComputationError("Cannot write " + file + ".");
     }
 
