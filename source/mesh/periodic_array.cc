@@ -20,6 +20,20 @@ namespace auxfem
                     (vectors.size() == 3 ? vectors[2] : along_z));
   }
 
+  std::vector<dealii::Tensor<1, 3>> Periodicity::reciprocal_vectors() const
+  {
+    // The plane is completed by z.
+    dealii::Tensor<2, 3> translations = dealii::unit_symmetric_tensor<3>();
+    for (std::size_t d = 0; d < vectors.size(); ++d)
+      translations[d] = vectors[d];
+    const dealii::Tensor<2, 3> columns =
+      dealii::transpose(dealii::invert(translations));
+    std::vector<dealii::Tensor<1, 3>> reciprocal;
+    for (std::size_t d = 0; d < vectors.size(); ++d)
+      reciprocal.push_back(columns[d]);
+    return reciprocal;
+  }
+
   dealii::Tensor<1, 3>
   Periodicity::translation(const std::array<int, 3> &shift) const
   {
@@ -56,14 +70,14 @@ namespace auxfem
                     const unsigned int                 dimension)
         : n_cells(n_cells)
         , tolerance(joint_tolerance(cell))
-        , whole(make_array(cell, larger(cell, n_cells, dimension)))
-        , larger_n(larger(cell, n_cells, dimension))
+        , n_made(larger(cell, n_cells, dimension))
+        , whole(make_array(cell, n_made))
       {
         for (unsigned int d = 0; d < dimension; ++d)
           result.periodicity.vectors.push_back(double(n_cells[d]) *
                                                cell.vectors[d]);
-        find_inverse();
-        joints = reduce(whole.joints);
+        reciprocal = result.periodicity.reciprocal_vectors();
+        joints     = reduce(whole.joints);
         // The first joint of equal ones stays where the cell has it.
         for (unsigned int j = whole.joints.size(); j-- > 0;)
           joints.shifts[j] =
@@ -107,24 +121,15 @@ namespace auxfem
         return numbers;
       }
 
-      void find_inverse()
-      {
-        const auto &a = result.periodicity.vectors;
-        for (unsigned int d = 0; d < 3; ++d)
-          for (unsigned int c = 0; c < 3; ++c)
-            inverse[c][d] = d < a.size() ? a[d][c] : (c == d ? 1. : 0.);
-        inverse = dealii::invert(inverse);
-      }
-
       /** The translation that moves a point out of the period. */
       Shift shift_of(const dealii::Point<3> &point) const
       {
         // Points on the sides of the period count to its lower ones.
-        constexpr double rounding  = 1e-6;
-        Shift            shift     = no_shift;
-        const auto       fractions = inverse * point;
-        for (std::size_t d = 0; d < result.periodicity.vectors.size(); ++d)
-          shift[d] = static_cast<int>(std::floor(fractions[d] + rounding));
+        constexpr double rounding = 1e-6;
+        Shift            shift    = no_shift;
+        for (std::size_t d = 0; d < reciprocal.size(); ++d)
+          shift[d] =
+            static_cast<int>(std::floor(reciprocal[d] * point + rounding));
         return shift;
       }
 
@@ -178,9 +183,9 @@ namespace auxfem
 
       unsigned int reduced_cell(const unsigned int cell) const
       {
-        const unsigned int i = cell % larger_n[0],
-                           j = cell / larger_n[0] % larger_n[1],
-                           k = cell / larger_n[0] / larger_n[1];
+        const unsigned int i = cell % n_made[0],
+                           j = cell / n_made[0] % n_made[1],
+                           k = cell / n_made[0] / n_made[1];
         return i % n_cells[0] +
           n_cells[0] * (j % n_cells[1] + n_cells[1] * (k % n_cells[2]));
       }
@@ -275,9 +280,9 @@ namespace auxfem
 
       const std::array<unsigned int, 3> n_cells;
       const double                      tolerance;
+      const std::array<unsigned int, 3> n_made; ///< cells of `whole`
       const Lattice                     whole;
-      const std::array<unsigned int, 3> larger_n;
-      dealii::Tensor<2, 3>              inverse;
+      std::vector<dealii::Tensor<1, 3>> reciprocal;
       ReducedPoints                     joints;
       std::vector<unsigned int>         bases; ///< by first joint of the whole
       unsigned int                      n_bases = 0;

@@ -146,21 +146,43 @@ namespace auxfem
       return rotates;
     }
 
-    LinearRelation jump(const Lattice     &lattice,
-                        const JointImage  &image,
-                        const unsigned int component)
+    std::array<int, 3> difference(const std::array<int, 3> &one,
+                                  const std::array<int, 3> &other)
     {
-      LinearRelation relation = {"Infinite lattice",
-                                 {Term{{image.joint, component}, 1.},
-                                  Term{{image.base, component}, -1.}}};
-      for (unsigned int d = 0; d < lattice.n_translations; ++d)
-        if (image.shift[d] != 0)
-          relation.terms.push_back(
-            {{lattice.joint_of_translation(d), component},
-             -double(image.shift[d])});
-      return relation;
+      return {{one[0] - other[0], one[1] - other[1], one[2] - other[2]}};
     }
   } // namespace
+
+  std::vector<ImageTie> image_ties(const Lattice                   &lattice,
+                                   const std::vector<JointRelease> &releases)
+  {
+    std::vector<ImageTie> ties;
+    if (!lattice.periodicity)
+      return ties;
+    const std::vector<bool> rotates = joints_with_rotation(lattice, releases);
+    // The joint whose rotation the images of a base have.
+    std::map<unsigned int, JointImage> turned;
+    for (unsigned int joint = 0; joint < lattice.n_structural_joints(); ++joint)
+      if (rotates[joint] && !lattice.is_image(joint))
+        turned[joint] = {joint, joint, {{0, 0, 0}}};
+    for (const JointImage &image : lattice.periodicity->images)
+      {
+        for (unsigned int c = 0; c < lattice.dimension; ++c)
+          ties.push_back({image.joint, image.base, c, image.shift});
+        if (!rotates[image.joint])
+          continue;
+        const auto [like, is_first] = turned.try_emplace(image.base, image);
+        if (is_first)
+          continue;
+        for (unsigned int c = first_rotation; c < n_motion_components; ++c)
+          if (lattice.dimension == 3 || is_in_plane(c))
+            ties.push_back({image.joint,
+                            like->second.joint,
+                            c,
+                            difference(image.shift, like->second.shift)});
+      }
+    return ties;
+  }
 
   std::vector<LinearRelation>
   periodic_relations(const Lattice                   &lattice,
@@ -168,29 +190,18 @@ namespace auxfem
                      const double                     length)
   {
     std::vector<LinearRelation> relations;
-    if (!lattice.periodicity)
-      return relations;
-    const std::vector<bool> rotates = joints_with_rotation(lattice, releases);
-    // The joint whose rotation the images of a base have.
-    std::map<unsigned int, unsigned int> turned;
-    for (unsigned int joint = 0; joint < lattice.n_structural_joints(); ++joint)
-      if (rotates[joint] && !lattice.is_image(joint))
-        turned[joint] = joint;
-    for (const JointImage &image : lattice.periodicity->images)
+    for (const ImageTie &tie : image_ties(lattice, releases))
       {
-        for (unsigned int c = 0; c < lattice.dimension; ++c)
-          relations.push_back(jump(lattice, image, c));
-        if (!rotates[image.joint])
-          continue;
-        const auto [like, is_first] =
-          turned.try_emplace(image.base, image.joint);
-        for (unsigned int c = first_rotation;
-             c < n_motion_components && !is_first;
-             ++c)
-          if (lattice.dimension == 3 || is_in_plane(c))
-            relations.push_back({"Infinite lattice",
-                                 {Term{{image.joint, c}, length},
-                                  Term{{like->second, c}, -length}}});
+        const bool   moves  = tie.component < first_rotation;
+        const double factor = moves ? 1. : length;
+        relations.push_back({"Infinite lattice",
+                             {Term{{tie.image, tie.component}, factor},
+                              Term{{tie.like, tie.component}, -factor}}});
+        for (unsigned int d = 0; moves && d < lattice.n_translations; ++d)
+          if (tie.shift[d] != 0)
+            relations.back().terms.push_back(
+              {{lattice.joint_of_translation(d), tie.component},
+               -double(tie.shift[d])});
       }
     return relations;
   }

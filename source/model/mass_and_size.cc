@@ -33,25 +33,12 @@ namespace auxfem
           visit(strut, scene.sections[strut.section]);
     }
 
-    /** Relative density in a box of the size @p found.size. */
-    std::optional<double> relative_density(const Scene       &scene,
-                                           const Lattice     &lattice,
-                                           const MassAndSize &found)
+    std::optional<double> relative_density(const MassAndSize &found,
+                                           const unsigned int dimension)
     {
-      double depth    = 0;
-      bool   is_known = true;
-      for_each_elastic_strut(scene,
-                             lattice,
-                             [&](const Strut &,
-                                 const SectionDefinition &definition) {
-                               const double width =
-                                 definition.section.half_thicknesses[0];
-                               depth    = std::max(depth, 2 * width);
-                               is_known = is_known && width > 0;
-                             });
       const double box = found.size[0] * found.size[1] *
-        (lattice.dimension == 2 ? depth : found.size[2]);
-      if (!is_known || !(box > 0))
+        (dimension == 2 ? found.depth : found.size[2]);
+      if (!found.has_dimensions || !(box > 0))
         return std::nullopt;
       return found.strut_volume / box;
     }
@@ -88,14 +75,17 @@ namespace auxfem
       [&](const Strut &strut, const SectionDefinition &definition) {
         has_density = has_density && definition.has_density;
         result.strut_volume += volume(definition.section, strut, lattice);
-        auto &[name, number] = numbers[definition.number];
-        name                 = definition.name;
+        const double width    = 2 * definition.section.half_thicknesses[0];
+        result.depth          = std::max(result.depth, width);
+        result.has_dimensions = result.has_dimensions && width > 0;
+        auto &[name, number]  = numbers[definition.number];
+        name                  = definition.name;
         ++number;
       });
     if (has_density)
       result.mass = total_mass(scene, lattice);
     if (!lattice.periodicity)
-      result.relative_density = relative_density(scene, lattice, result);
+      result.relative_density = relative_density(result, lattice.dimension);
     for (const auto &entry : numbers)
       result.struts_of_section.push_back(entry.second);
     return result;

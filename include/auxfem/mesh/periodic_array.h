@@ -27,6 +27,10 @@ namespace auxfem
     /** Area (m2) or volume (m3) of the period. */
     double volume() const;
 
+    /** Vectors (1/m) whose products with a position are its parts of the
+     * translations. */
+    std::vector<dealii::Tensor<1, 3>> reciprocal_vectors() const;
+
     /** Translation by @p shift periods (m). */
     dealii::Tensor<1, 3> translation(const std::array<int, 3> &shift) const;
   };

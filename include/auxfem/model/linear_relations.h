@@ -7,11 +7,26 @@
 
 namespace auxfem
 {
+  /** A motion of an image in an infinite lattice and that of the joint which it
+   * repeats. */
+  struct ImageTie
+  {
+    unsigned int       image, like; ///< joints
+    unsigned int       component;   ///< of motion
+    std::array<int, 3> shift;       ///< from `like` to the image, in periods
+  };
+
   /**
-   * Relations of an infinite lattice: displacements of images differ from those
-   * of their base joints by displacements of the joints of translations,
-   * rotations are equal.
+   * Ties of all images: displacements to those of their base joints, rotations
+   * too, or to those of the first image if the base has none.
    * @param releases strut ends that rotate by themselves
+   */
+  std::vector<ImageTie> image_ties(const Lattice                   &lattice,
+                                   const std::vector<JointRelease> &releases);
+
+  /**
+   * Relations of image_ties() under a mean strain: displacements differ by
+   * those of the joints of translations, rotations are equal.
    * @param length coefficient (m) of rotations
    */
   std::vector<LinearRelation>

@@ -21,6 +21,10 @@ namespace auxfem
     std::optional<double> mass;
     /** Volume of elastic struts (m3). */
     double strut_volume = 0;
+    /** Width of the widest section (m); 0 if none has dimensions. */
+    double depth = 0;
+    /** Whether all sections have dimensions. */
+    bool has_dimensions = true;
     /** strut_volume over that of the box of the joints, in the
      * plane of the depth of the widest section. None if the box is flat, a
      * section has no dimensions, or the lattice is infinite. */

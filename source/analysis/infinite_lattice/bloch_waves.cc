@@ -1,11 +1,11 @@
 #include <auxfem/algebra/eigen_solver.h>
 #include <auxfem/analysis/infinite_lattice/bloch_waves.h>
 #include <auxfem/mesh/periodic_array.h>
+#include <auxfem/model/linear_relations.h>
 #include <auxfem/parameters/errors.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace auxfem
 {
@@ -18,96 +18,33 @@ namespace auxfem
       std::array<int, 3> shift  = {{0, 0, 0}}; ///< in periods
     };
 
-    class Reduction
+    /** Numbers the unknowns of the period; translations and images have none of
+     * their own. Returns them by unknown of the finite elements, and sets @p
+     * n_reduced to their number. */
+    std::vector<ReducedUnknown> reduced_unknowns(const LatticeModel &model,
+                                                 unsigned int       &n_reduced)
     {
-    public:
-      explicit Reduction(const LatticeModel &model)
-        : model(model)
-        , lattice(model.lattice)
-        , unknowns(model.numbering.layout().n_local())
-      {
-        for (unsigned int d = 0; d < lattice.n_translations; ++d)
-          for (unsigned int c = 0; c < lattice.dimension; ++c)
-            translation.push_back(
-              model.numbering.joint_unknown(lattice.joint_of_translation(d),
-                                            c));
-        for (const JointImage &image : lattice.periodicity->images)
-          for (unsigned int c = 0; c < n_motion_components; ++c)
-            tie(image, c);
-        for (unsigned int u = 0; u < unknowns.size(); ++u)
-          if (unknowns[u].number == invalid_index && !is_translation(u))
-            unknowns[u].number = n_reduced++;
-        for (const auto &[image, like] : tied)
-          {
-            unknowns[image].number = unknowns[like.first].number;
-            unknowns[image].shift  = like.second;
-          }
-      }
-
-      const ReducedUnknown &operator[](const unsigned int unknown) const
-      {
-        return unknowns[unknown];
-      }
-
-      unsigned int n() const
-      {
-        return n_reduced;
-      }
-
-    private:
-      bool is_translation(const int unknown) const
-      {
-        return std::find(translation.begin(), translation.end(), unknown) !=
-          translation.end();
-      }
-
-      /** Number of the unknown @p c of a joint; -1: it has none. */
-      int unknown_of(const unsigned int joint, const unsigned int c) const
-      {
-        return model.numbering.joint_has(joint, c)
-          ? model.numbering.joint_unknown(joint, c)
-          : -1;
-      }
-
-      /** Ties an unknown of an image to that of its base, or to that of the
-       * first image that has one. */
-      void tie(const JointImage &image, const unsigned int c)
-      {
-        const int here = unknown_of(image.joint, c);
-        if (here < 0)
-          return;
-        if (const int base = unknown_of(image.base, c); base >= 0)
-          {
-            set_tie(here, base, image.shift);
-            return;
-          }
-        const auto [first, is_new] =
-          without_base.try_emplace({image.base, c}, &image);
-        if (is_new)
-          return;
-        std::array<int, 3> shift = image.shift;
-        for (unsigned int d = 0; d < 3; ++d)
-          shift[d] -= first->second->shift[d];
-        set_tie(here, unknown_of(first->second->joint, c), shift);
-      }
-
-      void
-      set_tie(const int image, const int like, const std::array<int, 3> &shift)
-      {
-        tied[image] = {like, shift};
-        // Marks it; the number follows.
-        unknowns[image].number = 0;
-      }
-
-      const LatticeModel                               &model;
-      const Lattice                                    &lattice;
-      std::vector<ReducedUnknown>                       unknowns;
-      std::vector<int>                                  translation;
-      unsigned int                                      n_reduced = 0;
-      std::map<int, std::pair<int, std::array<int, 3>>> tied;
-      std::map<std::pair<unsigned int, unsigned int>, const JointImage *>
-        without_base;
-    };
+      const Lattice              &lattice   = model.lattice;
+      const DofNumbering         &numbering = model.numbering;
+      std::vector<ReducedUnknown> unknowns(numbering.layout().n_local());
+      std::vector<bool>           has_number(unknowns.size(), true);
+      for (unsigned int d = 0; d < lattice.n_translations; ++d)
+        for (unsigned int c = 0; c < lattice.dimension; ++c)
+          has_number[numbering.joint_unknown(lattice.joint_of_translation(d),
+                                             c)] = false;
+      const auto ties = image_ties(lattice, model.releases);
+      for (const ImageTie &tie : ties)
+        has_number[numbering.joint_unknown(tie.image, tie.component)] = false;
+      n_reduced = 0;
+      for (unsigned int u = 0; u < unknowns.size(); ++u)
+        if (has_number[u])
+          unknowns[u].number = n_reduced++;
+      for (const ImageTie &tie : ties)
+        unknowns[numbering.joint_unknown(tie.image, tie.component)] = {
+          unknowns[numbering.joint_unknown(tie.like, tie.component)].number,
+          tie.shift};
+      return unknowns;
+    }
 
     /** Columns of a matrix. */
     std::vector<Vector> columns_of(const TangentMatrix &matrix,
@@ -127,11 +64,10 @@ namespace auxfem
 
   BlochWaves::BlochWaves(LatticeRun &run) : lattice(run.lattice)
   {
-    if (run.model.numbering.constraints().n_multipliers() > 0)
-      throw InputError("Analysis = dispersion: rigid parts and revolute hinges "
-                       "are constraints, which waves do not support. Make them "
-                       "elastic, e.g. by stiff sections.");
-    const Reduction   reduction(run.model);
+    Assert(run.model.numbering.constraints().n_multipliers() == 0,
+           dealii::ExcMessage("Waves have no constraints."));
+    const std::vector<ReducedUnknown> reduced =
+      reduced_unknowns(run.model, n_reduced);
     EvaluationResults results = run.equations.make_results();
     const State       rest    = run.solution.state;
     const Evaluation  at_rest =
@@ -144,12 +80,11 @@ namespace auxfem
     solver.assemble(at_rest, results, {0., 0., 1.});
     const std::vector<Vector> M = columns_of(solver.matrix(), n);
 
-    n_reduced = reduction.n();
     std::vector<double> mass(n_reduced, 0.);
     for (unsigned int j = 0; j < n; ++j)
       for (unsigned int i = 0; i < n; ++i)
         {
-          const ReducedUnknown &row = reduction[i], &column = reduction[j];
+          const ReducedUnknown &row = reduced[i], &column = reduced[j];
           if (row.number == invalid_index || column.number == invalid_index ||
               (K[j][i] == 0 && M[j][i] == 0))
             continue;
@@ -208,18 +143,36 @@ namespace auxfem
     return matrix;
   }
 
+  RitzPairs BlochWaves::quotients(const WavePhases &phases) const
+  {
+    return ritz_pairs(real_matrix(phases,
+                                  [](const Entry &e) { return e.mass; }),
+                      real_matrix(phases, [this](const Entry &e) {
+                        return e.stiffness + shift * e.mass;
+                      }));
+  }
+
+  double BlochWaves::squared_frequency(const double quotient) const
+  {
+    return std::max(0., 1 / quotient - shift);
+  }
+
+  std::vector<double> BlochWaves::frequencies(const WavePhases  &phases,
+                                              const unsigned int n) const
+  {
+    const std::vector<double> values = quotients(phases).values;
+    std::vector<double>       result;
+    for (unsigned int j = 0; j + 1 < values.size() && result.size() < n; j += 2)
+      result.push_back(std::sqrt(squared_frequency(values[j])));
+    return result;
+  }
+
   std::vector<BlochWave> BlochWaves::waves(const WavePhases  &phases,
                                            const unsigned int n) const
   {
-    const auto mass =
-      real_matrix(phases, [](const Entry &e) { return e.mass; });
-    const auto shifted = real_matrix(phases, [&](const Entry &e) {
-      return e.stiffness + shift * e.mass;
-    });
-    // Quotients 1 / (w^2 + shift), each twice: a vector and i times it.
-    const RitzPairs pairs     = ritz_pairs(mass, shifted);
+    const RitzPairs pairs     = quotients(phases);
     const auto      square_of = [&](const unsigned int j) {
-      return std::max(0., 1 / pairs.values[j] - shift);
+      return squared_frequency(pairs.values[j]);
     };
     std::vector<BlochWave> result;
     for (unsigned int j = 0; j + 1 < pairs.values.size() && result.size() < n;
@@ -233,6 +186,8 @@ namespace auxfem
       return w > shift * 1e-6 && (i == 0 || differs(2 * i - 2)) &&
         (2 * i + 2 >= pairs.values.size() || differs(2 * i + 2));
     };
+    const auto mass =
+      real_matrix(phases, [](const Entry &e) { return e.mass; });
     std::vector<dealii::FullMatrix<double>> slopes_K, slopes_M;
     const unsigned int                      dimension = lattice.dimension;
     for (unsigned int d = 0; d < dimension; ++d)

@@ -27,24 +27,6 @@ namespace auxfem
       return {{turn * fractions[0], turn * fractions[1], turn * fractions[2]}};
     }
 
-    /** Reciprocal vectors of the period (1/m): their products with its
-     * translations are 2 pi or 0. */
-    std::vector<dealii::Tensor<1, 3>>
-    reciprocal_vectors(const Periodicity &periodicity)
-    {
-      dealii::Tensor<2, 3> translations;
-      const auto          &a = periodicity.vectors;
-      for (unsigned int d = 0; d < 3; ++d)
-        for (unsigned int c = 0; c < 3; ++c)
-          translations[d][c] = d < a.size() ? a[d][c] : (c == d ? 1. : 0.);
-      const dealii::Tensor<2, 3>        inverse = dealii::invert(translations);
-      std::vector<dealii::Tensor<1, 3>> vectors(a.size());
-      for (std::size_t d = 0; d < a.size(); ++d)
-        for (unsigned int c = 0; c < 3; ++c)
-          vectors[d][c] = turn * inverse[c][d];
-      return vectors;
-    }
-
     /** Waves at rest with all inertia and no damping. */
     RunPlan plan_of_waves(const Scene &scene)
     {
@@ -62,7 +44,7 @@ namespace auxfem
     public:
       WaveTable(const Scene &scene, const Periodicity &periodicity)
         : n_bands(scene.dispersion.bands)
-        , reciprocal(reciprocal_vectors(periodicity))
+        , reciprocal(periodicity.reciprocal_vectors())
         , table(scene.output.directory + "/dispersion.csv", columns())
       {
         write_column_reference(scene.output.directory + "/dispersion.units.csv",
@@ -73,7 +55,7 @@ namespace auxfem
       {
         dealii::Tensor<1, 3> k;
         for (std::size_t d = 0; d < reciprocal.size(); ++d)
-          k += at[d] * reciprocal[d];
+          k += turn * at[d] * reciprocal[d];
         if (has_rows)
           path += (k - last).norm();
         has_rows                = true;
@@ -147,10 +129,9 @@ namespace auxfem
       errors.relative.assign(dispersion.bands, 0.);
       for (const WaveVector &corner : dispersion.path)
         {
-          const auto here = frequencies_of(
-                       waves.waves(phases_of(corner), dispersion.bands)),
-                     there = frequencies_of(
-                       finer_waves.waves(phases_of(corner), dispersion.bands));
+          const WavePhases phases = phases_of(corner);
+          const auto       here   = waves.frequencies(phases, dispersion.bands),
+                     there = finer_waves.frequencies(phases, dispersion.bands);
           for (std::size_t i = 0; i < std::min(here.size(), there.size()); ++i)
             if (there[i] > 1e-6 * there.back())
               errors.relative[i] =
@@ -203,8 +184,7 @@ namespace auxfem
            dispersion.points_of_zone(scene.context.dimension))
         {
           end_if_interrupted(MPI_COMM_SELF);
-          bands.push_back(
-            frequencies_of(waves.waves(phases_of(at), dispersion.bands)));
+          bands.push_back(waves.frequencies(phases_of(at), dispersion.bands));
         }
       const std::vector<BandGap> gaps   = band_gaps(bands);
       const MeshErrors           errors = errors_of(run, waves);

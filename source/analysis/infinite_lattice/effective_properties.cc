@@ -8,8 +8,6 @@
 #include <auxfem/output/overview.h>
 #include <auxfem/time/schemes/static.h>
 
-#include <algorithm>
-
 #include <nlohmann/json.hpp>
 
 namespace auxfem
@@ -30,33 +28,6 @@ namespace auxfem
       plan.effects.contact        = Switch::off;
       return plan;
     }
-
-    /** Depth of planar lattices and volumes of their struts. */
-    struct Bulk
-    {
-      explicit Bulk(const LatticeRun &run)
-      {
-        for (const Strut &strut : run.lattice.struts)
-          if (!strut.is_rigid())
-            {
-              const Section &section = run.model.sections[strut.section];
-              const double   width   = section.half_thicknesses[0];
-              widest                 = std::max(widest, 2 * width);
-              is_known               = is_known && width > 0;
-            }
-        const double depth = run.lattice.dimension == 2 ? this->depth() : 1;
-        volume             = run.lattice.periodicity->volume() * depth;
-      }
-
-      double depth() const
-      {
-        return widest > 0 ? widest : 1;
-      }
-
-      double widest   = 0;
-      bool   is_known = true;
-      double volume   = 0; ///< of the period (m3)
-    };
 
     /** Sum of forces (N) on the joint of the translation @p d. */
     dealii::Tensor<1, 3> force_on_translation(const LatticeRun  &run,
@@ -93,32 +64,30 @@ namespace auxfem
 
     EffectiveProperties properties_of(LatticeRun &run)
     {
-      const unsigned int         n = n_strain_components(run.lattice.dimension);
-      const Bulk                 bulk(run);
+      const unsigned int dimension = run.lattice.dimension;
+      const unsigned int n         = n_strain_components(dimension);
+      const MassAndSize  period    = mass_and_size(run.scene, run.lattice);
+      const double       depth     = period.depth > 0 ? period.depth : 1;
+      const double       volume =
+        run.lattice.periodicity->volume() * (dimension == 2 ? depth : 1);
       dealii::FullMatrix<double> stiffness(n, n);
       Recorder                   nobody;
       run.prepare();
       for (unsigned int j = 0; j < n; ++j)
         {
           run.advance(nobody);
-          const std::vector<double> stress = mean_stress(run, bulk.volume);
+          const std::vector<double> stress = mean_stress(run, volume);
           for (unsigned int i = 0; i < n; ++i)
             stiffness(i, j) = stress[i];
         }
-      EffectiveProperties found{ElasticConstants(stiffness), {}, {}, 1};
-      if (run.lattice.dimension == 2)
-        found.depth = bulk.depth();
-      const MassAndSize masses = mass_and_size(run.scene, run.lattice);
-      if (bulk.is_known)
-        found.relative_density = masses.strut_volume / bulk.volume;
-      if (masses.mass)
-        found.density = *masses.mass / bulk.volume;
+      EffectiveProperties found{ElasticConstants(stiffness), {}, {}, depth};
+      if (period.has_dimensions)
+        found.relative_density = period.strut_volume / volume;
+      if (period.mass)
+        found.density = *period.mass / volume;
       return found;
     }
-  } // namespace
 
-  namespace
-  {
     /** Change of the stiffness with finer elements, over its largest entry:
      * ends of straight struts are exact, arcs and tapered struts are not. */
     MeshErrors errors_of(const LatticeRun          &run,

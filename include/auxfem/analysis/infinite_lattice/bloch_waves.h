@@ -1,6 +1,7 @@
 #ifndef auxfem_analysis_infinite_lattice_bloch_waves_h
 #define auxfem_analysis_infinite_lattice_bloch_waves_h
 
+#include <auxfem/algebra/eigen_solver.h>
 #include <auxfem/analysis/simulation/lattice_run.h>
 
 #include <array>
@@ -31,19 +32,17 @@ namespace auxfem
     /**
      * Assembles stiffness and mass of the period at rest.
      * @param run of an infinite lattice without relations of images, on one
-     * rank. Throws InputError for rigid parts and other constraints.
+     * rank. Throws InputError for motions without mass.
      */
     explicit BlochWaves(LatticeRun &run);
+
+    /** The @p n lowest angular frequencies (rad/s), in ascending order. */
+    std::vector<double> frequencies(const WavePhases &phases,
+                                    unsigned int      n) const;
 
     /** The @p n waves of lowest frequency, in ascending order. */
     std::vector<BlochWave> waves(const WavePhases &phases,
                                  unsigned int      n) const;
-
-    /** Number of unknowns of the period. */
-    unsigned int n_unknowns() const
-    {
-      return n_reduced;
-    }
 
   private:
     /** Entries of the matrices between unknowns of the period, whose factor
@@ -63,6 +62,13 @@ namespace auxfem
     dealii::FullMatrix<double> real_matrix(const WavePhases &phases,
                                            const Value      &value,
                                            unsigned int derivative = 3) const;
+
+    /** Quotients 1 / (w^2 + shift) of all waves, each twice: a vector and i
+     * times it. */
+    RitzPairs quotients(const WavePhases &phases) const;
+
+    /** Squared angular frequency (1/s2) of a quotient. */
+    double squared_frequency(double quotient) const;
 
     const Lattice     &lattice;
     unsigned int       n_reduced = 0;
