@@ -1,5 +1,6 @@
 #include <auxfem/contact/effects/contact_axes.h>
 #include <auxfem/mesh/lattice.h>
+#include <auxfem/mesh/periodic_array.h>
 #include <auxfem/parameters/numerical_limits.h>
 
 #include <deal.II/base/numbers.h>
@@ -7,6 +8,9 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
+#include <map>
+#include <utility>
 
 namespace auxfem
 {
@@ -69,6 +73,7 @@ namespace auxfem
       const Strut   &strut   = lattice.struts[element.strut];
       ContactAxis    axis;
       axis.strut  = element.strut;
+      axis.line   = element.strut;
       axis.begin  = element.begin;
       axis.end    = element.end;
       axis.order  = order;
@@ -86,6 +91,150 @@ namespace auxfem
       axis.is_owned = numbering.layout().owner(axis.unknowns.back()) ==
         numbering.layout().rank();
       return axis;
+    }
+
+    /** Numbers points by their first unknown; in an infinite lattice images of
+     * a joint by that of their base and their shift. */
+    class PointNumbers
+    {
+    public:
+      explicit PointNumbers(const LatticeModel &model)
+        : n_unknowns(model.numbering.layout().n_global())
+      {
+        if (const auto &periodicity = model.lattice.periodicity)
+          for (const JointImage &image : periodicity->images)
+            bases[first_unknown(model, image.joint)] =
+              {first_unknown(model, image.base), image.shift};
+      }
+
+      unsigned int operator()(int unknown, std::array<int, 3> shift)
+      {
+        if (const auto base = bases.find(unknown); base != bases.end())
+          {
+            unknown = base->second.first;
+            for (unsigned int d = 0; d < 3; ++d)
+              shift[d] += base->second.second[d];
+          }
+        if (shift == std::array<int, 3>{})
+          return unknown;
+        return shifted
+          .try_emplace({unknown, shift}, n_unknowns + shifted.size())
+          .first->second;
+      }
+
+      static int first_unknown(const LatticeModel &model,
+                               const unsigned int  joint)
+      {
+        return model.numbering.global().joints[joint][0];
+      }
+
+    private:
+      using Point = std::pair<int, std::array<int, 3>>;
+      const unsigned int            n_unknowns;
+      std::map<int, Point>          bases;
+      std::map<Point, unsigned int> shifted;
+    };
+
+    void number_points(const LatticeModel &model,
+                       PointNumbers       &numbers,
+                       ContactAxis        &axis)
+    {
+      const Strut &strut = model.lattice.struts[axis.strut];
+      for (unsigned int end = 0; end < 2; ++end)
+        {
+          axis.end_points[end] =
+            numbers(axis.unknowns[end * model.lattice.dimension], axis.shift);
+          axis.strut_ends[end] =
+            numbers(PointNumbers::first_unknown(model, strut.joints[end]),
+                    axis.shift);
+        }
+    }
+
+    /** Least and largest parts of the translations at the ends of struts. */
+    using Extent = std::array<std::array<double, 3>, 2>;
+
+    void widen(const Periodicity      &periodicity,
+               const dealii::Point<3> &point,
+               Extent                 &extent)
+    {
+      const auto reciprocal = periodicity.reciprocal_vectors();
+      for (std::size_t d = 0; d < reciprocal.size(); ++d)
+        {
+          const double part = reciprocal[d] * point;
+          extent[0][d]      = std::min(extent[0][d], part);
+          extent[1][d]      = std::max(extent[1][d], part);
+        }
+    }
+
+    Extent nothing()
+    {
+      constexpr double far = std::numeric_limits<double>::infinity();
+      return {{{{far, far, far}}, {{-far, -far, -far}}}};
+    }
+
+    /** Copies of the axes of a period in its neighbours. */
+    std::vector<ContactAxis> copies_of(const LatticeModel             &model,
+                                       const std::vector<ContactAxis> &axes)
+    {
+      std::vector<ContactAxis> copies;
+      const Lattice           &lattice = model.lattice;
+      if (!lattice.periodicity)
+        return copies;
+      const Periodicity &periodicity = *lattice.periodicity;
+      const unsigned int dimension   = lattice.dimension;
+      const double margin = 0.5 / std::pow(lattice.n_cells, 1. / dimension);
+      Extent       whole  = nothing();
+      std::vector<Extent> of_struts(lattice.struts.size(), nothing());
+      for (const ContactAxis &axis : axes)
+        for (const dealii::Point<3> &end : axis.ends)
+          {
+            widen(periodicity, end, whole);
+            widen(periodicity, end, of_struts[axis.strut]);
+          }
+      const auto is_near = [&](const unsigned int        strut,
+                               const std::array<int, 3> &shift) {
+        for (unsigned int d = 0; d < dimension; ++d)
+          if (of_struts[strut][1][d] + shift[d] < whole[0][d] - margin ||
+              of_struts[strut][0][d] + shift[d] > whole[1][d] + margin)
+            return false;
+        return true;
+      };
+      unsigned int line = lattice.struts.size();
+      const int    deep = dimension == 3 ? 1 : 0;
+      for (int i = -1; i <= 1; ++i)
+        for (int j = -1; j <= 1; ++j)
+          for (int k = -deep; k <= deep; ++k)
+            {
+              const std::array<int, 3> shift = {{i, j, k}};
+              if (shift == std::array<int, 3>{})
+                continue;
+              const auto translation = periodicity.translation(shift);
+              for (std::size_t a = 0; a < axes.size(); ++a)
+                {
+                  if (!is_near(axes[a].strut, shift))
+                    continue;
+                  if (copies.empty() || copies.back().shift != shift ||
+                      copies.back().strut != axes[a].strut)
+                    ++line;
+                  copies.push_back(axes[a]);
+                  ContactAxis &copy = copies.back();
+                  copy.shift        = shift;
+                  copy.line         = line - 1;
+                  for (unsigned int d = 0; d < dimension; ++d)
+                    {
+                      copy.axis_factors.push_back(translation[d] /
+                                                  periodicity.length());
+                      const auto &axis = model.numbering.global()
+                                           .joints[lattice.joint_of_axis(d)];
+                      copy.unknowns.insert(copy.unknowns.end(),
+                                           axis.begin(),
+                                           axis.begin() + dimension);
+                    }
+                  for (dealii::Point<3> &end : copy.ends)
+                    end += translation;
+                }
+            }
+      return copies;
     }
   } // namespace
 
@@ -117,6 +266,11 @@ namespace auxfem
             sections.set(axes.back());
           }
       }
+    const std::vector<ContactAxis> copies = copies_of(model, axes);
+    axes.insert(axes.end(), copies.begin(), copies.end());
+    PointNumbers points(model);
+    for (ContactAxis &axis : axes)
+      number_points(model, points, axis);
     return axes;
   }
 } // namespace auxfem

@@ -72,17 +72,17 @@ namespace auxfem
                            const std::vector<ContactAxis> &axes)
     : model(model)
     , axes(axes)
-    , axes_of_struts(model.lattice.struts.size())
+    , axes_of_lines(axes.empty() ? 0 : axes.back().line + 1)
   {
     basis_of.reserve(axes.size());
     for (unsigned int a = 0; a < axes.size(); ++a)
       {
-        const unsigned int order = axes[a].n_nodes() - 1;
+        const unsigned int order = axes[a].order;
         Basis             &basis = bases[order];
         if (basis.coefficients.empty())
           basis = make_basis(order);
         basis_of.push_back(&basis);
-        std::array<unsigned int, 2> &axis_range = axes_of_struts[axes[a].strut];
+        std::array<unsigned int, 2> &axis_range = axes_of_lines[axes[a].line];
         if (axis_range[0] == axis_range[1])
           axis_range[0] = a;
         axis_range[1] = a + 1;
@@ -175,6 +175,13 @@ namespace auxfem
       lagrange_coefficients(points.get_points());
     AxisCurve curve;
     curve.degree = n - 1;
+    // The strut of a copy lies elsewhere.
+    dealii::Point<3>     first;
+    dealii::Tensor<1, 3> any;
+    model.lattice.axis(model.lattice.struts[axis.strut],
+                       axis.begin,
+                       first,
+                       any);
     for (unsigned int i = 0; i < n; ++i)
       {
         dealii::Point<3>     position;
@@ -184,6 +191,7 @@ namespace auxfem
                              (axis.end - axis.begin) * points.point(i)[0],
                            position,
                            tangent);
+        position += axis.ends[0] - first;
         for (unsigned int k = 0; k < n; ++k)
           curve.coefficients[k] += powers[i * n + k] * position;
       }
@@ -217,6 +225,11 @@ namespace auxfem
           for (unsigned int k = 0; k < n; ++k)
             curve.coefficients[k][c] += basis.coefficients[node * n + k] * u;
         }
+    const std::vector<double> &factors = axes[a].axis_factors;
+    for (unsigned int d = 0; d < factors.size(); ++d)
+      for (unsigned int c = 0; c < dimension; ++c)
+        curve.coefficients[0][c] +=
+          factors[d] * values[unknowns[(n + d) * dimension + c]];
     // Lowering the degree speeds up straight axes, which are frequent.
     while (curve.degree > 1 &&
            curve.coefficients[curve.degree] == AxisCurve::Vector())
@@ -227,11 +240,26 @@ namespace auxfem
   bool StrutCurves::are_neighbours(const unsigned int one,
                                    const unsigned int other) const
   {
-    const auto &first  = model.lattice.struts[axes[one].strut].joints,
-               &second = model.lattice.struts[axes[other].strut].joints;
-    return axes[one].strut == axes[other].strut || first[0] == second[0] ||
+    const auto &first = axes[one].strut_ends, &second = axes[other].strut_ends;
+    return axes[one].line == axes[other].line || first[0] == second[0] ||
       first[0] == second[1] || first[1] == second[0] || first[1] == second[1];
   }
+
+  namespace
+  {
+    /** Whether another pair stands for the contact of two axes in an infinite
+     * lattice: a strut touches copies of later ones, and of itself on one side.
+     */
+    bool is_repeated(const ContactAxis &one, const ContactAxis &other)
+    {
+      if (one.is_copy() == other.is_copy())
+        return one.is_copy();
+      const ContactAxis &original = one.is_copy() ? other : one,
+                        &copy     = one.is_copy() ? one : other;
+      return copy.strut < original.strut ||
+        (copy.strut == original.strut && copy.shift < std::array<int, 3>{});
+    }
+  } // namespace
 
   bool StrutCurves::never_touch(const unsigned int one,
                                 const unsigned int other) const
@@ -239,7 +267,9 @@ namespace auxfem
     const Strut &first  = model.lattice.struts[axes[one].strut],
                 &second = model.lattice.struts[axes[other].strut];
     return is_removed(one) || is_removed(other) ||
-      (first.is_rigid() && first.rigid_part == second.rigid_part) ||
+      is_repeated(axes[one], axes[other]) ||
+      (first.is_rigid() && first.rigid_part == second.rigid_part &&
+       axes[one].shift == axes[other].shift) ||
       !(thickness(one, other) > 0) || axes[one].stiffness == 0 ||
       axes[other].stiffness == 0 || (first.is_rigid() && first.sagitta != 0) ||
       (second.is_rigid() && second.sagitta != 0);
@@ -250,35 +280,31 @@ namespace auxfem
                             const unsigned int other) const
   {
     // FE_Q lists the end nodes first.
-    const unsigned int      dimension = model.lattice.dimension;
     std::vector<CommonNode> nodes;
     for (unsigned int i = 0; i < 2; ++i)
       for (unsigned int j = 0; j < 2; ++j)
-        if (axes[one].unknowns[i * dimension] ==
-            axes[other].unknowns[j * dimension])
+        if (axes[one].end_points[i] == axes[other].end_points[j])
           nodes.push_back({{{double(i), double(j)}}});
     return nodes;
   }
 
   void StrutCurves::find_connected()
   {
-    // Nodes are identified by their first unknown.
-    const unsigned int dimension = model.lattice.dimension;
-    const auto node = [&](const ContactAxis &axis, const unsigned int end) {
-      return axis.unknowns[end * dimension];
-    };
-    const IndexLists          at_nodes(model.numbering.layout().n_global(),
-                              [&](const auto &add) {
-                                for (unsigned int a = 0; a < axes.size(); ++a)
-                                  for (unsigned int end = 0; end < 2; ++end)
-                                    add(node(axes[a], end), a);
-                              });
+    unsigned int n_points = 0;
+    for (const ContactAxis &axis : axes)
+      for (const unsigned int point : axis.end_points)
+        n_points = std::max(n_points, point + 1);
+    const IndexLists          at_points(n_points, [&](const auto &add) {
+      for (unsigned int a = 0; a < axes.size(); ++a)
+        for (const unsigned int point : axes[a].end_points)
+          add(point, a);
+    });
     std::vector<unsigned int> others;
     for (unsigned int a = 0; a < axes.size(); ++a)
       {
         others.clear();
-        for (unsigned int end = 0; end < 2; ++end)
-          for (const unsigned int other : at_nodes[node(axes[a], end)])
+        for (const unsigned int point : axes[a].end_points)
+          for (const unsigned int other : at_points[point])
             if (other > a)
               others.push_back(other);
         std::sort(others.begin(), others.end());
@@ -296,7 +322,7 @@ namespace auxfem
   StrutCurves::free_ranges(const unsigned int axis,
                            const unsigned int other) const
   {
-    const std::array<unsigned int, 2> key{{axis, axes[other].strut}};
+    const std::array<unsigned int, 2> key{{axis, axes[other].line}};
     const auto                        known = known_ranges.find(key);
     if (known != known_ranges.end())
       return known->second;
@@ -307,11 +333,11 @@ namespace auxfem
   ParameterRanges StrutCurves::find_free_ranges(const unsigned int axis,
                                                 const unsigned int other) const
   {
-    if (axes[axis].strut == axes[other].strut)
+    if (axes[axis].line == axes[other].line)
       return {{{0., 1.}}};
     const double           least = free_distance(axis, other);
     std::vector<AxisCurve> others;
-    const auto [first, last] = axes_of(axes[other].strut);
+    const auto [first, last] = axes_of(axes[other].line);
     for (unsigned int b = first; b < last; ++b)
       others.push_back(at_rest(b));
     const AxisCurve    curve = at_rest(axis);

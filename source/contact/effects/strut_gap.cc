@@ -166,7 +166,7 @@ namespace auxfem
                               const AxisCurve &one,
                               const AxisCurve &other) const
   {
-    return curves.list()[pair[0]].strut == curves.list()[pair[1]].strut
+    return curves.list()[pair[0]].line == curves.list()[pair[1]].line
       ? gap_within_strut(pair, one, other)
       : gap_between_struts(pair, one, other);
   }
@@ -234,7 +234,7 @@ namespace auxfem
                                    const AxisCurve &other,
                                    const double     least) const
   {
-    if (curves.list()[pair[0]].strut == curves.list()[pair[1]].strut)
+    if (curves.list()[pair[0]].line == curves.list()[pair[1]].line)
       return rotation_margin_within_strut(one, other, least);
     if (are_lines_at_rest(pair, one, other))
       if (const double margin = rotation_margin_at_rest(pair, least);
@@ -420,16 +420,21 @@ namespace auxfem
     for (std::size_t i = 0; i < near.size(); ++i)
       if (distances[i] < 1 - digits)
         {
-          const auto [one, other] =
-            std::minmax(curves.list()[near[i][0]].strut,
-                        curves.list()[near[i][1]].strut);
+          const auto [one, other] = std::minmax(curves.list()[near[i][0]].line,
+                                                curves.list()[near[i][1]].line);
           double &known =
             least.try_emplace({{one, other}}, distances[i]).first->second;
           known = std::min(known, distances[i]);
         }
     std::vector<StrutOverlap> overlaps;
     for (const auto &[pair, part] : least)
-      overlaps.push_back({pair, part < passing});
+      {
+        const auto strut_of = [&](const unsigned int line) {
+          return curves.list()[curves.axes_of(line)[0]].strut;
+        };
+        overlaps.push_back(
+          {{{strut_of(pair[0]), strut_of(pair[1])}}, pair, part < passing});
+      }
     return overlaps;
   }
 } // namespace auxfem

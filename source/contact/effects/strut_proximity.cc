@@ -65,7 +65,7 @@ namespace auxfem
     overlaps_at_rest = find_overlaps(curves, pairs, model.numbering.layout());
     for (const StrutOverlap &overlap : overlaps_at_rest)
       if (overlap.is_passing)
-        passing.insert(overlap.struts);
+        passing.insert(overlap.lines);
     pairs.erase(std::remove_if(pairs.begin(),
                                pairs.end(),
                                [this](const AxisPair &pair) {
@@ -80,15 +80,24 @@ namespace auxfem
     const unsigned int dimension = model.lattice.dimension;
     std::vector<bool>  is_known(model.numbering.layout().n_global(), false);
     for (const ContactAxis &axis : curves.list())
-      for (std::size_t i = 0; i < axis.unknowns.size(); i += dimension)
+      for (unsigned int i = 0; i < axis.n_nodes(); ++i)
         {
-          const auto first = axis.unknowns.begin() + i;
-          if (is_known[*first])
-            continue;
-          is_known[*first] = true;
+          const auto         first = axis.unknowns.begin() + i * dimension;
           std::array<int, 3> node{};
           std::copy_n(first, dimension, node.begin());
-          nodes.push_back(node);
+          if (i > axis.order)
+            {
+              const unsigned int d = i - axis.order - 1;
+              mean_axes.resize(dimension);
+              mean_axes[d].node = node;
+              mean_axes[d].factor =
+                std::max(mean_axes[d].factor, std::abs(axis.axis_factors[d]));
+            }
+          else if (!is_known[*first])
+            {
+              is_known[*first] = true;
+              nodes.push_back(node);
+            }
         }
     nodes.shrink_to_fit();
   }
@@ -101,15 +110,24 @@ namespace auxfem
     std::array<double, 3> least, most;
     least.fill(std::numeric_limits<double>::infinity());
     most.fill(-least[0]);
-    for (const unsigned int axis : pair)
+    for (const unsigned int a : pair)
       {
-        const std::vector<int> &unknowns = curves.list()[axis].unknowns;
-        for (std::size_t i = 0; i < unknowns.size(); ++i)
+        const ContactAxis &axis = curves.list()[a];
+        const auto way_of = [&](const unsigned int node, const unsigned int c) {
+          const int unknown = axis.unknowns[node * dimension + c];
+          return to[unknown] - from[unknown];
+        };
+        for (unsigned int c = 0; c < dimension; ++c)
           {
-            const double       way = to[unknowns[i]] - from[unknowns[i]];
-            const unsigned int c   = i % dimension;
-            least[c]               = std::min(least[c], way);
-            most[c]                = std::max(most[c], way);
+            double as_whole = 0;
+            for (unsigned int d = 0; d < axis.axis_factors.size(); ++d)
+              as_whole += axis.axis_factors[d] * way_of(axis.order + 1 + d, c);
+            for (unsigned int node = 0; node <= axis.order; ++node)
+              {
+                const double way = way_of(node, c) + as_whole;
+                least[c]         = std::min(least[c], way);
+                most[c]          = std::max(most[c], way);
+              }
           }
       }
     double square = 0;
@@ -141,16 +159,19 @@ namespace auxfem
   double StrutProximity::largest_motion(const std::vector<double> &from,
                                         const std::vector<double> &to) const
   {
+    const auto square_of_way = [&](const std::array<int, 3> &node) {
+      double square = 0;
+      for (unsigned int c = 0; c < dimension; ++c)
+        square += (to[node[c]] - from[node[c]]) * (to[node[c]] - from[node[c]]);
+      return square;
+    };
     double largest = 0;
     for (const std::array<int, 3> &node : nodes)
-      {
-        double square = 0;
-        for (unsigned int c = 0; c < dimension; ++c)
-          square +=
-            (to[node[c]] - from[node[c]]) * (to[node[c]] - from[node[c]]);
-        largest = std::max(largest, square);
-      }
-    return std::sqrt(largest);
+      largest = std::max(largest, square_of_way(node));
+    double way = std::sqrt(largest);
+    for (const MeanAxis &axis : mean_axes)
+      way += axis.factor * std::sqrt(square_of_way(axis.node));
+    return way;
   }
 
   double StrutProximity::motion(const std::vector<double> &from,
@@ -164,9 +185,16 @@ namespace auxfem
                                 const std::vector<double> &from,
                                 const std::vector<double> &to) const
   {
+    // A copy rotates as its original.
+    const ContactAxis &list = curves.list()[axis];
+    const std::size_t  n_values =
+      (list.order + 1) * std::size_t(model.lattice.dimension);
     double square = 0;
-    for (const int number : curves.list()[axis].unknowns)
-      square += (to[number] - from[number]) * (to[number] - from[number]);
+    for (std::size_t i = 0; i < n_values; ++i)
+      {
+        const int number = list.unknowns[i];
+        square += (to[number] - from[number]) * (to[number] - from[number]);
+      }
     return std::sqrt(square);
   }
 
@@ -205,10 +233,10 @@ namespace auxfem
 
   bool StrutProximity::never_touch(const AxisPair &pair) const
   {
-    const auto struts =
-      std::minmax(curves.list()[pair[0]].strut, curves.list()[pair[1]].strut);
+    const auto lines =
+      std::minmax(curves.list()[pair[0]].line, curves.list()[pair[1]].line);
     return curves.never_touch(pair[0], pair[1]) ||
-      passing.count({{struts.first, struts.second}}) > 0;
+      passing.count({{lines.first, lines.second}}) > 0;
   }
 
   void StrutProximity::set_candidate_pairs(const std::vector<AxisPair> &pairs)

@@ -18,14 +18,14 @@ namespace auxfem
   std::vector<FacingStrut>
   StrutContactPoints::facing_struts(const std::vector<AxisPair> &pairs) const
   {
-    std::map<AxisPair, FacingStrut> by_axis_and_strut;
+    std::map<AxisPair, FacingStrut> by_axis_and_line;
     const auto                      add = [&](const unsigned int axis,
                          const unsigned int other,
                          const unsigned int pair) {
-      const unsigned int strut = curves.list()[other].strut;
-      FacingStrut       &facing = by_axis_and_strut[{{axis, strut}}];
+      const unsigned int line = curves.list()[other].line;
+      FacingStrut       &facing = by_axis_and_line[{{axis, line}}];
       facing.axis               = axis;
-      facing.strut              = strut;
+      facing.line               = line;
       facing.targets.push_back({other, pair});
     };
     for (unsigned int i = 0; i < pairs.size(); ++i)
@@ -35,7 +35,7 @@ namespace auxfem
           add(pairs[i][1], pairs[i][0], i);
       }
     std::vector<FacingStrut> all;
-    for (auto &[key, facing] : by_axis_and_strut)
+    for (auto &[key, facing] : by_axis_and_line)
       all.push_back(std::move(facing));
     return all;
   }
@@ -81,7 +81,7 @@ namespace auxfem
         result = {target, found};
     };
     for (const FacingStrut::Target &target : facing.targets)
-      if (curves.list()[facing.axis].strut == facing.strut)
+      if (curves.list()[facing.axis].line == facing.line)
         for (const auto &part :
              curves.self_contact_ranges(facing.axis, parameter, target.axis))
           update(target, part);
@@ -143,8 +143,8 @@ namespace auxfem
 
   namespace
   {
-    /** Largest number of nodes of an axis. */
-    constexpr unsigned int max_nodes = AxisCurve::max_degree + 1;
+    /** Largest number of nodes of an axis and axes of the mean deformation. */
+    constexpr unsigned int max_nodes = AxisCurve::max_degree + 4;
 
     /** Adds @p factor times the product of two vectors to a square block. */
     void add_product(const double               factor,

@@ -8,14 +8,29 @@
 
 namespace auxfem
 {
-  /** Axis segment for contact detection: an element or a rigid strut. */
+  /**
+   * Axis segment for contact detection: an element or a rigid strut. In an
+   * infinite lattice also copies of them in neighbouring periods, which move as
+   * the original and with the mean deformation.
+   */
   struct ContactAxis
   {
     unsigned int strut;
+    /** Number of the strut, or of its copy behind all struts. */
+    unsigned int line;
     double       begin, end; ///< fractions of the strut's length
-    /** Global numbers of the nodal displacements, `dimension` per node. */
+    /** Global numbers of the nodal displacements, `dimension` per node; of a
+     * copy then those of the axes of the mean deformation. */
     std::vector<int> unknowns;
-    unsigned int     order; ///< of the polynomial through the nodes
+    /** Of a copy: from the original, in periods. */
+    std::array<int, 3> shift = {{0, 0, 0}};
+    /** Of a copy: by axis of the mean deformation, the motion of the copy over
+     * that of the axis. */
+    std::vector<double> axis_factors = {};
+    /** Numbers of the points at both ends of the axis and of its strut; equal
+     * where they move together. */
+    std::array<unsigned int, 2> end_points, strut_ends;
+    unsigned int                order; ///< of the polynomial through the nodes
     /** Whether this rank accounts for its energy. */
     bool                            is_owned;
     double                          length; ///< at rest (m)
@@ -27,14 +42,21 @@ namespace auxfem
      * without a thickness. */
     double stiffness;
 
+    /** Nodes and axes of the mean deformation, on which the motion depends. */
     unsigned int n_nodes() const
     {
-      return order + 1;
+      return order + 1 + axis_factors.size();
+    }
+
+    bool is_copy() const
+    {
+      return !axis_factors.empty();
     }
   };
 
   /**
-   * The axes of all struts, in the same order on every rank.
+   * The axes of all struts, in the same order on every rank. Copies of an
+   * infinite lattice are those within half a cell of the period.
    *
    * Rigid struts get the stiffness of the stiffest section and keep the
    * thickness of their own section.

@@ -4,6 +4,7 @@
 #include <auxfem/contact/axis_curve.h>
 #include <auxfem/contact/effects/contact_axes.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <utility>
@@ -40,7 +41,8 @@ namespace auxfem
     /** The curve at rest. */
     AxisCurve at_rest(unsigned int axis) const;
 
-    /** Nodal shape functions of an axis at a parameter; derivatives are written
+    /** Shape functions of an axis by ContactAxis::n_nodes() at a parameter;
+     * derivatives are written
      * if @p slopes is given. */
     void shape(const unsigned int axis,
                const double       parameter,
@@ -48,6 +50,10 @@ namespace auxfem
                double            *slopes = nullptr) const
     {
       basis_of[axis]->values_at(parameter, values, slopes);
+      const auto &factors = axes[axis].axis_factors;
+      std::copy(factors.begin(), factors.end(), values + axes[axis].order + 1);
+      if (slopes != nullptr)
+        std::fill_n(slopes + axes[axis].order + 1, factors.size(), 0.);
     }
 
     /** Rotation of an axis (rad): largest derivative of the motion along it,
@@ -82,7 +88,8 @@ namespace auxfem
     }
 
     /** Whether contact is impossible: an axis is removed, both belong to one
-     * rigid part, or they have no thickness. */
+     * rigid part, or they have no thickness; or another pair stands for it in
+     * an infinite lattice. */
     bool never_touch(unsigned int one, unsigned int other) const;
 
     /** Ends of two axes that move together. */
@@ -121,10 +128,10 @@ namespace auxfem
                                         double       parameter,
                                         unsigned int other) const;
 
-    /** Axes of a strut: [begin, end) in the list. */
-    std::array<unsigned int, 2> axes_of(const unsigned int strut) const
+    /** Axes of a strut or copy: [begin, end) in the list. */
+    std::array<unsigned int, 2> axes_of(const unsigned int line) const
     {
-      return axes_of_struts.at(strut);
+      return axes_of_lines.at(line);
     }
 
     const std::vector<ContactAxis> &list() const
@@ -166,8 +173,8 @@ namespace auxfem
     std::vector<const Basis *>               basis_of;
     std::map<unsigned int, AxisCurve>        arcs; ///< at rest
     std::vector<AxisPair>                    connected_pairs;
-    std::vector<std::array<unsigned int, 2>> axes_of_struts; ///< begin, end
-    /** Cache by axis and strut. */
+    std::vector<std::array<unsigned int, 2>> axes_of_lines; ///< begin, end
+    /** Cache by axis and line. */
     mutable std::map<std::array<unsigned int, 2>, ParameterRanges> known_ranges;
   };
 } // namespace auxfem

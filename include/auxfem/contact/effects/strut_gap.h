@@ -79,7 +79,8 @@ namespace auxfem
   /** Two struts without a common joint that overlap at rest. */
   struct StrutOverlap
   {
-    std::array<unsigned int, 2> struts; ///< the lower number first
+    std::array<unsigned int, 2> struts;
+    std::array<unsigned int, 2> lines; ///< the lower ContactAxis::line first
     /** Whether the overlap exceeds half of the mean thickness. Such struts are
      * assumed to lie side by side, for example across the plane, and never
      * touch. */

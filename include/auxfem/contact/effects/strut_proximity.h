@@ -199,7 +199,8 @@ namespace auxfem
     double largest_motion(const std::vector<double> &from,
                           const std::vector<double> &to) const;
     ///@}
-    /** Upper bound of the motion of the nodes of an axis (m). */
+    /** Upper bound of the motion of the nodes of an axis (m), without the mean
+     * deformation between periods. */
     double motion(unsigned int               axis,
                   const std::vector<double> &from,
                   const std::vector<double> &to) const;
@@ -209,7 +210,7 @@ namespace auxfem
     const StrutGap      gap_of;
     const double search_distance; ///< largest distance of candidate pairs (m)
     std::vector<StrutOverlap> overlaps_at_rest;
-    /** Struts with StrutOverlap::is_passing. */
+    /** Lines with StrutOverlap::is_passing. */
     std::set<std::array<unsigned int, 2>> passing;
     double thickest = 0, thinnest = 0; ///< half (m)
 
@@ -223,6 +224,13 @@ namespace auxfem
     std::vector<std::size_t> first_of_axis;
     /** Global numbers of the displacements of each distinct node. */
     std::vector<std::array<int, 3>> nodes;
+    /** An axis of the mean deformation of an infinite lattice. */
+    struct MeanAxis
+    {
+      std::array<int, 3> node{};
+      double             factor = 0; ///< largest of ContactAxis::axis_factors
+    };
+    std::vector<MeanAxis>      mean_axes;
     IndexLists                 connected_of_axis; ///< pairs with a common node
     std::vector<ConnectedPair> connected;
     std::vector<double>        allowed_rotation; ///< of each axis (rad)

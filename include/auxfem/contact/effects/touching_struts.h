@@ -18,7 +18,7 @@ namespace auxfem
       unsigned int axis;
       unsigned int pair; ///< index in the caller's list of pairs
     };
-    unsigned int        axis, strut;
+    unsigned int        axis, line; ///< line: ContactAxis::line
     std::vector<Target> targets;
   };
 
