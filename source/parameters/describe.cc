@@ -273,6 +273,8 @@ namespace auxfem
       text.comment(schema.sentence);
       if (schema.form == Form::free_entries)
         text.line("set NAME = TEXT   # any number, with names of your choice");
+      if (schema.form == Form::path_entries)
+        text.line("set SUBSECTION/PARAMETER = TEXT   # any number");
       if (schema.form == Form::named_groups)
         {
           text.comment("Any number of subsections, with names of your choice:");
@@ -358,6 +360,9 @@ namespace auxfem
       if (schema.form == Form::free_entries)
         out << "Any number of `set NAME = TEXT` inside `subsection "
             << schema.name << "`, with names of your choice.\n\n";
+      if (schema.form == Form::path_entries)
+        out << "Any number of `set SUBSECTION/PARAMETER = TEXT` inside "
+            << "`subsection " << schema.name << "`.\n\n";
     }
 
     Json json_of(const Parameters &parameters)
@@ -383,6 +388,8 @@ namespace auxfem
             return "named groups";
           case Form::free_entries:
             return "free entries";
+          case Form::path_entries:
+            return "path entries";
         }
       return "";
     }

@@ -399,6 +399,9 @@ namespace auxfem
     const std::string        path   = trim(assignment.substr(0, equals));
     std::vector<std::string> names =
       dealii::Utilities::split_string_list(path, '/');
+    // Names of its entries are paths themselves.
+    if (names.size() > 1 && names.front() == "Sweep")
+      names = {names.front(), trim(path.substr(path.find('/') + 1))};
     if (equals == std::string::npos ||
         assignment.find_first_of("#\n") != std::string::npos || path.empty() ||
         path.back() == '/' ||

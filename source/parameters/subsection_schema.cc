@@ -210,8 +210,11 @@ namespace auxfem
       std::vector<ParameterValues> result;
       for (const ParameterEntry &entry : found.entries)
         {
-          context.path        = schema.name + "/" + entry.name;
-          std::string problem = name_problem(entry.name);
+          context.path     = schema.name + "/" + entry.name;
+          std::string name = entry.name;
+          if (schema.form == Form::path_entries)
+            std::replace(name.begin(), name.end(), '/', ' ');
+          std::string problem = name_problem(name);
           if (problem.empty() && entry.value.empty())
             problem = "there is no value";
           if (!problem.empty())

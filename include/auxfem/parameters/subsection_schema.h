@@ -27,7 +27,8 @@ namespace auxfem
     {
       fixed,        ///< `subsection KIND` holds the parameters
       named_groups, ///< `subsection KIND / subsection NAME`, NAME the user's
-      free_entries  ///< `subsection KIND / set NAME = text`, NAME the user's
+      free_entries, ///< `subsection KIND / set NAME = text`, NAME the user's
+      path_entries  ///< as free_entries, NAME the path of a parameter
     };
 
     /** Name of the subsection; empty for the top level of the file. */
@@ -51,7 +52,7 @@ namespace auxfem
     }
   };
 
-  /** Text of a Form::free_entries entry. */
+  /** Text of an entry of Form::free_entries or Form::path_entries. */
   const std::string &text_of_free_entry(const ParameterValues &values);
 
   /**

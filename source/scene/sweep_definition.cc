@@ -1,0 +1,256 @@
+#include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/quantity.h>
+#include <auxfem/scene/sweep_definition.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/uniform_01.hpp>
+#include <boost/random/uniform_int_distribution.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <sstream>
+
+namespace auxfem
+{
+  namespace
+  {
+    using dealii::Utilities::split_string_list;
+    using dealii::Utilities::trim;
+
+    /** Largest number of values of a parameter, and of cases. */
+    constexpr unsigned int most = 100000;
+
+    const Integer samples = {
+      "Samples",
+      0,
+      0,
+      most,
+      "Number of cases of a Latin hypercube: each range is divided into as many "
+      "parts, each of which has one case; 0: all combinations of the values."};
+    const Integer seed    = {"Seed",
+                             1,
+                             0,
+                             2147483647,
+                             "Seed of the random numbers of a Latin hypercube."};
+    const Text    results = {
+         "Results",
+         "auto",
+         "Results in the table of a sweep, separated by commas: names in "
+            "summary.json, e.g. nu12, or Quantities. auto: all numbers of the "
+            "analysis, and Quantities."};
+
+    /** Number without digits of round-off. */
+    std::string number_text(const double value)
+    {
+      std::ostringstream text;
+      text.precision(12);
+      text << value;
+      return text.str();
+    }
+
+    std::string with_unit(const double value, const std::string &unit)
+    {
+      return number_text(value) + (unit.empty() ? "" : " " + unit);
+    }
+
+    [[noreturn]] void refuse(const ParameterValues &values,
+                             const std::string     &text,
+                             const std::string     &why)
+    {
+      throw InputError(
+        values.context.path + " = " + text + ": " + why +
+        ". Allowed: begin:end:step with a unit, e.g. 50:80:5 deg; a list, e.g. "
+        "50, 60, 75 deg or star, re-entrant (split by semicolons if a value has "
+        "commas); with Sampling/Samples also begin:end");
+    }
+
+    double number_in(const ParameterValues &values,
+                     const std::string     &text,
+                     const std::string     &part)
+    {
+      try
+        {
+          return parse_quantity(trim(part), "1");
+        }
+      catch (const InputError &)
+        {
+          refuse(values, text, "\"" + trim(part) + "\" is no number");
+        }
+    }
+
+    void read_range(const ParameterValues &values,
+                    const std::string     &text,
+                    SweptParameter        &swept)
+    {
+      std::vector<std::string> parts = split_string_list(text, ':');
+      if (parts.size() > 3)
+        refuse(values, text, "a range has at most three numbers");
+      // The unit follows the last number.
+      const std::string last  = trim(parts.back());
+      const std::size_t blank = last.find(' ');
+      if (blank != std::string::npos)
+        {
+          swept.unit   = trim(last.substr(blank));
+          parts.back() = last.substr(0, blank);
+        }
+      const double begin = number_in(values, text, parts[0]),
+                   end   = number_in(values, text, parts[1]);
+      swept.range        = {{begin, end}};
+      if (parts.size() == 2)
+        return;
+      const double step = number_in(values, text, parts[2]);
+      const double n    = (end - begin) / step;
+      if (!(n >= 0) || n > most)
+        refuse(values,
+               text,
+               "the step does not lead from the first to the second number in "
+               "at most " +
+                 std::to_string(most) + " steps");
+      // The end counts in spite of round-off.
+      for (unsigned int i = 0; i <= std::floor(n + 1e-9); ++i)
+        swept.values.push_back(with_unit(begin + i * step, swept.unit));
+    }
+
+    bool is_number(const std::string &text)
+    {
+      return !text.empty() &&
+        text.find_first_not_of("0123456789.+-eE") == std::string::npos;
+    }
+
+    std::vector<std::string> list_of(const std::string &text)
+    {
+      const char separator = text.find(';') != std::string::npos ? ';' : ',';
+      std::vector<std::string> items;
+      for (const std::string &item : split_string_list(text, separator))
+        items.push_back(trim(item));
+      // A unit behind the last number holds for all.
+      const std::size_t blank = items.back().find(' ');
+      if (blank != std::string::npos &&
+          is_number(items.back().substr(0, blank)) &&
+          std::all_of(items.begin(), items.end() - 1, is_number))
+        for (std::size_t i = 0; i + 1 < items.size(); ++i)
+          items[i] += items.back().substr(blank);
+      return items;
+    }
+  } // namespace
+
+  std::string SweptParameter::at(const double part) const
+  {
+    if (!range)
+      return values[std::min<std::size_t>(part * values.size(),
+                                          values.size() - 1)];
+    return with_unit((*range)[0] + part * ((*range)[1] - (*range)[0]), unit);
+  }
+
+  SubsectionSchema sweep_schema()
+  {
+    return {
+      "Sweep",
+      SubsectionSchema::Form::path_entries,
+      "Parameters with many values: \"set Lattice/Opening angle = 50:80:5 deg\" "
+      "(begin:end:step), \"set Lattice/Cell = star, re-entrant\". The analysis "
+      "runs for all combinations, side by side on the ranks; sweep.csv has a "
+      "row for each case. The option --sweep adds an entry.",
+      {},
+      "",
+      {},
+      {Model::lattice, Model::reduced_cell}};
+  }
+
+  SweptParameter read_swept_parameter(ParameterValues &values)
+  {
+    SweptParameter swept;
+    swept.path             = values.name();
+    const std::string text = text_of_free_entry(values);
+    if (trim(text).empty())
+      refuse(values, text, "no value is given");
+    if (text.find(':') != std::string::npos)
+      read_range(values, text, swept);
+    else
+      swept.values = list_of(text);
+    return swept;
+  }
+
+  SubsectionSchema sampling_schema()
+  {
+    return {
+      "Sampling",
+      SubsectionSchema::Form::fixed,
+      "With Sweep: which cases are computed, and which results tabulated.",
+      {samples, seed, results},
+      "",
+      {},
+      {Model::lattice, Model::reduced_cell}};
+  }
+
+  void read_sampling(const ParameterValues &values, SweepDefinition &sweep)
+  {
+    if (const unsigned int n = values[samples]; n > 0)
+      sweep.samples = n;
+    sweep.seed = values[seed];
+    if (values[results] != "auto")
+      for (const std::string &name : split_string_list(values[results], ','))
+        sweep.results.push_back(trim(name));
+  }
+
+  namespace
+  {
+    std::vector<std::vector<std::string>>
+    all_combinations(const SweepDefinition &sweep)
+    {
+      std::vector<std::vector<std::string>> cases(1);
+      for (const SweptParameter &swept : sweep.parameters)
+        {
+          if (swept.values.empty())
+            throw InputError("Sweep/" + swept.path +
+                             ": a range without a step is for a Latin "
+                             "hypercube. Give a step, begin:end:step, or "
+                             "Sampling/Samples");
+          std::vector<std::vector<std::string>> longer;
+          for (const auto &one : cases)
+            for (const std::string &value : swept.values)
+              {
+                longer.push_back(one);
+                longer.back().push_back(value);
+              }
+          if (longer.size() > most)
+            throw InputError(
+              "Sweep: these are more than " + std::to_string(most) +
+              " combinations. Give fewer values, or Sampling/Samples");
+          cases.swap(longer);
+        }
+      return cases;
+    }
+
+    std::vector<std::vector<std::string>>
+    latin_hypercube(const SweepDefinition &sweep)
+    {
+      const unsigned int n = *sweep.samples;
+      // Boost gives the same numbers with any standard library.
+      boost::random::mt19937                generator(sweep.seed);
+      boost::random::uniform_01<double>     within;
+      std::vector<std::vector<std::string>> cases(n);
+      for (const SweptParameter &swept : sweep.parameters)
+        {
+          std::vector<unsigned int> order(n);
+          std::iota(order.begin(), order.end(), 0);
+          for (unsigned int i = n; i-- > 1;)
+            std::swap(
+              order[i],
+              order[boost::random::uniform_int_distribution<unsigned int>(0, i)(
+                generator)]);
+          for (unsigned int i = 0; i < n; ++i)
+            cases[i].push_back(swept.at((order[i] + within(generator)) / n));
+        }
+      return cases;
+    }
+  } // namespace
+
+  std::vector<std::vector<std::string>> cases_of(const SweepDefinition &sweep)
+  {
+    return sweep.samples ? latin_hypercube(sweep) : all_combinations(sweep);
+  }
+} // namespace auxfem
