@@ -69,6 +69,16 @@ namespace auxfem
                       "use VALUE instead of the one in FILE.prm (repeatable)")
           ->type_name("\"SUB/PARAM=VALUE\"")
           ->allow_extra_args(false);
+        app
+          .add_option_function<std::vector<std::string>>(
+            "--sweep",
+            [this](const std::vector<std::string> &entries) {
+              for (const std::string &entry : entries)
+                line.overrides.push_back("Sweep/" + entry);
+            },
+            "run all VALUES, e.g. 50:80:5 deg (repeatable)")
+          ->type_name("\"PARAM=VALUES\"")
+          ->allow_extra_args(false);
         output = app
                    .add_option("--output",
                                line.folder,
@@ -137,8 +147,7 @@ namespace auxfem
         add_action("--compare",
                    Action::compare,
                    "compute each FILE.prm (Model = reduced cell) with every "
-                   "scheme,\nprint a table, write it to DIR/comparison.csv "
-                   "(output/comparison)");
+                   "scheme, write a table");
         app
           .add_option_function<std::string>(
             "--print-parameters",

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace auxfem
@@ -419,6 +420,29 @@ namespace auxfem
                                   const dealii::FullMatrix<double> &denominator)
   {
     return ritz_pairs(numerator, denominator).values;
+  }
+
+  std::vector<double>
+  symmetric_eigenvalues(const dealii::FullMatrix<double> &matrix)
+  {
+    const int           n = matrix.m();
+    std::vector<double> entries, values(n), work(std::max(1, 40 * n));
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j)
+        entries.push_back(matrix(i, j));
+    int length = work.size(), info = 0;
+    dealii::syev("N",
+                 "U",
+                 &n,
+                 entries.data(),
+                 &n,
+                 values.data(),
+                 work.data(),
+                 &length,
+                 &info);
+    if (info != 0)
+      values.assign(n, std::numeric_limits<double>::quiet_NaN());
+    return values;
   }
 
   std::vector<ComplexEigenpair> general_eigenpairs(std::vector<double> matrix,

@@ -9,12 +9,15 @@ namespace auxfem
   const std::vector<AnalysisEntry> &analysis_registry()
   {
     static const std::vector<AnalysisEntry> registry = {
+      // A scene with a sweep has another analysis for its cases.
+      sweep_entry(),
       simulation_entry(),
       static_path_entry(),
       modes_entry(),
       buckling_entry(),
       frequency_response_entry(),
       effective_properties_entry(),
+      effective_response_entry(),
       dispersion_entry(),
       reduced_cell_entry(),
       study_entry()};

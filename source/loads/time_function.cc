@@ -47,6 +47,66 @@ namespace auxfem
     private:
       const double at_zero, slope;
     };
+
+    /** See TimeFunction::scaled(). */
+    class Scaled : public TimeHistory
+    {
+    public:
+      Scaled(const std::shared_ptr<const TimeHistory> &base,
+             const double                              factor)
+        : base(base)
+        , factor(factor)
+      {
+        origin = base->origin;
+        scale  = factor * base->scale;
+      }
+
+      double value(const double t) const override
+      {
+        return factor * base->value(t);
+      }
+
+      double limit(const double t, const TimeSide side) const override
+      {
+        return factor * base->limit(t, side);
+      }
+
+      Jet jet(const double t, const TimeSide side) const override
+      {
+        const Jet jet = base->jet(t, side);
+        return {factor * jet.value, factor * jet.first, factor * jet.second};
+      }
+
+      std::vector<TimeEvent>
+      events(const double       begin,
+             const double       end,
+             const unsigned int derivatives) const override
+      {
+        return base->events(begin, end, derivatives);
+      }
+
+      std::optional<double> last_time() const override
+      {
+        return base->last_time();
+      }
+
+      std::optional<Overshoot> overshoot() const override
+      {
+        std::optional<Overshoot> overshoot = base->overshoot();
+        if (overshoot)
+          overshoot->amount *= factor;
+        return overshoot;
+      }
+
+      bool is_constant() const override
+      {
+        return base->is_constant();
+      }
+
+    private:
+      const std::shared_ptr<const TimeHistory> base;
+      const double                             factor;
+    };
   } // namespace
 
   std::optional<TableText> table_text(const std::string &text)
@@ -106,6 +166,19 @@ namespace auxfem
     function->origin    = origin;
     line.history        = function;
     return line;
+  }
+
+  double TimeFunction::as_written(const double value) const
+  {
+    return history ? value / history->scale : value;
+  }
+
+  TimeFunction TimeFunction::scaled(const double factor) const
+  {
+    TimeFunction result;
+    if (history && factor != 0)
+      result.history = std::make_shared<Scaled>(history, factor);
+    return result;
   }
 
   double TimeFunction::value(const double t) const

@@ -20,6 +20,11 @@ namespace auxfem
                     (vectors.size() == 3 ? vectors[2] : along_z));
   }
 
+  double Periodicity::length() const
+  {
+    return std::pow(volume(), 1. / vectors.size());
+  }
+
   std::vector<dealii::Tensor<1, 3>> Periodicity::reciprocal_vectors() const
   {
     // The plane is completed by z.

@@ -186,19 +186,35 @@ namespace auxfem
       ++lattice.n_plates;
     }
 
-    /** Adds a joint for each translation of an infinite lattice, at its end. */
-    void add_translations(Lattice &lattice)
+    /** Refuses rigid parts that go on in the next period: only their piece in
+     * this one would be rigid. */
+    void refuse_cut_rigid_parts(const Scene &scene, const Lattice &lattice)
+    {
+      for (const RigidPart &part : lattice.rigid_parts)
+        for (const unsigned int joint : part.joints)
+          if (lattice.is_image(joint))
+            throw InputError(
+              scene.rigid_parts[part.definition].path +
+              ": the part reaches joint " + std::to_string(joint) +
+              ", which belongs to the next period of the infinite lattice. "
+              "Rigid parts must lie within the period: choose a cell that does "
+              "not cut them.");
+    }
+
+    /** Adds a joint for each axis of the mean deformation of an infinite
+     * lattice. */
+    void add_axes(Lattice &lattice)
     {
       if (!lattice.periodicity)
         return;
-      const auto &vectors = lattice.periodicity->vectors;
-      for (unsigned int d = 0; d < vectors.size(); ++d)
+      for (unsigned int d = 0; d < lattice.dimension; ++d)
         {
-          lattice.joint_sets[name_of_translation(d)] = {
+          lattice.joint_sets[name_of_axis(d)] = {
             static_cast<unsigned int>(lattice.joints.size())};
-          lattice.joints.emplace_back(vectors[d]);
+          lattice.joints.emplace_back(lattice.periodicity->length() *
+                                      dealii::Point<3>::unit_vector(d));
         }
-      lattice.n_translations = vectors.size();
+      lattice.n_axes = lattice.dimension;
     }
 
     /** @param add_imperfections adds imperfections to the designed lattice */
@@ -210,12 +226,13 @@ namespace auxfem
       assign_sections(scene, lattice);
       add_imperfections(lattice);
       make_rigid_parts(scene, lattice);
+      refuse_cut_rigid_parts(scene, lattice);
       check_sections(lattice, scene.context.dimension);
       if (!scene.lattice.struts_may_cross)
         refuse_crossing_struts(lattice);
       for (const PlateDefinition &plate : scene.plates)
         add_plate(plate, scene, lattice);
-      add_translations(lattice);
+      add_axes(lattice);
       return lattice;
     }
   } // namespace

@@ -227,11 +227,13 @@ namespace auxfem
     for (unsigned int r = 0; r < ties.relations.size(); ++r)
       {
         result.push_back({relations[r].multiplier});
+        const bool all_components = ties.relations[r].is_of_equal_rotations;
         for (const LinearRelation::Term &term : ties.relations[r].terms)
-          if (const int number =
-                joints[term.motion.joint][term.motion.component];
-              number >= 0)
-            result.back().push_back(number);
+          for (unsigned int c = 0; c < n_motion_components; ++c)
+            if (const int number = joints[term.motion.joint][c]; number >= 0 &&
+                (c == term.motion.component ||
+                 (all_components && c >= first_rotation)))
+              result.back().push_back(number);
       }
     return result;
   }

@@ -126,61 +126,21 @@ namespace auxfem
     }
   } // namespace
 
-  namespace
-  {
-    /** Whether strut ends rotate with the joint, by joint. */
-    std::vector<bool>
-    joints_with_rotation(const Lattice                   &lattice,
-                         const std::vector<JointRelease> &releases)
-    {
-      std::set<std::pair<unsigned int, unsigned int>> released;
-      for (const JointRelease &release : releases)
-        for (const JointRelease::AtJoint &at : release.joints)
-          for (const StrutEnd &end : at.ends)
-            released.insert({end.strut, end.end});
-      std::vector<bool> rotates(lattice.joints.size(), false);
-      for (unsigned int s = 0; s < lattice.struts.size(); ++s)
-        for (const unsigned int end : {0, 1})
-          if (!lattice.struts[s].is_rigid() && released.count({s, end}) == 0)
-            rotates[lattice.struts[s].joints[end]] = true;
-      return rotates;
-    }
-
-    std::array<int, 3> difference(const std::array<int, 3> &one,
-                                  const std::array<int, 3> &other)
-    {
-      return {{one[0] - other[0], one[1] - other[1], one[2] - other[2]}};
-    }
-  } // namespace
-
   std::vector<ImageTie> image_ties(const Lattice                   &lattice,
                                    const std::vector<JointRelease> &releases)
   {
     std::vector<ImageTie> ties;
     if (!lattice.periodicity)
       return ties;
-    const std::vector<bool> rotates = joints_with_rotation(lattice, releases);
-    // The joint whose rotation the images of a base have.
-    std::map<unsigned int, JointImage> turned;
-    for (unsigned int joint = 0; joint < lattice.n_structural_joints(); ++joint)
-      if (rotates[joint] && !lattice.is_image(joint))
-        turned[joint] = {joint, joint, {{0, 0, 0}}};
+    const std::vector<RotationOwner> rotations =
+      joint_rotations(lattice, ties_of(releases, lattice).released);
     for (const JointImage &image : lattice.periodicity->images)
-      {
-        for (unsigned int c = 0; c < lattice.dimension; ++c)
+      for (unsigned int c = 0; c < n_motion_components; ++c)
+        if (c < first_rotation
+              ? c < lattice.dimension
+              : rotations[image.joint].kind != RotationOwner::Kind::ground &&
+                (lattice.dimension == 3 || is_in_plane(c)))
           ties.push_back({image.joint, image.base, c, image.shift});
-        if (!rotates[image.joint])
-          continue;
-        const auto [like, is_first] = turned.try_emplace(image.base, image);
-        if (is_first)
-          continue;
-        for (unsigned int c = first_rotation; c < n_motion_components; ++c)
-          if (lattice.dimension == 3 || is_in_plane(c))
-            ties.push_back({image.joint,
-                            like->second.joint,
-                            c,
-                            difference(image.shift, like->second.shift)});
-      }
     return ties;
   }
 
@@ -196,12 +156,16 @@ namespace auxfem
         const double factor = moves ? 1. : length;
         relations.push_back({"Infinite lattice",
                              {Term{{tie.image, tie.component}, factor},
-                              Term{{tie.like, tie.component}, -factor}}});
-        for (unsigned int d = 0; moves && d < lattice.n_translations; ++d)
-          if (tie.shift[d] != 0)
+                              Term{{tie.base, tie.component}, -factor}},
+                             !moves && lattice.dimension == 3});
+        if (!moves)
+          continue;
+        const auto distance = lattice.periodicity->translation(tie.shift) /
+          lattice.periodicity->length();
+        for (unsigned int d = 0; d < lattice.n_axes; ++d)
+          if (distance[d] != 0)
             relations.back().terms.push_back(
-              {{lattice.joint_of_translation(d), tie.component},
-               -double(tie.shift[d])});
+              {{lattice.joint_of_axis(d), tie.component}, -distance[d]});
       }
     return relations;
   }
@@ -236,7 +200,8 @@ namespace auxfem
           const auto [joint, component] = term.motion;
           if (component < first_rotation)
             continue;
-          if (large_rotation && numbering.lattice().dimension == 3)
+          if (large_rotation && numbering.lattice().dimension == 3 &&
+              !relation.is_of_equal_rotations)
             throw InputError(
               relation.path +
               ": large rotations in space do not add up by components. Use "

@@ -1,4 +1,5 @@
 #include <auxfem/algebra/rank_exchange.h>
+#include <auxfem/mesh/periodic_array.h>
 #include <auxfem/model/rigid_bodies.h>
 #include <auxfem/model/unknown_records.h>
 
@@ -79,7 +80,7 @@ namespace auxfem
       if (joint >= lattice.n_structural_joints())
         for (const auto &[name, joints] : lattice.joint_sets)
           if (joints.size() == 1 && joints.front() == joint)
-            return "plate \"" + name + '"';
+            return lattice.periodicity ? name : "plate \"" + name + '"';
       return "joint " + std::to_string(joint);
     }
 
@@ -189,6 +190,10 @@ namespace auxfem
         if (const unsigned int joint = lattice.struts[s].joints[end];
             !lattice.struts[s].is_rigid() && !released[s][end])
           rotation_owner[joint] = {OwnerKind::joint, joint, 0};
+    if (lattice.periodicity)
+      for (const JointImage &image : lattice.periodicity->images)
+        if (rotation_owner[image.joint].kind == OwnerKind::joint)
+          rotation_owner[image.base] = {OwnerKind::joint, image.base, 0};
 
     std::vector<unsigned int> n_parts(lattice.joints.size(), 0);
     for (const RigidPart &part : lattice.rigid_parts)
@@ -283,9 +288,18 @@ namespace auxfem
         for (const unsigned int joint : lattice.struts[s].joints)
           assign_displacements(joint, ranks[s]);
     // A joint without struts, such as a mass on connectors, has displacements
-    // only.
+    // only, unless its images rotate.
     for (unsigned int joint = 0; joint < joint_unknowns.size(); ++joint)
-      assign_displacements(joint, 0);
+      {
+        assign_displacements(joint, 0);
+        if (rotation_of_joint[joint].kind == RotationOwner::Kind::joint)
+          for (unsigned int component = first_rotation;
+               component < n_motion_components;
+               ++component)
+            if (lattice.dimension == 3 || is_in_plane(component))
+              assign(joint_unknowns[joint][component],
+                     joint_unknowns[joint][0].owner);
+      }
   }
 
   void UnknownDistribution::assign_rigid_parts()

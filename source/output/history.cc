@@ -1,7 +1,9 @@
 #include <auxfem/connectors/effects/connector_forces.h>
 #include <auxfem/contact/effects/contact.h>
 #include <auxfem/equations/node_rotations.h>
+#include <auxfem/mesh/periodic_array.h>
 #include <auxfem/mesh/sets.h>
+#include <auxfem/model/mean_stress.h>
 #include <auxfem/output/history.h>
 #include <auxfem/output/output_folder.h>
 
@@ -99,8 +101,11 @@ namespace auxfem
         rigid_part_probes.emplace_back(probe, scene, equations);
       else
         define_probe(probe, scene.context);
-    for (const Support &support : equations.model().supports)
-      define_support(support);
+    if (equations.model().lattice.periodicity)
+      define_mean_deformation();
+    else
+      for (const Support &support : equations.model().supports)
+        define_support(support);
     for (const RigidPartProbe &probe : rigid_part_probes)
       for (const Column &column : probe.columns())
         column_list.push_back(column);
@@ -204,6 +209,44 @@ namespace auxfem
       }
   }
 
+  void History::define_mean_deformation()
+  {
+    const LatticeModel &model   = equations.model();
+    const Lattice      &lattice = model.lattice;
+    for (unsigned int i = 0; i < lattice.dimension; ++i)
+      for (unsigned int j = 0; j < lattice.dimension; ++j)
+        {
+          UnknownSum strain{Quantity::displacement,
+                            {},
+                            1 / lattice.periodicity->length()};
+          const int  unknown =
+            model.numbering.joint_unknown(lattice.joint_of_axis(j), i);
+          if (model.numbering.layout().is_owned(unknown))
+            strain.unknowns.push_back(unknown);
+          unknown_sums.push_back(std::move(strain));
+          column_list.push_back({"strain_" + component_name(i, j),
+                                 "1",
+                                 "mean derivative of the displacement along " +
+                                   axis_name(i) + " by " + axis_name(j)});
+        }
+    for (unsigned int i = 0; i < lattice.dimension; ++i)
+      for (unsigned int j = 0; j < lattice.dimension; ++j)
+        {
+          UnknownSum stress{Quantity::displacement, {}, 1.};
+          for (const WeightedUnknown &term : mean_stress_terms(model, i, j))
+            {
+              stress.unknowns.push_back(term.unknown);
+              stress.weights.push_back(term.weight);
+            }
+          unknown_sums.push_back(std::move(stress));
+          column_list.push_back(
+            {"stress_" + component_name(i, j),
+             "Pa",
+             "mean nominal stress: force along " + axis_name(i) +
+               " per area at rest with its normal along " + axis_name(j)});
+        }
+  }
+
   void History::define_connectors(const ConnectorForces &group)
   {
     column_list.push_back(
@@ -245,10 +288,9 @@ namespace auxfem
   {
     for (const UnknownSum &sum : unknown_sums)
       {
-        double total = 0;
-        for (const int unknown : sum.unknowns)
-          total += value(sum.quantity, state, unknown);
-        row[column++] = sum.factor * total;
+        row[column++] = sum.of([&](const int unknown) {
+          return value(sum.quantity, state, unknown);
+        });
       }
     return column;
   }
@@ -408,10 +450,8 @@ namespace auxfem
           continue;
         const Vector &unknown_values =
           sum.quantity == Quantity::residual ? reactions : displacements;
-        double total = 0;
-        for (const int unknown : sum.unknowns)
-          total += unknown_values[unknown];
-        values.push_back(sum.factor * total);
+        values.push_back(
+          sum.of([&](const int unknown) { return unknown_values[unknown]; }));
       }
     return equations.model().numbering.layout().sum(values);
   }

@@ -4,6 +4,7 @@
 #include <auxfem/output/output_folder.h>
 #include <auxfem/output/overview.h>
 #include <auxfem/output/recorder.h>
+#include <auxfem/output/response_files.h>
 #include <auxfem/output/run_checkpoints.h>
 #include <auxfem/output/run_output.h>
 #include <auxfem/output/singular_point_files.h>
@@ -41,6 +42,20 @@ namespace auxfem
       progress.relative_residual = report.relative_residual;
       progress.path              = state.path;
       return progress;
+    }
+
+    /** Files that only the analysis of @p scene writes. */
+    FolderContents further_contents(const Scene &scene)
+    {
+      switch (scene.analysis)
+        {
+          case Analysis::static_path:
+            return path_contents();
+          case Analysis::effective_response:
+            return response_contents();
+          default:
+            return {};
+        }
     }
 
     /** Recorder of make_run_output(). */
@@ -99,9 +114,7 @@ namespace auxfem
             return console->end_progress();
           files.emplace(scene,
                         rules,
-                        scene.analysis == Analysis::static_path
-                          ? path_contents()
-                          : FolderContents(),
+                        further_contents(scene),
                         restored_checkpoint ? FormerResults::continued
                                             : FormerResults::removed);
           console.emplace(std::cout,

@@ -276,6 +276,7 @@ namespace auxfem
                scene.analysis == Analysis::buckling)
         check_stability_analysis(scene, mistakes);
       else if (scene.analysis != Analysis::effective_properties &&
+               scene.analysis != Analysis::effective_response &&
                (!scene.time.scheme->is_dynamic() ||
                 scene.effects.inertia == Switch::off))
         mistakes.add(message(scene,

@@ -35,6 +35,13 @@ namespace auxfem
       "Number of wave vectors along each reciprocal vector at which band gaps "
       "are looked for besides the path; 0: on the path alone."};
 
+    const Boolean damped_waves = {
+      "Damped",
+      false,
+      "Whether waves have the damping of connectors and struts: frequencies are "
+      "those of damped oscillations, dispersion.csv also has their decay, and "
+      "no group velocities."};
+
     using WaveVector = DispersionDefinition::WaveVector;
 
     WaveVector read_corner(const std::string     &text,
@@ -77,13 +84,11 @@ namespace auxfem
     return all;
   }
 
-  std::vector<WaveVector>
-  DispersionDefinition::points_of_zone(const unsigned int dimension) const
+  std::vector<WaveVector> wave_vectors_of_zone(const unsigned int n_points,
+                                               const unsigned int dimension)
   {
     std::vector<WaveVector> all;
-    if (zone_points == 0)
-      return all;
-    const int n = zone_points, depth = dimension == 3 ? n : 1;
+    const int n = n_points, depth = dimension == 3 ? n : std::min(n, 1);
     for (int i = 0; 2 * i <= n; ++i)
       for (int j = 0; j < n; ++j)
         for (int k = 0; k < depth; ++k)
@@ -96,7 +101,7 @@ namespace auxfem
     return {"Dispersion",
             SubsectionSchema::Form::fixed,
             "With Analysis = dispersion: waves of the infinite lattice.",
-            {path, points, bands, zone_points}};
+            {path, points, bands, zone_points, damped_waves}};
   }
 
   DispersionDefinition read_dispersion(ParameterValues &values)
@@ -115,6 +120,7 @@ namespace auxfem
     dispersion.points      = values[points];
     dispersion.bands       = values[bands];
     dispersion.zone_points = values[zone_points];
+    dispersion.damped      = values[damped_waves];
     return dispersion;
   }
 } // namespace auxfem

@@ -133,6 +133,7 @@ namespace auxfem
       {"buckling", Analysis::buckling},
       {"frequency response", Analysis::frequency_response},
       {"effective properties", Analysis::effective_properties},
+      {"effective response", Analysis::effective_response},
       {"dispersion", Analysis::dispersion},
       {"study", Analysis::study}};
 
@@ -146,15 +147,17 @@ namespace auxfem
        analyses[4].first,
        analyses[5].first,
        analyses[6].first,
-       analyses[7].first},
+       analyses[7].first,
+       analyses[8].first},
       "Kind of computation. simulation: time steps by Time/Scheme; static path: "
       "equilibria by arc length, through limit points and bifurcations, see "
       "Path; modes: natural frequencies and modes, see Modes; buckling: load "
       "factors at which the lattice buckles, with their modes, see Modes; "
       "frequency response: steady vibrations under harmonic loads, see Frequency "
       "response; effective properties: stiffness, Poisson's ratios and density "
-      "of the infinite lattice of these cells; dispersion: its waves, see "
-      "Dispersion; study: many runs with other parameters, see Study."};
+      "of the infinite lattice of these cells; effective response: its stress "
+      "under large mean strains, see Mean deformation; dispersion: its waves, "
+      "see Dispersion; study: many runs with other parameters, see Study."};
     const Text constants = {
       "Constants",
       "",

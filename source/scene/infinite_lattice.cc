@@ -1,9 +1,8 @@
 #include <auxfem/mathematics/voigt.h>
+#include <auxfem/mesh/periodic_array.h>
 #include <auxfem/scene/infinite_lattice.h>
 
-#include <iomanip>
-#include <limits>
-#include <sstream>
+#include <algorithm>
 
 namespace auxfem
 {
@@ -51,8 +50,12 @@ namespace auxfem
       refusals.none_of(scene.constraints);
       refusals.none_of(scene.plates);
       refusals.none_of(scene.imperfections);
-      // Their rotations would not be those of the images.
-      refusals.none_of(scene.rigid_parts);
+      if (!scene.gravity.is_zero())
+        refusals.refuse("Gravity");
+      if (!scene.base_motion.is_zero())
+        refusals.refuse("Base motion");
+      if (scene.analysis == Analysis::dispersion)
+        refusals.none_of(scene.rigid_parts);
       for (const JointDefinition &joint : scene.joints)
         if (joint.type != JointDefinition::Type::hinge || joint.law)
           refusals.refuse(joint.path);
@@ -69,65 +72,99 @@ namespace auxfem
           return refusals.refuse("Lattice/Map");
     }
 
-    /** Jump of the displacement over a translation, one strain component after
-     * the other. */
-    TimeFunction motion_of(const dealii::Tensor<1, 3> &translation,
-                           const unsigned int          component,
-                           const Scene                &scene)
+    /** Translations of the period, from which its size follows. */
+    Periodicity period_of(const Scene &scene)
+    {
+      const UnitCell cell = scene.lattice.cell->build();
+      Periodicity    period;
+      for (unsigned int d = 0; d < scene.context.dimension; ++d)
+        period.vectors.push_back(double(scene.lattice.n_cells[d]) *
+                                 cell.vectors[d]);
+      return period;
+    }
+
+    /** The mean strain of effective properties. */
+    MeanDeformation unit_strains(const Scene &scene)
     {
       const unsigned int dimension = scene.context.dimension;
-      std::ostringstream text;
-      text << std::setprecision(std::numeric_limits<double>::max_digits10)
-           << "0";
+      SceneContext       context   = scene.context;
+      context.path                 = "Analysis";
+      MeanDeformation mean;
       for (unsigned int i = 0; i < n_strain_components(dimension); ++i)
         {
-          const auto [a, b]  = axes_of_component(i, dimension);
-          const double shear = a == b ? 1. : 0.5;
-          double       jump  = 0;
-          if (component == a)
-            jump += shear * translation[b];
-          if (component == b && a != b)
-            jump += shear * translation[a];
-          if (jump != 0)
-            text << " + (" << jump << ") * max(0, 1 - abs(t - " << i + 1
-                 << "))";
+          const auto [a, b]      = axes_of_component(i, dimension);
+          const std::string text = std::string(a == b ? "1" : "0.5") +
+            " * max(0, 1 - abs(t - " + std::to_string(i + 1) + "))";
+          for (const auto &[k, l] : {std::pair(a, b), std::pair(b, a)})
+            mean.components[k][l] =
+              {true, TimeFunction(text, "effective properties", context), {}};
         }
-      SceneContext context = scene.context;
-      context.path         = "Analysis";
-      return TimeFunction(text.str(), "effective properties", context);
+      return mean;
     }
   } // namespace
 
-  std::string name_of_translation(const unsigned int d)
+  std::string name_of_axis(const unsigned int d)
   {
-    return "translation " + std::to_string(d + 1);
+    return std::string("mean deformation ") + "xyz"[d];
+  }
+
+  double depth_of_continuum(const Scene &scene)
+  {
+    double depth = 0;
+    if (scene.context.dimension == 2)
+      for (const SectionDefinition &definition : scene.sections)
+        depth = std::max(depth, 2 * definition.section.half_thicknesses[0]);
+    return depth > 0 ? depth : 1;
   }
 
   void make_infinite(Scene &scene, Mistakes &mistakes)
   {
     refuse_what_is_finite(scene, mistakes);
     scene.lattice.is_infinite = true;
-    if (scene.analysis != Analysis::effective_properties)
-      return;
-    const UnitCell    cell = scene.lattice.cell->build();
-    SupportDefinition hold;
+    if (scene.analysis == Analysis::effective_response &&
+        !scene.mean_deformation.is_given())
+      mistakes.add(scene.file +
+                   ": Analysis = effective response, but nothing deforms the "
+                   "lattice. Give Mean deformation/Strain xx = -0.1 * t or "
+                   "another component");
+  }
+
+  void prescribe_mean_deformation(Scene &scene)
+  {
+    const unsigned int dimension = scene.context.dimension;
+    SupportDefinition  hold;
     hold.name   = "period";
     hold.joints = "0";
-    hold.path   = "Analysis = " + name_of(scene.analysis);
-    for (unsigned int c = 0; c < scene.context.dimension; ++c)
+    hold.path   = "Mean deformation";
+    for (unsigned int c = 0; c < dimension; ++c)
       hold.fixed[c] = true;
-    std::vector<SupportDefinition> supports = {hold};
-    for (unsigned int d = 0; d < scene.context.dimension; ++d)
+    scene.supports = {hold};
+
+    const MeanDeformation mean =
+      scene.analysis == Analysis::effective_properties ? unit_strains(scene)
+                                                       : scene.mean_deformation;
+    const Periodicity period = period_of(scene);
+    const double      length = period.length(),
+                 area = period.volume() * depth_of_continuum(scene) / length;
+    for (unsigned int d = 0; d < dimension; ++d)
       {
-        SupportDefinition strain = hold;
-        strain.name = strain.joints = name_of_translation(d);
-        for (unsigned int c = 0; c < scene.context.dimension; ++c)
-          strain.motion[c] =
-            motion_of(double(scene.lattice.n_cells[d]) * cell.vectors[d],
-                      c,
-                      scene);
-        supports.push_back(strain);
+        SupportDefinition strain;
+        strain.name = strain.joints = name_of_axis(d);
+        strain.path                 = hold.path;
+        JointLoadDefinition stress;
+        stress.name = stress.joints = strain.name;
+        stress.path                 = hold.path;
+        for (unsigned int c = 0; c < dimension; ++c)
+          {
+            const MeanDeformation::Component &component = mean.component(c, d);
+            strain.fixed[c]      = component.is_strain_given;
+            strain.motion[c]     = component.strain.scaled(length);
+            stress.components[c] = component.stress.scaled(area);
+          }
+        if (strain.fixed != decltype(strain.fixed)())
+          scene.supports.push_back(strain);
+        if (!stress.is_zero())
+          scene.joint_loads.push_back(stress);
       }
-    scene.supports = supports;
   }
 } // namespace auxfem

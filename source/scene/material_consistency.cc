@@ -10,7 +10,8 @@ namespace auxfem
     return !scene.time.scheme->is_dynamic() ||
       scene.analysis == Analysis::static_path ||
       scene.analysis == Analysis::buckling ||
-      scene.analysis == Analysis::effective_properties;
+      scene.analysis == Analysis::effective_properties ||
+      scene.analysis == Analysis::effective_response;
   }
 
   namespace

@@ -122,6 +122,8 @@ namespace auxfem
       mistakes.throw_if_any(file);
       scene.input_files.assign(files.begin(), files.end());
       grade_sections(scene);
+      if (is_infinite(scene.analysis) && scene.analysis != Analysis::dispersion)
+        prescribe_mean_deformation(scene);
       return scene;
     }
 
@@ -150,6 +152,22 @@ namespace auxfem
                              const std::vector<std::string> &overrides)
   {
     return make_scene(parse_parameter_text(text, name), name, overrides);
+  }
+
+  Scene scene_of_case(const Scene                    &scene,
+                      const std::vector<std::string> &overrides)
+  {
+    ParameterSubsection root =
+      parse_parameter_text(scene.all_parameters, scene.file);
+    const auto is_of_sweep = [](const ParameterSubsection &subsection) {
+      return subsection.name == sweep_schema().name ||
+        subsection.name == sampling_schema().name;
+    };
+    root.subsections.erase(std::remove_if(root.subsections.begin(),
+                                          root.subsections.end(),
+                                          is_of_sweep),
+                           root.subsections.end());
+    return make_scene(root, scene.file, overrides);
   }
 
   namespace
@@ -226,6 +244,16 @@ namespace auxfem
       scene.study.quantities.push_back(read_quantity(values));
     }
 
+    void add_swept_parameter(ParameterValues &values, Scene &scene)
+    {
+      scene.sweep.parameters.push_back(read_swept_parameter(values));
+    }
+
+    void set_sampling(ParameterValues &values, Scene &scene)
+    {
+      read_sampling(values, scene.sweep);
+    }
+
     /** Assigns the result of @p read to @p member. */
     template <auto member, auto read>
     void set(ParameterValues &values, Scene &scene)
@@ -277,9 +305,13 @@ namespace auxfem
       {path_schema(), set<&Scene::path, read_path>},
       {frequency_response_schema(),
        set<&Scene::frequency_response, read_frequency_response>},
+      {mean_deformation_schema(),
+       set<&Scene::mean_deformation, read_mean_deformation>},
       {dispersion_schema(), set<&Scene::dispersion, read_dispersion>},
       {study_schema(), set<&Scene::study, read_study>},
-      {quantities_schema(), add_quantity}};
+      {quantities_schema(), add_quantity},
+      {sweep_schema(), add_swept_parameter},
+      {sampling_schema(), set_sampling}};
     return all;
   }
 

@@ -347,7 +347,7 @@ namespace auxfem
         << function.origin()
         << " changes within a step: between t = " << deviation.begin
         << " s and " << deviation.end << " s, most at t = " << deviation.time
-        << " s, it deviates by " << deviation.size
+        << " s, it deviates by " << function.as_written(deviation.size)
         << " from the straight line between its values at both ends, which the "
            "step does not resolve. Reduce Time/Time step, or write a pulse of "
            "straight lines with at most eight corners, at which steps end.";
@@ -379,7 +379,7 @@ namespace auxfem
       note << function.origin()
            << " overshoots: between its rows at t = " << overshoot->begin
            << " s and " << overshoot->end << " s the spline is up to "
-           << overshoot->amount
+           << function.as_written(overshoot->amount)
            << " outside of their values. Write table: FILE for straight lines "
               "between the rows, or add rows.";
       return note.str();
@@ -459,7 +459,8 @@ namespace auxfem
         {
           if (++n > max_listed_items)
             return text.str() + ", ...";
-          text << (n > 1 ? ", " : "") << function.origin() << " = " << value;
+          text << (n > 1 ? ", " : "") << function.origin() << " = "
+               << function.as_written(value);
         }
     return text.str();
   }

@@ -123,3 +123,22 @@ TEST(NearestEigenpairs, AreSortedAndOfUnitLength)
       EXPECT_NEAR(pairs.layout.sum(square), 1, 1e-12);
     }
 }
+
+TEST(SymmetricEigenvalues, AreAscending)
+{
+  // Eigenvalues of the chain with fixed ends: 2 - 2 cos(j pi / (n + 1)).
+  constexpr unsigned int     n = 7;
+  dealii::FullMatrix<double> chain(n, n);
+  for (unsigned int i = 0; i < n; ++i)
+    {
+      chain(i, i) = 2;
+      if (i > 0)
+        chain(i, i - 1) = chain(i - 1, i) = -1;
+    }
+  const std::vector<double> values = symmetric_eigenvalues(chain);
+  ASSERT_EQ(values.size(), n);
+  for (unsigned int j = 1; j <= n; ++j)
+    EXPECT_NEAR(values[j - 1],
+                2 - 2 * std::cos(j * std::acos(-1.) / (n + 1)),
+                1e-14);
+}

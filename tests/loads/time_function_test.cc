@@ -436,3 +436,20 @@ TEST_F(TableFolder, EventsAreRowsWhereTheSlopeChanges)
   EXPECT_TRUE(table("0,1\n1,1\n").events(-1, 2).empty());
   EXPECT_TRUE(table("0,1\n").events(-1, 2).empty());
 }
+
+// Messages show values in the unit of the text.
+TEST(ScaledTimeFunction, HasValuesAndJumpsOfTheBase)
+{
+  const TimeFunction base   = parse("t < 0.5 ? t^2 : 3"),
+                     scaled = base.scaled(4).scaled(0.5);
+  EXPECT_DOUBLE_EQ(scaled.value(0.25), 2 * base.value(0.25));
+  EXPECT_DOUBLE_EQ(scaled.value_before(0.5), 2 * base.value_before(0.5));
+  EXPECT_DOUBLE_EQ(scaled.value_after(0.5), 6);
+  EXPECT_DOUBLE_EQ(scaled.jet(0.25)[1], 2 * base.jet(0.25)[1]);
+  ASSERT_EQ(scaled.events(0, 1).size(), 1u);
+  EXPECT_DOUBLE_EQ(scaled.events(0, 1)[0].time, 0.5);
+  EXPECT_EQ(scaled.origin(), base.origin());
+  EXPECT_DOUBLE_EQ(scaled.as_written(scaled.value(1)), 3);
+  EXPECT_TRUE(base.scaled(0).is_zero());
+  EXPECT_TRUE(TimeFunction().scaled(2).is_zero());
+}

@@ -153,7 +153,9 @@ namespace
                                     "set Map z",
                                     "set Force =",
                                     "set Moment =",
-                                    "set NAME = TEXT"};
+                                    "set NAME = TEXT",
+                                    "set SUBSECTION/PARAMETER = TEXT",
+                                    "set Results"};
     std::istringstream stream(run.output);
     std::string        line, comment, all_comments;
     unsigned int       n_parameters = 0;

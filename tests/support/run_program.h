@@ -81,7 +81,7 @@ namespace auxfem
             if (cells.size() != names.size())
               throw std::runtime_error(file + " has the ragged row " + line);
             for (unsigned int i = 0; i < cells.size(); ++i)
-              columns[names[i]].push_back(std::stod(cells[i]));
+              columns[names[i]].push_back(number_in(cells[i]));
             ++n_rows;
           }
       }
@@ -107,6 +107,14 @@ namespace auxfem
       unsigned int                               n_rows = 0;
 
     private:
+      /** Not a number for texts. */
+      static double number_in(const std::string &cell)
+      {
+        char        *end   = nullptr;
+        const double value = std::strtod(cell.c_str(), &end);
+        return end != cell.c_str() && *end == 0 ? value : std::nan("");
+      }
+
       static Words split(const std::string &line)
       {
         Words             cells;

@@ -1,12 +1,17 @@
 #include <auxfem/analysis/infinite_lattice/bloch_waves.h>
 #include <auxfem/analysis/infinite_lattice/dispersion.h>
+#include <auxfem/analysis/infinite_lattice/effective_response.h>
+#include <auxfem/analysis/infinite_lattice/elastic_constants.h>
+#include <auxfem/analysis/small_motions/dynamic_stiffness.h>
 #include <auxfem/mesh/periodic_array.h>
 
 #include <support/scene_text.h>
 #include <verification/result_table.h>
 
 #include <cmath>
+#include <fstream>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -51,6 +56,11 @@ namespace
       , bloch(run)
     {}
 
+    std::vector<DampedWave> damped(const double k1, const double k2) const
+    {
+      return bloch.damped_waves({{2 * pi * k1, 2 * pi * k2, 0}}, 8);
+    }
+
     std::vector<double> frequencies(const double k1, const double k2) const
     {
       std::vector<double> all;
@@ -75,6 +85,7 @@ namespace
       RunPlan plan(scene);
       plan.effects.large_rotation = Switch::off;
       plan.effects.rotary_inertia = Switch::on;
+      include_damping(plan.effects);
       return plan;
     }
 
@@ -235,4 +246,138 @@ TEST(Dispersion, BandGapsOfTheStar)
   table.relative("6-7, end", gaps[0].highest / first, 0.50224564, 1e-5);
   table.relative("8-9, begin", gaps[1].lowest / first, 0.54454226, 1e-5);
   table.relative("8-9, end", gaps[1].highest / first, 1.2879886, 1e-5);
+}
+
+namespace
+{
+  SceneText damped_stars(const unsigned int order)
+  {
+    return waves_of(lattice_of_stars, order)
+      .connector("damper",
+                 "kelvin-voigt",
+                 "Between = in-cell | Spring stiffness = 1e-4 | "
+                 "Damping coefficient = 2e-3");
+  }
+
+  struct DampedReference
+  {
+    double k1, k2;
+    /** Decay (1/s) and angular frequency (rad/s). */
+    std::vector<std::array<double, 2>> waves;
+  };
+} // namespace
+
+TEST(Dispersion, DampedStar)
+{
+  const WavesOfLattice lattice(damped_stars(6));
+  ComparisonTable      table("Star lattice with a damper in each cell, complex "
+                             "waves, independent code (rad/s)");
+  const std::vector<DampedReference> references = {
+    {0,
+     0.5,
+     {{{0, 0.0087925148}},
+      {{0, 0.016897275}},
+      {{0, 0.020823709}},
+      {{0, 0.029103671}},
+      {{0, 0.050627696}},
+      {{0.015536687, 0.060460821}}}},
+    {0.5,
+     0.5,
+     {{{0, 0.010199921}},
+      {{0, 0.020512955}},
+      {{0, 0.035345100}},
+      {{0, 0.035345100}},
+      {{0.0029488243, 0.044621691}},
+      {{0.013004472, 0.060377944}}}},
+    {0.3,
+     0.2,
+     {{{5.8925379e-5, 0.016374031}},
+      {{1.3490292e-5, 0.019646818}},
+      {{0.0011664921, 0.021575059}},
+      {{2.7935528e-4, 0.028407787}},
+      {{7.6880425e-4, 0.046451062}},
+      {{0.0034095062, 0.053907675}},
+      {{2.1401308e-5, 0.074056917}},
+      {{1.2647386e-5, 0.076797652}}}}};
+  for (const DampedReference &reference : references)
+    {
+      const auto found = lattice.damped(reference.k1, reference.k2);
+      ASSERT_GE(found.size(), reference.waves.size());
+      for (std::size_t i = 0; i < reference.waves.size(); ++i)
+        {
+          const auto [decay, frequency] = reference.waves[i];
+          const std::string at = "(" + formatted("%g", reference.k1) + ", " +
+            formatted("%g", reference.k2) + ") " + std::to_string(i + 1);
+          table.relative(at + ", frequency",
+                         found[i].angular_frequency,
+                         frequency,
+                         1e-5);
+          table.row(at + ", decay", found[i].decay, decay, 1e-5 * frequency);
+        }
+    }
+}
+
+// Undamped waves are those of the damped problem without dampers.
+TEST(Dispersion, DampedWavesWithoutDampersAreWaves)
+{
+  const WavesOfLattice lattice(waves_of(lattice_of_stars, 3));
+  for (const double k : {0., 0.2})
+    {
+      const auto undamped = lattice.frequencies(k, 0.1);
+      const auto damped   = lattice.damped(k, 0.1);
+      ASSERT_EQ(damped.size(), 8u);
+      for (unsigned int i = 0; i < 8; ++i)
+        {
+          EXPECT_NEAR(damped[i].angular_frequency, undamped[i], 1e-8);
+          EXPECT_NEAR(damped[i].decay, 0, 1e-8);
+        }
+    }
+}
+
+// Long waves about a pressed state have the speeds of its tangent moduli.
+TEST(Dispersion, LongWavesAboutAPressedState)
+{
+  const std::string folder = testing::TempDir() + "waves_of_pressed_stars";
+  const double      k      = 1e-3;
+  const SceneText   stars =
+    waves_of(lattice_of_stars, 5)
+      .add("Mean deformation", "Strain xx = -0.03 * t | Strain xy = 0")
+      .set("Time/End time", "1")
+      .set("Time/Time step", "0.1")
+      .set("Dispersion/Path", "0 0; 0.001 0")
+      .set("Dispersion/Points", "1")
+      .set("Dispersion/Zone points", "2")
+      .set("Output/Directory", folder);
+  run_dispersion(read_scene_from_text(stars, "pressed.prm"), MPI_COMM_SELF, {});
+  std::ifstream       stream(folder + "/dispersion.csv");
+  std::string         line, cell;
+  std::vector<double> last;
+  while (std::getline(stream, line))
+    {
+      std::istringstream cells(line);
+      if (line.front() == 'p')
+        continue;
+      last.clear();
+      while (std::getline(cells, cell, ','))
+        last.push_back(std::stod(cell));
+    }
+  // Columns: path, two parts, two components, frequency of the first band.
+  const double period = 2 * (std::sqrt(3.) / 2 + 0.5),
+               speed  = last.at(5) / (k / period);
+
+  SceneText pressed = stars;
+  pressed.set("Analysis", "effective response").set("Time/Scheme", "static");
+  const Scene scene = read_scene_from_text(pressed, "pressed.prm");
+  LatticeRun  run(plan_of_response(scene), MPI_COMM_SELF);
+  Recorder    nobody;
+  run.run(nobody);
+  const PeriodTangent tangent(run.equations, run.solution.state);
+  const double        density     = 0.0803847577;
+  const auto [modulus, direction] = least_acoustic_modulus(*tangent.moduli());
+  EXPECT_NEAR(direction[0], 1, 1e-12);
+  ComparisonTable table(
+    "Star lattice pressed by 3 percent: speed of long waves "
+    "along x, root of the acoustic tensor over the density "
+    "(m/s)");
+  table.relative("slow", speed, std::sqrt(modulus / density), 1e-4);
 }

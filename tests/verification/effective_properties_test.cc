@@ -436,3 +436,25 @@ TEST(EffectiveProperties, MechanismsOfTheWholeLatticeHaveNoCompliance)
   EXPECT_NEAR(C(2, 2), 0, 1e-15);
   EXPECT_FALSE(found.elastic.compliance());
 }
+
+// Steady strains: dashpots carry no force, Maxwell elements have relaxed.
+TEST(EffectiveProperties, DampersDoNotStiffenSteadyStrains)
+{
+  const auto with = [](const std::string &law, const std::string &entries) {
+    SceneText scene =
+      plane_lattice("star", "Strut length = 1 | Opening angle = 60 deg");
+    if (!law.empty())
+      scene.connector("damper", law, "Between = in-cell | " + entries);
+    return properties_of(scene).elastic.stiffness();
+  };
+  const auto none    = with("", ""),
+             dashpot = with("dashpot", "Damping coefficient = 1"),
+             maxwell = with("maxwell",
+                            "Spring stiffness = 1 | Damping coefficient = 1");
+  for (unsigned int i = 0; i < 3; ++i)
+    for (unsigned int j = 0; j < 3; ++j)
+      {
+        EXPECT_NEAR(dashpot(i, j), none(i, j), 1e-12 * none(0, 0));
+        EXPECT_NEAR(maxwell(i, j), none(i, j), 1e-12 * none(0, 0));
+      }
+}

@@ -112,6 +112,11 @@ namespace auxfem
   ritz_values(const dealii::FullMatrix<double> &numerator,
               const dealii::FullMatrix<double> &denominator);
 
+  /** Ascending eigenvalues of a symmetric matrix by LAPACK; not a number if it
+   * does not converge. */
+  std::vector<double>
+  symmetric_eigenvalues(const dealii::FullMatrix<double> &matrix);
+
   /** Eigenvalue of a real matrix with its vector of unit length. */
   struct ComplexEigenpair
   {

@@ -58,9 +58,11 @@ namespace auxfem
   AnalysisEntry buckling_entry();
   AnalysisEntry frequency_response_entry();
   AnalysisEntry effective_properties_entry();
+  AnalysisEntry effective_response_entry();
   AnalysisEntry dispersion_entry();
   AnalysisEntry reduced_cell_entry();
   AnalysisEntry study_entry();
+  AnalysisEntry sweep_entry();
   ///@}
 } // namespace auxfem
 

@@ -103,6 +103,9 @@ namespace auxfem
     /** The constant zero. */
     TimeFunction() = default;
 
+    /** The function times @p factor. */
+    TimeFunction scaled(double factor) const;
+
     /**
      * @param text as the user wrote it. Throws InputError, naming
      * @p context.path and @p parameter, if it cannot be parsed or read.
@@ -160,6 +163,9 @@ namespace auxfem
     /** Path and text of the parameter, for messages; empty for the constant
      * zero. */
     const std::string &origin() const;
+
+    /** @p value of the function in the unit of origin(), before scaled(). */
+    double as_written(double value) const;
 
     /** One-sided limits of value, first and second derivative at @p t (s).
      * Throws ComputationError if one is not finite. */
@@ -226,6 +232,9 @@ namespace auxfem
 
     /** Path and text of the parameter, for messages. */
     std::string origin;
+
+    /** See TimeFunction::scaled(). */
+    double scale = 1;
   };
 
   /**

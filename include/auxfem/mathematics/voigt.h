@@ -2,6 +2,7 @@
 #define auxfem_mathematics_voigt_h
 
 #include <array>
+#include <string>
 
 namespace auxfem
 {
@@ -21,6 +22,14 @@ namespace auxfem
     return i < dimension ? std::array<unsigned int, 2>{{i, i}}
       : dimension == 2   ? shears[2]
                          : shears[i - 3];
+  }
+
+  /** Name of the component @p i, e.g. `12`. */
+  inline std::string name_of_component(const unsigned int i,
+                                       const unsigned int dimension)
+  {
+    const auto [a, b] = axes_of_component(i, dimension);
+    return std::to_string(a + 1) + std::to_string(b + 1);
   }
 } // namespace auxfem
 

@@ -193,10 +193,11 @@ namespace auxfem
     ///@{
     /** Number of joints that are images of others, behind these. */
     unsigned int n_images = 0;
-    /** Number of joints that stand for the translations of the period. They
-     * come behind all others; their displacement is the difference of the
-     * displacements over that translation. */
-    unsigned int n_translations = 0;
+    /** Number of joints that stand for the axes of the mean deformation. They
+     * come behind all others. The displacement of that of axis d is the
+     * derivative of the mean displacement along d times
+     * Periodicity::length(). */
+    unsigned int n_axes = 0;
     ///@}
 
     std::vector<Strut> struts;
@@ -224,10 +225,10 @@ namespace auxfem
      * without imperfections. */
     std::shared_ptr<const Lattice> as_designed;
 
-    /** Number of joints other than those of plates and translations. */
+    /** Number of joints other than those of plates and axes. */
     unsigned int n_structural_joints() const
     {
-      return joints.size() - n_plates - n_translations;
+      return joints.size() - n_plates - n_axes;
     }
 
     /** Whether a joint is an image of another one. */
@@ -237,8 +238,8 @@ namespace auxfem
         joint >= n_structural_joints() - n_images;
     }
 
-    /** The joint of translation number @p d. */
-    unsigned int joint_of_translation(const unsigned int d) const
+    /** The joint of the axis @p d of the mean deformation. */
+    unsigned int joint_of_axis(const unsigned int d) const
     {
       return n_structural_joints() + n_plates + d;
     }

@@ -27,6 +27,9 @@ namespace auxfem
     /** Area (m2) or volume (m3) of the period. */
     double volume() const;
 
+    /** Side of a square or cube of this size (m). */
+    double length() const;
+
     /** Vectors (1/m) whose products with a position are its parts of the
      * translations. */
     std::vector<dealii::Tensor<1, 3>> reciprocal_vectors() const;

@@ -56,6 +56,9 @@ namespace auxfem
     };
     std::string       path; ///< of its definition, for messages
     std::vector<Term> terms;
+    /** Whether the first two terms are one component of two large rotations
+     * that are equal; there are such relations for all components. */
+    bool is_of_equal_rotations = false;
   };
 
   /** Releases, couplings and prescribed motions of a lattice. */
@@ -84,8 +87,9 @@ namespace auxfem
 
   /**
    * Owner of the rotation of each joint. This is the joint itself if an
-   * unreleased elastic strut ends there; in space the rigid part that clamps
-   * the struts or is the only one with a rotation; otherwise the ground.
+   * unreleased elastic strut ends there or at an image; in space the rigid part
+   * that clamps the struts or is the only one with a rotation; otherwise the
+   * ground.
    * @param released as Ties::released
    */
   std::vector<RotationOwner>

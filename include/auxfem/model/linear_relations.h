@@ -11,22 +11,22 @@ namespace auxfem
    * repeats. */
   struct ImageTie
   {
-    unsigned int       image, like; ///< joints
+    unsigned int       image, base; ///< joints
     unsigned int       component;   ///< of motion
-    std::array<int, 3> shift;       ///< from `like` to the image, in periods
+    std::array<int, 3> shift;       ///< as JointImage::shift
   };
 
   /**
-   * Ties of all images: displacements to those of their base joints, rotations
-   * too, or to those of the first image if the base has none.
+   * Ties of all images: displacements to those of their base joints, and
+   * rotations if they have any.
    * @param releases strut ends that rotate by themselves
    */
   std::vector<ImageTie> image_ties(const Lattice                   &lattice,
                                    const std::vector<JointRelease> &releases);
 
   /**
-   * Relations of image_ties() under a mean strain: displacements differ by
-   * those of the joints of translations, rotations are equal.
+   * Relations of image_ties() under a mean deformation: displacements differ by
+   * its part over the shift, rotations are equal.
    * @param length coefficient (m) of rotations
    */
   std::vector<LinearRelation>

@@ -66,7 +66,8 @@ namespace auxfem
     int assign_inner(unsigned int n, int rank);
 
     /**
-     * Claims the displacements of joints without elastic struts.
+     * Claims the displacements of joints without elastic struts, and rotations
+     * that they have with their images in an infinite lattice.
      *
      * @param ranks owner by strut
      */

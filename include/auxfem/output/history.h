@@ -22,7 +22,9 @@ namespace auxfem
    * connectors C `C.force`, `C.extension`, sums over the group; if requested
    * those of EffectiveStrains; for a plate P `P.ux`, `P.uy`, its displacement,
    * `P.fx`, `P.fy`, the force of the struts on it, and `P.penetration`; those
-   * of energy_columns(). Units and meanings are in `history.units.csv`.
+   * of energy_columns(). An infinite lattice has no supports but the mean
+   * strain and stress, `strain_xy`, `stress_xy`. Units and meanings are in
+   * `history.units.csv`.
    *
    * In space probes also have `P.uz` and `P.vz`, and instead of `P.phi` the
    * mean rotation vector `P.phi_x`, `P.phi_y`, `P.phi_z`, which includes whole
@@ -113,6 +115,18 @@ namespace auxfem
       Quantity         quantity;
       std::vector<int> unknowns; ///< local numbers, owned by this rank
       double           factor;
+      /** By unknown; empty: 1. */
+      std::vector<double> weights = {};
+
+      /** @param value of an unknown */
+      template <class Value>
+      double of(const Value &value) const
+      {
+        double total = 0;
+        for (std::size_t i = 0; i < unknowns.size(); ++i)
+          total += (weights.empty() ? 1. : weights[i]) * value(unknowns[i]);
+        return factor * total;
+      }
     };
 
     void define_probe(const ProbeDefinition &probe,
@@ -127,6 +141,7 @@ namespace auxfem
                      Quantity                         quantity,
                      unsigned int                     component);
     void define_support(const Support &support);
+    void define_mean_deformation();
     void define_connectors(const ConnectorForces &group);
     void define_plates(const PlateContact &plates);
 

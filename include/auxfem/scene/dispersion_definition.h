@@ -19,14 +19,16 @@ namespace auxfem
     unsigned int            points      = 20; ///< on each leg of the path
     unsigned int            bands       = 8;
     unsigned int            zone_points = 8; ///< along each reciprocal vector
+    bool                    damped      = false;
 
     /** All wave vectors of the path, in order. */
     std::vector<WaveVector> points_of_path() const;
-
-    /** Wave vectors of a grid over half the zone; the other half has the same
-     * waves. */
-    std::vector<WaveVector> points_of_zone(unsigned int dimension) const;
   };
+
+  /** Wave vectors of a grid of @p n along each reciprocal vector, over half the
+   * zone: the other half has the same waves. */
+  std::vector<DispersionDefinition::WaveVector>
+  wave_vectors_of_zone(unsigned int n, unsigned int dimension);
 
   /** Schema of `Dispersion`. */
   SubsectionSchema dispersion_schema();

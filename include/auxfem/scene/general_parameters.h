@@ -51,6 +51,7 @@ namespace auxfem
     buckling,             ///< load factors at which the lattice buckles
     frequency_response,   ///< steady vibrations under harmonic loads
     effective_properties, ///< those of the infinite lattice as a continuum
+    effective_response,   ///< the infinite lattice at large mean strains
     dispersion,           ///< waves of the infinite lattice
     study                 ///< many simulations with other parameters
   };
@@ -59,6 +60,7 @@ namespace auxfem
   constexpr bool is_infinite(const Analysis analysis)
   {
     return analysis == Analysis::effective_properties ||
+      analysis == Analysis::effective_response ||
       analysis == Analysis::dispersion;
   }
 

@@ -13,7 +13,9 @@
 #include <auxfem/scene/analysis_definitions.h>
 #include <auxfem/scene/dispersion_definition.h>
 #include <auxfem/scene/general_parameters.h>
+#include <auxfem/scene/mean_deformation.h>
 #include <auxfem/scene/study_definition.h>
+#include <auxfem/scene/sweep_definition.h>
 #include <auxfem/struts/discretization_parameters.h>
 #include <auxfem/struts/section.h>
 #include <auxfem/time/schemes/time_parameters.h>
@@ -67,8 +69,10 @@ namespace auxfem
     ModesDefinition              modes;
     PathDefinition               path;
     FrequencyResponseDefinition  frequency_response;
+    MeanDeformation              mean_deformation;
     DispersionDefinition         dispersion;
     StudyDefinition              study;
+    SweepDefinition              sweep;
     /** Contents of parameters.prm: all parameters with the values used. */
     std::string all_parameters;
   };
@@ -85,6 +89,11 @@ namespace auxfem
   Scene read_scene_from_text(const std::string              &text,
                              const std::string              &name,
                              const std::vector<std::string> &overrides = {});
+
+  /** A case of the sweep of @p scene: its analysis with @p overrides. Throws
+   * InputError as read_scene(). */
+  Scene scene_of_case(const Scene                    &scene,
+                      const std::vector<std::string> &overrides);
 
   /** A subsection of the parameter file and the function that reads it. */
   struct SceneSubsection

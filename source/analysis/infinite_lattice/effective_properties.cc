@@ -1,65 +1,83 @@
 #include <auxfem/analysis/infinite_lattice/effective_properties.h>
+#include <auxfem/analysis/infinite_lattice/harmonic_moduli.h>
+#include <auxfem/analysis/infinite_lattice/period_tangent.h>
 #include <auxfem/analysis/infinite_lattice/property_files.h>
 #include <auxfem/analysis/simulation/lattice_run.h>
 #include <auxfem/analysis/small_motions/mesh_error_estimate.h>
 #include <auxfem/mathematics/voigt.h>
 #include <auxfem/mesh/periodic_array.h>
+#include <auxfem/model/mean_stress.h>
 #include <auxfem/output/console.h>
 #include <auxfem/output/overview.h>
+#include <auxfem/parameters/errors.h>
+#include <auxfem/scene/infinite_lattice.h>
 #include <auxfem/time/schemes/static.h>
 
 #include <nlohmann/json.hpp>
 
 namespace auxfem
 {
+  RunPlan plan_of_unit_strains(const Scene &scene)
+  {
+    RunPlan plan(scene);
+    plan.time.scheme             = std::make_shared<QuasiStatic>();
+    plan.time.relative_tolerance = std::nullopt;
+    plan.time.static_start       = false;
+    plan.time.step               = 1;
+    plan.time.end_time           = n_strain_components(scene.context.dimension);
+    plan.effects.inertia         = Switch::automatic;
+    plan.effects.large_rotation  = Switch::off;
+    plan.effects.contact         = Switch::off;
+    // Dashpots would resist the change from one strain to the next.
+    plan.effects.connector_viscosity = Switch::off;
+    plan.effects.strut_damping       = Switch::off;
+    plan.effects.strut_relaxation    = Switch::off;
+    return plan;
+  }
+
   namespace
   {
-    /** Load steps of small strains, one for each component. */
-    RunPlan plan_of_unit_strains(const Scene &scene)
+    /** Mean stress (Pa) as a vector. */
+    std::vector<double> mean_stress(const LatticeRun &run)
     {
-      RunPlan plan(scene);
-      plan.time.scheme             = std::make_shared<QuasiStatic>();
-      plan.time.relative_tolerance = std::nullopt;
-      plan.time.static_start       = false;
-      plan.time.step               = 1;
-      plan.time.end_time   = n_strain_components(scene.context.dimension);
-      plan.effects.inertia = Switch::automatic;
-      plan.effects.large_rotation = Switch::off;
-      plan.effects.contact        = Switch::off;
-      return plan;
-    }
-
-    /** Sum of forces (N) on the joint of the translation @p d. */
-    dealii::Tensor<1, 3> force_on_translation(const LatticeRun  &run,
-                                              const unsigned int d)
-    {
-      const UnknownLayout &layout = run.model.numbering.layout();
-      const unsigned int   joint  = run.lattice.joint_of_translation(d);
-      std::vector<double>  mine(3, 0.);
-      for (unsigned int c = 0; c < run.lattice.dimension; ++c)
-        if (const int u = run.model.numbering.joint_unknown(joint, c);
-            layout.is_owned(u))
-          mine[c] = run.solution.state.residual[u];
-      const std::vector<double> sum = layout.sum(mine);
-      return dealii::Point<3>(sum[0], sum[1], sum[2]);
-    }
-
-    /** Mean stress (Pa) as a vector: forces on translations times these, by
-     * volume. */
-    std::vector<double> mean_stress(const LatticeRun &run, const double volume)
-    {
-      const unsigned int   dimension = run.lattice.dimension;
-      dealii::Tensor<2, 3> moment;
-      for (unsigned int d = 0; d < dimension; ++d)
-        moment += dealii::outer_product(force_on_translation(run, d),
-                                        run.lattice.periodicity->vectors[d]);
+      const unsigned int  dimension = run.lattice.dimension;
       std::vector<double> stress;
       for (unsigned int i = 0; i < n_strain_components(dimension); ++i)
         {
           const auto [a, b] = axes_of_component(i, dimension);
-          stress.push_back((moment[a][b] + moment[b][a]) / 2 / volume);
+          double sum        = 0;
+          for (const auto &[k, l] : {std::pair(a, b), std::pair(b, a)})
+            for (const WeightedUnknown &term :
+                 mean_stress_terms(run.model, k, l))
+              sum +=
+                term.weight / 2 * run.solution.state.displacement[term.unknown];
+          stress.push_back(sum);
         }
-      return stress;
+      return run.model.numbering.layout().sum(stress);
+    }
+
+    /** Prepares the run; counts the mechanisms if that finds one. */
+    void prepare(LatticeRun &run)
+    {
+      try
+        {
+          run.prepare();
+        }
+      catch (const InputError &error)
+        {
+          const PeriodTangent tangent(run.equations, run.solution.state);
+          unsigned int        n = 0;
+          on_first_rank(run.model.numbering.layout().communicator(),
+                        [&]() { n = tangent.n_mechanisms(); });
+          if (n == 0)
+            throw;
+          throw InputError(
+            "Infinite lattice: it has " + std::to_string(n) + " mechanism" +
+            (n == 1 ? "" : "s") +
+            ", motions of the joints of a period that no strut resists. Make "
+            "joints rigid, or add struts or springs.\n" +
+            error.what());
+        }
     }
 
     EffectiveProperties properties_of(LatticeRun &run)
@@ -67,16 +85,15 @@ namespace auxfem
       const unsigned int dimension = run.lattice.dimension;
       const unsigned int n         = n_strain_components(dimension);
       const MassAndSize  period    = mass_and_size(run.scene, run.lattice);
-      const double       depth     = period.depth > 0 ? period.depth : 1;
-      const double       volume =
-        run.lattice.periodicity->volume() * (dimension == 2 ? depth : 1);
+      const double       depth     = depth_of_continuum(run.scene);
+      const double       volume    = run.lattice.periodicity->volume() * depth;
       dealii::FullMatrix<double> stiffness(n, n);
       Recorder                   nobody;
-      run.prepare();
+      prepare(run);
       for (unsigned int j = 0; j < n; ++j)
         {
           run.advance(nobody);
-          const std::vector<double> stress = mean_stress(run, volume);
+          const std::vector<double> stress = mean_stress(run);
           for (unsigned int i = 0; i < n; ++i)
             stiffness(i, j) = stress[i];
         }
@@ -105,6 +122,21 @@ namespace auxfem
     }
   } // namespace
 
+  namespace
+  {
+    /** Storage and loss moduli at the frequencies of `Frequency response`; none
+     * if nothing loses energy. */
+    std::vector<HarmonicModuli> moduli_with_damping(const Scene   &scene,
+                                                    const MPI_Comm communicator)
+    {
+      LatticeRun damped(with_damping(plan_of_unit_strains(scene)),
+                        communicator);
+      if (!has_damping(damped))
+        return {};
+      return harmonic_moduli(damped, scene.frequency_response.frequencies());
+    }
+  } // namespace
+
   EffectiveProperties effective_properties(const Scene   &scene,
                                            const MPI_Comm communicator)
   {
@@ -124,14 +156,19 @@ namespace auxfem
                      options.rules,
                      effective_property_contents());
     const MeshErrors          errors = errors_of(run, found, communicator);
-    RunResult                 result;
+    const std::vector<HarmonicModuli> harmonic =
+      moduli_with_damping(scene, communicator);
+    RunResult result;
     result.exit_state = "completed";
     result.work       = run.work();
     result.findings =
       mesh_findings(run.model.plan, errors, "entries of the stiffness");
     on_first_rank(communicator, [&]() {
       write_effective_properties(found, scene.output.directory);
+      write_harmonic_moduli(harmonic, scene.output.directory);
       report.print(text_of(found));
+      if (!harmonic.empty())
+        report.print("  storage and loss moduli by frequency: moduli.csv");
       report.print(mesh_text(run.model.plan, errors));
       report.finish(json_of(found), result.findings);
     });

@@ -44,20 +44,15 @@ namespace auxfem
                               sine(to_z + 90));
     }
 
-    std::string index_text(const unsigned int i, const unsigned int dimension)
-    {
-      const auto [a, b] = axes_of_component(i, dimension);
-      return std::to_string(a + 1) + std::to_string(b + 1);
-    }
-
     void write_stiffness(const ElasticConstants &elastic,
                          const std::string      &file)
     {
       const unsigned int  n = elastic.stiffness().m();
       std::vector<Column> columns;
       for (unsigned int j = 0; j < n; ++j)
-        columns.push_back(
-          {"C_" + index_text(j, elastic.dimension()), "Pa", "stiffness"});
+        columns.push_back({"C_" + name_of_component(j, elastic.dimension()),
+                           "Pa",
+                           "stiffness"});
       CsvTable table(file, columns);
       for (unsigned int i = 0; i < n; ++i)
         {
@@ -190,7 +185,12 @@ namespace auxfem
 
   FolderContents effective_property_contents()
   {
-    return {{"stiffness.csv", "directions.csv", "modulus.vtu"}, {}};
+    return {{"stiffness.csv",
+             "directions.csv",
+             "modulus.vtu",
+             "moduli.csv",
+             "moduli.units.csv"},
+            {}};
   }
 
   void write_effective_properties(const EffectiveProperties &properties,
@@ -223,7 +223,7 @@ namespace auxfem
       text << "  density          " << *properties.density << " kg/m3\n";
     text << "  stiffness (Pa), components";
     for (unsigned int i = 0; i < n; ++i)
-      text << ' ' << index_text(i, elastic.dimension());
+      text << ' ' << name_of_component(i, elastic.dimension());
     text << '\n';
     const double largest = elastic.stiffness().linfty_norm();
     for (unsigned int i = 0; i < n; ++i)

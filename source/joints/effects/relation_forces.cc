@@ -1,4 +1,5 @@
 #include <auxfem/equations/make_effects.h>
+#include <auxfem/equations/node_rotations.h>
 #include <auxfem/joints/effects/relation_forces.h>
 
 #include <cmath>
@@ -11,8 +12,11 @@ namespace auxfem
     class RelationForces : public Constraints
     {
     public:
-      explicit RelationForces(std::vector<LocalRelation> relations)
+      RelationForces(std::vector<LocalRelation> relations,
+                     const DofNumbering        &numbering)
         : relations(std::move(relations))
+        , numbering(numbering)
+        , rotations(numbering)
       {}
 
       bool is_linear() const override
@@ -40,7 +44,10 @@ namespace auxfem
             for (std::size_t i = 0; i < relation.coefficients.size(); ++i)
               residual[relation.unknowns[i]] +=
                 relation.coefficients[i] * force;
-            residual[row] += sum(relation, motion);
+            residual[row] +=
+              relation.equal_rotations && !evaluation.to.rotations.empty()
+              ? turned(relation, evaluation.to.rotations, motion)
+              : sum(relation, motion);
           }
       }
 
@@ -89,15 +96,31 @@ namespace auxfem
         return result;
       }
 
+      /** The sum for two rotations, turned with the second one. */
+      double turned(const LocalRelation           &relation,
+                    const std::vector<Quaternion> &now,
+                    const Vector                  &motion) const
+      {
+        const auto [one, other] = *relation.equal_rotations;
+        const SpaceVector difference =
+          rotations.values(motion, one) - rotations.values(motion, other);
+        return relation.coefficients.front() *
+          rotated(now[other], difference)[numbering.rotations().axis(
+            relation.unknowns.front())];
+      }
+
       const std::vector<LocalRelation> relations;
+      const DofNumbering              &numbering;
+      const NodeRotations              rotations;
       std::size_t                      first_block = 0;
     };
   } // namespace
 
   std::unique_ptr<Constraints>
-  make_relation_forces(std::vector<LocalRelation> relations)
+  make_relation_forces(std::vector<LocalRelation> relations,
+                       const DofNumbering        &numbering)
   {
-    return std::make_unique<RelationForces>(std::move(relations));
+    return std::make_unique<RelationForces>(std::move(relations), numbering);
   }
 
   std::unique_ptr<Constraints> make_relation_forces(const LatticeModel &model)
@@ -119,8 +142,14 @@ namespace auxfem
                                       term.motion.component));
             local.back().coefficients.push_back(term.coefficient);
           }
+        if (model.relations[r].is_of_equal_rotations)
+          local.back().equal_rotations = {
+            {static_cast<unsigned int>(
+               numbering.rotations().with(local.back().unknowns[0])),
+             static_cast<unsigned int>(
+               numbering.rotations().with(local.back().unknowns[1]))}};
         local.back().unknowns.push_back(multiplier);
       }
-    return make_relation_forces(std::move(local));
+    return make_relation_forces(std::move(local), numbering);
   }
 } // namespace auxfem

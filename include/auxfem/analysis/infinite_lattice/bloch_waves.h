@@ -2,16 +2,15 @@
 #define auxfem_analysis_infinite_lattice_bloch_waves_h
 
 #include <auxfem/algebra/eigen_solver.h>
+#include <auxfem/analysis/infinite_lattice/period_matrix.h>
 #include <auxfem/analysis/simulation/lattice_run.h>
 
-#include <array>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace auxfem
 {
-  /** Phases (rad) of a wave over the translations of the period. */
-  using WavePhases = std::array<double, 3>;
-
   /** A wave of an infinite lattice without damping. */
   struct BlochWave
   {
@@ -19,6 +18,13 @@ namespace auxfem
     /** Derivatives by the wave vector (m/s); none where several waves have this
      * frequency, so that derivatives depend on the direction. */
     std::optional<dealii::Tensor<1, 3>> group_velocity;
+  };
+
+  /** A damped wave: it oscillates and decays as e^((-decay + i w) t). */
+  struct DampedWave
+  {
+    double angular_frequency; ///< w (rad/s)
+    double decay;             ///< 1/s
   };
 
   /**
@@ -30,7 +36,8 @@ namespace auxfem
   {
   public:
     /**
-     * Assembles stiffness and mass of the period at rest.
+     * Assembles stiffness, mass and damping of the period at the state of
+     * @p run.
      * @param run of an infinite lattice without relations of images, on one
      * rank. Throws InputError for motions without mass.
      */
@@ -44,24 +51,21 @@ namespace auxfem
     std::vector<BlochWave> waves(const WavePhases &phases,
                                  unsigned int      n) const;
 
-  private:
-    /** Entries of the matrices between unknowns of the period, whose factor
-     * depends on the phase of their difference in periods. */
-    struct Entry
-    {
-      unsigned int       row, column;
-      std::array<int, 3> shift;
-      double             stiffness, mass;
-    };
-
-    /** Sum over the entries, as a real symmetric matrix of twice the size.
-     * @param value of an entry
-     * @param derivative number of the phase by which to differentiate; 3: none
+    /**
+     * The @p n damped waves of lowest frequency, in ascending order; motions
+     * that decay without oscillation are no waves. Combinations of undamped
+     * waves and of the motions by forces of the dampers, the residual vectors
+     * of modal analysis (Dickens, Nakagawa and Wittbrodt, 1997, Computers and
+     * Structures 62, 985).
      */
-    template <class Value>
-    dealii::FullMatrix<double> real_matrix(const WavePhases &phases,
-                                           const Value      &value,
-                                           unsigned int derivative = 3) const;
+    std::vector<DampedWave> damped_waves(const WavePhases &phases,
+                                         unsigned int      n) const;
+
+  private:
+    /** Undamped waves and residual vectors, as columns of unit length in the
+     * norm of `shifted`, without coupling by mass and stiffness. */
+    dealii::FullMatrix<double> damped_basis(const WavePhases &phases,
+                                            unsigned int      n) const;
 
     /** Quotients 1 / (w^2 + shift) of all waves, each twice: a vector and i
      * times it. */
@@ -70,10 +74,14 @@ namespace auxfem
     /** Squared angular frequency (1/s2) of a quotient. */
     double squared_frequency(double quotient) const;
 
-    const Lattice     &lattice;
-    unsigned int       n_reduced = 0;
-    std::vector<Entry> entries;
-    double             shift = 0; ///< of squared frequencies (1/s2)
+    const Lattice &lattice;
+    PeriodMatrix   stiffness{0}, mass{0};
+    double         shift = 0; ///< of squared frequencies (1/s2)
+    /** Stiffness plus shift times mass. */
+    PeriodMatrix shifted{0};
+    PeriodMatrix damping{0};
+    /** Stiffness of Maxwell elements by relaxation time (s). */
+    std::vector<std::pair<double, PeriodMatrix>> relaxing;
   };
 } // namespace auxfem
 

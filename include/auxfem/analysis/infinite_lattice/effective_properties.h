@@ -3,6 +3,7 @@
 
 #include <auxfem/analysis/analysis.h>
 #include <auxfem/analysis/infinite_lattice/elastic_constants.h>
+#include <auxfem/scene/run_plan.h>
 
 namespace auxfem
 {
@@ -19,6 +20,10 @@ namespace auxfem
      * 1 m if sections have no dimensions (m). */
     double depth = 1;
   };
+
+  /** Plan with a step for each small mean strain of 1, relaxed and without
+   * damping. */
+  RunPlan plan_of_unit_strains(const Scene &scene);
 
   /**
    * Small-strain properties of the infinite lattice of @p scene: the mean
