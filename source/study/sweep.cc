@@ -22,6 +22,16 @@ namespace auxfem
     namespace mpi = dealii::Utilities::MPI;
 
     const std::string cases_folder = "/cases";
+
+    std::string case_text(const SweepDefinition          &sweep,
+                          const std::vector<std::string> &values)
+    {
+      std::string text;
+      for (std::size_t i = 0; i < values.size(); ++i)
+        text +=
+          (i > 0 ? ", " : "") + sweep.parameters[i].name() + " = " + values[i];
+      return text;
+    }
   } // namespace
 
   std::vector<SweepCase> sweep_cases(const Scene &scene)
@@ -38,7 +48,18 @@ namespace auxfem
                                               folder.str()};
         for (std::size_t i = 0; i < values.size(); ++i)
           overrides.push_back(scene.sweep.parameters[i].path + "=" + values[i]);
-        cases.push_back({values, scene_of_case(scene, overrides)});
+        try
+          {
+            scene_of_case(scene, overrides);
+          }
+        catch (const InputError &error)
+          {
+            throw InputError("The sweep contains a case that is no valid "
+                             "scene, with " +
+                             case_text(scene.sweep, values) + ":\n" +
+                             error.what());
+          }
+        cases.push_back({values, folder.str(), overrides});
       }
     return cases;
   }
@@ -51,16 +72,16 @@ namespace auxfem
       return {std::istreambuf_iterator<char>(stream), {}};
     }
 
-    std::string key_file(const Scene &scene)
+    std::string key_file(const SweepCase &one)
     {
-      return scene.output.directory + ".key";
+      return one.folder + ".key";
     }
 
     /** Whether an earlier sweep has completed the case. */
-    bool is_done(const Scene &scene)
+    bool is_done(const SweepCase &one, const Scene &scene)
     {
-      return text_in(key_file(scene)) == key_of(scene, 1) &&
-        !summary_of(scene).is_null();
+      return text_in(key_file(one)) == key_of(scene, 1) &&
+        !summary_in(one.folder).is_null();
     }
 
     /** Keeps the screen for the lines of the sweep. */
@@ -84,7 +105,8 @@ namespace auxfem
     };
 
     /** Computes a case; returns the reason of a failure, or nothing. */
-    std::string compute(const Scene     &scene,
+    std::string compute(const SweepCase &one,
+                        const Scene     &scene,
                         const MPI_Comm   communicator,
                         const FileRules &rules)
     {
@@ -93,7 +115,7 @@ namespace auxfem
         {
           analysis_of(scene).run(scene, communicator, {rules, {}, {}});
           on_first_rank(communicator, [&]() {
-            replace_file(key_file(scene), key_of(scene, 1));
+            replace_file(key_file(one), key_of(scene, 1));
           });
           return "";
         }
@@ -107,16 +129,6 @@ namespace auxfem
         }
     }
 
-    std::string case_text(const SweepDefinition          &sweep,
-                          const std::vector<std::string> &values)
-    {
-      std::string text;
-      for (std::size_t i = 0; i < values.size(); ++i)
-        text +=
-          (i > 0 ? ", " : "") + sweep.parameters[i].name() + " = " + values[i];
-      return text;
-    }
-
     /** Runs the cases; returns the failures by case. */
     std::vector<std::string> compute_all(const Scene                  &scene,
                                          const std::vector<SweepCase> &cases,
@@ -124,28 +136,26 @@ namespace auxfem
                                          const FileRules &rules,
                                          Console         *console)
     {
-      const unsigned int n_ranks = mpi::n_mpi_processes(communicator),
-                         rank    = mpi::this_mpi_process(communicator);
-      const bool is_side_by_side = n_ranks > 1 && cases.size() >= n_ranks;
+      const unsigned int n_ranks     = mpi::n_mpi_processes(communicator),
+                         rank        = mpi::this_mpi_process(communicator);
+      const bool     is_side_by_side = n_ranks > 1 && cases.size() >= n_ranks;
+      const MPI_Comm of_case = is_side_by_side ? MPI_COMM_SELF : communicator;
       std::vector<std::string> failures(cases.size());
       int                      signal = 0;
       for (std::size_t c = 0; c < cases.size() && signal == 0; ++c)
         {
           if (is_side_by_side && c % n_ranks != rank)
             continue;
-          const SweepCase &one    = cases[c];
-          bool             reused = false;
+          const SweepCase &one          = cases[c];
+          const Scene      scene_of_one = scene_of_case(scene, one.overrides);
+          bool             reused       = false;
           try
             {
-              on_first_rank(is_side_by_side ? MPI_COMM_SELF : communicator,
-                            [&]() { reused = is_done(one.scene); });
-              reused = mpi::max(int(reused),
-                                is_side_by_side ? MPI_COMM_SELF : communicator);
+              on_first_rank(of_case,
+                            [&]() { reused = is_done(one, scene_of_one); });
+              reused = mpi::max(int(reused), of_case);
               if (!reused)
-                failures[c] =
-                  compute(one.scene,
-                          is_side_by_side ? MPI_COMM_SELF : communicator,
-                          rules);
+                failures[c] = compute(one, scene_of_one, of_case, rules);
             }
           catch (const Interrupted &interruption)
             {
@@ -242,7 +252,7 @@ namespace auxfem
             nullptr,
             [](const Scene &scene, const MPI_Comm communicator) {
               const std::vector<SweepCase> cases = sweep_cases(scene);
-              const Scene                 &first = cases.front().scene;
+              const Scene first = scene_of_case(scene, cases.front().overrides);
               analysis_of(first).check(first, communicator);
               on_first_rank(communicator, [&]() {
                 std::cout << '\n' << overview(scene, cases.size());

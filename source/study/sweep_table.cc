@@ -79,9 +79,9 @@ namespace auxfem
     return names;
   }
 
-  Json summary_of(const Scene &scene)
+  Json summary_in(const std::string &folder)
   {
-    std::ifstream stream(scene.output.directory + "/summary.json");
+    std::ifstream stream(folder + "/summary.json");
     const Json    summary = Json::parse(stream, nullptr, false);
     return summary.is_discarded() ? Json() : summary;
   }
@@ -91,11 +91,12 @@ namespace auxfem
     const std::string sweep_file           = "sweep.csv",
                       sweep_reference_file = "sweep.units.csv";
 
-    /** Columns of the history of a case; none without one. */
-    std::map<std::string, std::vector<double>> history_of(const Scene &scene)
+    /** Columns of the history in @p folder; none without one. */
+    std::map<std::string, std::vector<double>>
+    history_in(const std::string &folder)
     {
       std::map<std::string, std::vector<double>> columns;
-      std::ifstream stream(scene.output.directory + "/history.csv");
+      std::ifstream stream(folder + "/history.csv");
       std::string   line;
       if (!std::getline(stream, line))
         return columns;
@@ -109,15 +110,15 @@ namespace auxfem
       return columns;
     }
 
-    /** Quantities of the scene that are numbers, in a case. */
-    NamedResults quantities_of(const Scene &scene)
+    /** Quantities of the scene that are numbers, by the history in @p folder. */
+    NamedResults quantities_of(const Scene &scene, const std::string &folder)
     {
       NamedResults results;
       if (scene.study.quantities.empty())
         return results;
       MeasuredRun run;
       run.exit_state = "completed";
-      run.columns    = history_of(scene);
+      run.columns    = history_in(folder);
       for (const QuantityDefinition &quantity : scene.study.quantities)
         if (quantity.is_number() && run.columns.count(quantity.columns[0]) > 0)
           results.emplace_back(quantity.name,
@@ -171,13 +172,13 @@ namespace auxfem
   {
     Row row;
     row.exit_state     = failure.substr(0, failure.find('\n'));
-    const Json summary = summary_of(one.scene);
+    const Json summary = summary_in(one.folder);
     if (failure.empty() && !summary.is_null())
       {
         row.verdict        = summary.value("verdict", "");
         row.exit_state     = summary.value("exit_state", "");
         NamedResults found = results_in(summary);
-        for (const auto &quantity : quantities_of(one.scene))
+        for (const auto &quantity : quantities_of(scene, one.folder))
           found.push_back(quantity);
         for (const auto &[path, value] : found)
           if (row.results.emplace(path, value).second &&
@@ -217,7 +218,7 @@ namespace auxfem
           cells.push_back(result_text(rows[c].results, paths[i]));
         cells.push_back(rows[c].verdict);
         cells.push_back(rows[c].exit_state);
-        const std::string &case_folder = cases[c].scene.output.directory;
+        const std::string &case_folder = cases[c].folder;
         cells.push_back(case_folder.substr(case_folder.rfind('/') + 1));
         for (std::string &cell : cells)
           std::replace(cell.begin(), cell.end(), ',', ';');

@@ -121,7 +121,8 @@ namespace
     const ProgramRun wrong = run_auxfem(
       {"scene.prm", "--output", "out", "--sweep", "Lattice/Angle=1, 2"});
     EXPECT_EQ(wrong.exit_code, 1);
-    expect_contains(wrong.errors, {"Angle"});
+    expect_contains(wrong.errors,
+                    {"no valid scene, with", "Angle = 1:", "Lattice/Angle"});
     EXPECT_FALSE(fs::exists(path("out")));
     const ProgramRun missing = run_auxfem(
       {"scene.prm", "--output", "out", "--set", "Sampling/Results=nu21, nu99"});

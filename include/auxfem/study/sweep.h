@@ -14,11 +14,14 @@ namespace auxfem
   struct SweepCase
   {
     std::vector<std::string> values; ///< by parameter of the sweep
-    Scene                    scene;
+    std::string              folder; ///< for its results
+    /** For scene_of_case(), which many cases at once would need much memory
+     * for. */
+    std::vector<std::string> overrides;
   };
 
-  /** All cases of @p scene, with folders of their own. Throws InputError for the
-   * first one that is no valid scene. */
+  /** All cases of @p scene. Throws InputError for the first one that is no valid
+   * scene. */
   std::vector<SweepCase> sweep_cases(const Scene &scene);
 
   /**

@@ -26,8 +26,8 @@ namespace auxfem
   /** Names without their paths where they stay unique. */
   std::vector<std::string> short_names(const std::vector<std::string> &paths);
 
-  /** The summary of a computed case; null if it is missing or damaged. */
-  Json summary_of(const Scene &scene);
+  /** The summary of the run in @p folder; null if it is missing or damaged. */
+  Json summary_in(const std::string &folder);
 
   /** Table of the cases of a sweep with their results, on one rank. */
   class SweepTable
