@@ -212,7 +212,7 @@ namespace auxfem
           {
             const Strut &strut = whole.struts[s];
             const auto   ends =
-              std::minmax(base_of(strut.joints[0]), base_of(strut.joints[1]));
+              std::minmax({base_of(strut.joints[0]), base_of(strut.joints[1])});
             const auto [entry, is_new] =
               known.try_emplace({reduced.first[s], ends.first, ends.second},
                                 result.lattice.struts.size());

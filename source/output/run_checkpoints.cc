@@ -65,8 +65,11 @@ namespace auxfem
       std::string bytes;
       bytes.reserve(n_bytes);
       io::stream_buffer<io::back_insert_device<std::string>> buffer(bytes);
-      boost::archive::binary_oarchive                        archive(buffer);
-      write(archive);
+      {
+        // It writes to the buffer until its end.
+        boost::archive::binary_oarchive archive(buffer);
+        write(archive);
+      }
       buffer.close();
       return bytes;
     }

@@ -185,6 +185,8 @@ namespace auxfem
             else
               coupling(inside(u), outside(entry.column)) += entry.value;
         inner_is_stable = inner_is_stable && least_eigenvalue(K) > 0;
+        if (m == 0)
+          continue;
         inverse.invert(K);
         inverse.mmult(part, coupling);
         coupling.Tmmult(sum, part);
