@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <system_error>
@@ -103,24 +102,18 @@ namespace auxfem
     return stream.tellp();
   }
 
+  std::string text_of_cell(const double value)
+  {
+    return number_text(value, 15);
+  }
+
   void CsvTable::append(const std::vector<double> &row)
   {
     AssertDimension(row.size(), n_columns);
 
-    // Sign, 15 digits, point and exponent (e-308) need 22 characters.
-    char number[32];
     line.clear();
     for (const double value : row)
-      {
-        const auto end = std::to_chars(number,
-                                       number + sizeof(number),
-                                       value,
-                                       std::chars_format::general,
-                                       15)
-                           .ptr;
-        line.append(number, end);
-        line += ',';
-      }
+      line += text_of_cell(value) + ',';
     write_line();
   }
 

@@ -288,7 +288,7 @@ namespace auxfem
   {
     for (const UnknownSum &sum : unknown_sums)
       {
-        row[column++] = sum.of([&](const int unknown) {
+        row[column++] = sum.total([&](const int unknown) {
           return value(sum.quantity, state, unknown);
         });
       }
@@ -450,8 +450,8 @@ namespace auxfem
           continue;
         const Vector &unknown_values =
           sum.quantity == Quantity::residual ? reactions : displacements;
-        values.push_back(
-          sum.of([&](const int unknown) { return unknown_values[unknown]; }));
+        values.push_back(sum.total(
+          [&](const int unknown) { return unknown_values[unknown]; }));
       }
     return equations.model().numbering.layout().sum(values);
   }

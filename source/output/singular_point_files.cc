@@ -63,14 +63,6 @@ namespace auxfem
        "transposed stiffness: 0 at bifurcations up to round-off; nan: "
        "unknown"}};
 
-    std::string number_text(const double value)
-    {
-      std::ostringstream text;
-      text.precision(15);
-      text << value;
-      return text.str();
-    }
-
     template <class Number>
     std::string count_text(const std::optional<Number> &count)
     {
@@ -146,14 +138,14 @@ namespace auxfem
       table->append_text(
         {std::to_string(n_written),
          text_of(point.kind),
-         number_text(at.path->load_factor),
-         number_text(at.time),
+         text_of_cell(at.path->load_factor),
+         text_of_cell(at.time),
          std::to_string(point.multiplicity()),
          count_text(point.before.n_negative),
          count_text(point.after.n_negative),
          count_text(point.before.determinant_sign),
          count_text(point.after.determinant_sign),
-         point.load_projection ? number_text(*point.load_projection) : "nan"});
+         point.load_projection ? text_of_cell(*point.load_projection) : "nan"});
     });
     if (!graphics || point.null_vector.empty())
       return;

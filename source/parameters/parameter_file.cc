@@ -392,15 +392,19 @@ namespace auxfem
 
 
 
-  void apply_override(ParameterSubsection &root, const std::string &assignment)
+  void apply_override(ParameterSubsection            &root,
+                      const std::string              &assignment,
+                      const std::vector<std::string> &path_subsections)
   {
     const FileLocation       origin = {"command line", 0};
     const std::size_t        equals = assignment.find('=');
     const std::string        path   = trim(assignment.substr(0, equals));
     std::vector<std::string> names =
       dealii::Utilities::split_string_list(path, '/');
-    // Names of its entries are paths themselves.
-    if (names.size() > 1 && names.front() == "Sweep")
+    if (names.size() > 1 &&
+        std::find(path_subsections.begin(),
+                  path_subsections.end(),
+                  names.front()) != path_subsections.end())
       names = {names.front(), trim(path.substr(path.find('/') + 1))};
     if (equals == std::string::npos ||
         assignment.find_first_of("#\n") != std::string::npos || path.empty() ||

@@ -1,6 +1,7 @@
 #include <auxfem/parameters/text.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 
@@ -120,6 +121,19 @@ namespace auxfem
     if (result.back() == '.')
       result.pop_back();
     return result;
+  }
+
+  std::string number_text(const double value, const int digits)
+  {
+    // Sign, 17 digits, point and exponent (e-308) need 24 characters.
+    char       text[32];
+    const auto end = std::to_chars(text,
+                                   text + sizeof(text),
+                                   value,
+                                   std::chars_format::general,
+                                   digits)
+                       .ptr;
+    return {text, end};
   }
 
   std::string percentage_text(const double part, const unsigned int digits)

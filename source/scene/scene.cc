@@ -131,8 +131,12 @@ namespace auxfem
                      const std::string              &file,
                      const std::vector<std::string> &overrides)
     {
+      std::vector<std::string> path_subsections;
+      for (const SubsectionSchema &schema : scene_schemas())
+        if (schema.form == SubsectionSchema::Form::path_entries)
+          path_subsections.push_back(schema.name);
       for (const std::string &assignment : overrides)
-        apply_override(root, assignment);
+        apply_override(root, assignment, path_subsections);
       return make_scene(root, file);
     }
   } // namespace

@@ -1,5 +1,6 @@
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/quantity.h>
+#include <auxfem/parameters/text.h>
 #include <auxfem/scene/sweep_definition.h>
 
 #include <deal.II/base/utilities.h>
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <sstream>
 
 namespace auxfem
 {
@@ -41,15 +41,6 @@ namespace auxfem
          "Results in the table of a sweep, separated by commas: names in "
             "summary.json, e.g. nu12, or Quantities. auto: all numbers of the "
             "analysis, and Quantities."};
-
-    /** Number without digits of round-off. */
-    std::string number_text(const double value)
-    {
-      std::ostringstream text;
-      text.precision(12);
-      text << value;
-      return text.str();
-    }
 
     std::string with_unit(const double value, const std::string &unit)
     {

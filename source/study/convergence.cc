@@ -118,8 +118,8 @@ namespace auxfem
         ? std::to_string(settings.elements())
         : refined == RefinedParameter::mesh_and_time_step
         ? std::to_string(settings.elements()) + ", " +
-          short_number(settings.time_step)
-        : short_number(coarseness(refined, settings));
+          number_text(settings.time_step)
+        : number_text(coarseness(refined, settings));
     }
 
     std::string heading_of(const RefinedParameter refined)

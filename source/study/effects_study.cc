@@ -244,7 +244,7 @@ namespace auxfem
                        const double                     tolerance)
     {
       const std::string allowed =
-        "a change of " + short_number(100 * tolerance) + " %";
+        "a change of " + number_text(100 * tolerance) + " %";
       if (together.overrides.empty())
         return "All effects of the scene are called for at " + allowed + ".\n";
       const auto change =
@@ -286,7 +286,7 @@ namespace auxfem
                                       verdict_on(one,
                                                  task.scene.study.tolerance)};
       for (std::size_t q = 0; q < task.quantities.size(); ++q)
-        row.push_back(one.changes.empty() ? "" : short_number(one.changes[q]));
+        row.push_back(one.changes.empty() ? "" : number_text(one.changes[q]));
       return row;
     }
 

@@ -345,17 +345,17 @@ namespace auxfem
       return digits;
     }
 
-    std::string contents(const std::string &file)
-    {
-      std::ifstream stream(file);
-      return {std::istreambuf_iterator<char>(stream), {}};
-    }
-
     std::string file_of(const std::string &folder, const std::string &key)
     {
       return folder + "/" + hash_of(key) + ".json";
     }
   } // namespace
+
+  std::string contents(const std::string &file)
+  {
+    std::ifstream stream(file);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
 
   std::string key_of(const Scene &scene, const unsigned int n_ranks)
   {

@@ -3,7 +3,6 @@
 #include <auxfem/study/settings.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <functional>
 
@@ -46,15 +45,15 @@ namespace auxfem
     assign("Time/Time step",
            from.time_step,
            to.time_step,
-           short_number(to.time_step));
+           number_text(to.time_step));
     assign("Time/Relative tolerance",
            from.time_tolerance,
            to.time_tolerance,
-           to.time_tolerance ? short_number(*to.time_tolerance) : "none");
+           to.time_tolerance ? number_text(*to.time_tolerance) : "none");
     assign("Newton/Tolerance",
            from.newton_tolerance,
            to.newton_tolerance,
-           short_number(to.newton_tolerance));
+           number_text(to.newton_tolerance));
     return assignments;
   }
 
@@ -80,20 +79,6 @@ namespace auxfem
         throw InputError("The study contains an invalid simulation, with" +
                          command_line_text(overrides) + ":\n" + error.what());
       }
-  }
-
-  std::string short_number(const double value)
-  {
-    // Twelve digits hide round-off, such as that of 20 us halved.
-    constexpr int digits = 12;
-    char          text[32];
-    const auto    end = std::to_chars(text,
-                                   text + sizeof(text),
-                                   value,
-                                   std::chars_format::general,
-                                   digits)
-                       .ptr;
-    return {text, end};
   }
 
   void SettingsList::add(const std::vector<Settings> &settings,
@@ -152,12 +137,12 @@ namespace auxfem
         (settings.elements() == 1 ? " element a strut, "
                                   : " elements a strut, ");
     name +=
-      settings.scheme + ", step " + short_number(settings.time_step) + " s";
+      settings.scheme + ", step " + number_text(settings.time_step) + " s";
     if (settings.time_tolerance)
       name +=
-        " and less to an error of " + short_number(*settings.time_tolerance);
+        " and less to an error of " + number_text(*settings.time_tolerance);
     if (settings.newton_tolerance != scene.newton.tolerance)
-      name += ", Newton tolerance " + short_number(settings.newton_tolerance);
+      name += ", Newton tolerance " + number_text(settings.newton_tolerance);
     return name;
   }
 

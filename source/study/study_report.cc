@@ -87,7 +87,7 @@ namespace auxfem
 
   std::string number_text(const std::optional<double> &number)
   {
-    return number ? short_number(*number) : "";
+    return number ? number_text(*number) : "";
   }
 
   std::vector<Column> columns_of_settings(const Scene &scene)
@@ -112,9 +112,9 @@ namespace auxfem
       cells = {std::to_string(settings.order),
                std::to_string(settings.elements())};
     cells.insert(cells.end(),
-                 {short_number(settings.time_step),
+                 {number_text(settings.time_step),
                   number_text(settings.time_tolerance),
-                  short_number(settings.newton_tolerance),
+                  number_text(settings.newton_tolerance),
                   settings.scheme});
     return cells;
   }
@@ -138,8 +138,8 @@ namespace auxfem
             std::to_string(run.steps),
             std::to_string(run.iterations),
             std::to_string(run.factorizations),
-            short_number(run.cpu_seconds),
-            short_number(run.wall_seconds),
+            number_text(run.cpu_seconds),
+            number_text(run.wall_seconds),
             std::to_string(run.memory),
             name_of(run.verdict),
             run.exit_state};
@@ -223,7 +223,7 @@ namespace auxfem
         {
           text += "$curve" + std::to_string(i) + " << end_of_data\n";
           for (const auto &[x, y] : picture.curves[i].points)
-            text += short_number(x) + " " + short_number(y) + '\n';
+            text += number_text(x) + " " + number_text(y) + '\n';
           text += "end_of_data\n";
         }
       return text;
@@ -323,7 +323,7 @@ namespace auxfem
     std::string slope_marks(const LogPicture &picture)
     {
       const auto place = [](const double x, const double y) {
-        return "first " + short_number(x) + ", first " + short_number(y);
+        return "first " + number_text(x) + ", first " + number_text(y);
       };
       std::string text;
       for (const Slope &slope : slopes_in(picture))

@@ -9,7 +9,6 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <fstream>
 #include <iostream>
 #include <sstream>
 
@@ -66,12 +65,6 @@ namespace auxfem
 
   namespace
   {
-    std::string text_in(const std::string &file)
-    {
-      std::ifstream stream(file);
-      return {std::istreambuf_iterator<char>(stream), {}};
-    }
-
     std::string key_file(const SweepCase &one)
     {
       return one.folder + ".key";
@@ -80,7 +73,7 @@ namespace auxfem
     /** Whether an earlier sweep has completed the case. */
     bool is_done(const SweepCase &one, const Scene &scene)
     {
-      return text_in(key_file(one)) == key_of(scene, 1) &&
+      return contents(key_file(one)) == key_of(scene, 1) &&
         !summary_in(one.folder).is_null();
     }
 
@@ -139,7 +132,8 @@ namespace auxfem
       const unsigned int n_ranks     = mpi::n_mpi_processes(communicator),
                          rank        = mpi::this_mpi_process(communicator);
       const bool     is_side_by_side = n_ranks > 1 && cases.size() >= n_ranks;
-      const MPI_Comm of_case = is_side_by_side ? MPI_COMM_SELF : communicator;
+      const MPI_Comm case_communicator =
+        is_side_by_side ? MPI_COMM_SELF : communicator;
       std::vector<std::string> failures(cases.size());
       int                      signal = 0;
       for (std::size_t c = 0; c < cases.size() && signal == 0; ++c)
@@ -151,11 +145,12 @@ namespace auxfem
           bool             reused       = false;
           try
             {
-              on_first_rank(of_case,
+              on_first_rank(case_communicator,
                             [&]() { reused = is_done(one, scene_of_one); });
-              reused = mpi::max(int(reused), of_case);
+              reused = mpi::max(int(reused), case_communicator);
               if (!reused)
-                failures[c] = compute(one, scene_of_one, of_case, rules);
+                failures[c] =
+                  compute(one, scene_of_one, case_communicator, rules);
             }
           catch (const Interrupted &interruption)
             {

@@ -130,12 +130,7 @@ namespace auxfem
                             const std::string                   &path)
     {
       const auto found = results.find(path);
-      if (found == results.end())
-        return "nan";
-      std::ostringstream text;
-      text.precision(15);
-      text << found->second;
-      return text.str();
+      return found == results.end() ? "nan" : text_of_cell(found->second);
     }
 
     /** Common unit of the values of a parameter; empty if there is none. */

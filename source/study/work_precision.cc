@@ -292,9 +292,9 @@ namespace auxfem
                     std::to_string(settings.elements())});
       row.insert(row.end(),
                  {settings.scheme,
-                  short_number(settings.time_step),
+                  number_text(settings.time_step),
                   settings.time_tolerance
-                    ? short_number(*settings.time_tolerance)
+                    ? number_text(*settings.time_tolerance)
                     : "-",
                   std::to_string(one.run.unknowns),
                   std::to_string(one.run.iterations),

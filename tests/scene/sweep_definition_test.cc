@@ -79,14 +79,14 @@ TEST(SweepDefinition, AllCombinationsOfAGrid)
 // Each tenth of each range has one case; a seed repeats them.
 TEST(SweepDefinition, LatinHypercube)
 {
-  const auto of_seed = [](const std::string &seed) {
+  const auto cases_with_seed = [](const std::string &seed) {
     return cases_of(sweep_of({"Sweep/A=0:10 mm",
                               "Sweep/B=5, 6",
                               "Sampling/Samples=10",
                               "Sampling/Seed=" + seed})
                       .sweep);
   };
-  const auto cases = of_seed("3");
+  const auto cases = cases_with_seed("3");
   ASSERT_EQ(cases.size(), 10u);
   std::set<int> parts;
   unsigned int  n_fives = 0;
@@ -98,8 +98,8 @@ TEST(SweepDefinition, LatinHypercube)
     }
   EXPECT_EQ(parts.size(), 10u);
   EXPECT_EQ(n_fives, 5u);
-  EXPECT_EQ(of_seed("3"), cases);
-  EXPECT_NE(of_seed("4"), cases);
+  EXPECT_EQ(cases_with_seed("3"), cases);
+  EXPECT_NE(cases_with_seed("4"), cases);
 }
 
 TEST(SweepDefinition, MistakesAreNamed)

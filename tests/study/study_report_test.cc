@@ -26,8 +26,8 @@ TEST(StudyReport, NumbersAreReadable)
   EXPECT_EQ(error_text({}), "-");
   EXPECT_EQ(decimal_text(2.005, 1), "2.0");
   EXPECT_EQ(percent_text(0.066), "7 %");
-  EXPECT_EQ(short_number(4.9999999999999996e-05), "5e-05");
-  EXPECT_EQ(short_number(0.25), "0.25");
+  EXPECT_EQ(number_text(4.9999999999999996e-05), "5e-05");
+  EXPECT_EQ(number_text(0.25), "0.25");
 }
 
 TEST(StudyReport, ScriptsOfPicturesAreThoseOfGnuplot)

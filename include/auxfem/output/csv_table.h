@@ -64,6 +64,9 @@ namespace auxfem
     std::size_t           n_columns;
   };
 
+  /** Text of a number in a table: 15 significant digits. */
+  std::string text_of_cell(double value);
+
   /**
    * Writes the companion of a table: columns `column`, `unit`, `meaning`, one
    * line for each of @p columns. Throws InputError if @p file cannot be written.

@@ -120,12 +120,12 @@ namespace auxfem
 
       /** @param value of an unknown */
       template <class Value>
-      double of(const Value &value) const
+      double total(const Value &value) const
       {
-        double total = 0;
+        double sum = 0;
         for (std::size_t i = 0; i < unknowns.size(); ++i)
-          total += (weights.empty() ? 1. : weights[i]) * value(unknowns[i]);
-        return factor * total;
+          sum += (weights.empty() ? 1. : weights[i]) * value(unknowns[i]);
+        return factor * sum;
       }
     };
 

@@ -98,8 +98,12 @@ namespace auxfem
    * Sets one entry from the command line, `Subsection/Parameter=value`:
    * replaces that in @p root or adds it. Throws InputError if @p assignment has
    * another form.
+   * @param path_subsections names of subsections whose entries are paths, see
+   *   SubsectionSchema::Form::path_entries
    */
-  void apply_override(ParameterSubsection &root, const std::string &assignment);
+  void apply_override(ParameterSubsection            &root,
+                      const std::string              &assignment,
+                      const std::vector<std::string> &path_subsections = {});
 } // namespace auxfem
 
 #endif

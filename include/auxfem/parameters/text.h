@@ -78,6 +78,12 @@ namespace auxfem
    */
   std::string rounded_text(double value, unsigned int digits = 3);
 
+  /**
+   * @p value with at most @p digits significant digits, without trailing zeros.
+   *   Twelve digits hide round-off, such as that of 20 us halved.
+   */
+  std::string number_text(double value, int digits = 12);
+
   /** @p part in percent, e.g. `12 %`. */
   std::string percentage_text(double part, unsigned int digits = 2);
 

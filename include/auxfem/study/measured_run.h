@@ -93,6 +93,9 @@ namespace auxfem
   std::vector<std::string> history_columns(const Scene &scene,
                                            MPI_Comm     communicator);
 
+  /** Contents of @p file; empty if it cannot be read. */
+  std::string contents(const std::string &file);
+
   /**
    * Key of a simulation of @p scene on @p n_ranks ranks: program version,
    * parameters and input files. Output, Study and Quantities have no influence.

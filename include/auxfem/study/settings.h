@@ -1,6 +1,7 @@
 #ifndef auxfem_study_settings_h
 #define auxfem_study_settings_h
 
+#include <auxfem/parameters/text.h>
 #include <auxfem/scene/scene.h>
 #include <auxfem/study/study_runs.h>
 
@@ -49,9 +50,6 @@ namespace auxfem
    */
   Scene scene_with(const Scene                    &scene,
                    const std::vector<std::string> &overrides);
-
-  /** @p value with at most twelve digits, without trailing zeros. */
-  std::string short_number(double value);
 
   /** Distinct settings of the simulations of a study. */
   class SettingsList
