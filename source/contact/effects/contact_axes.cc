@@ -3,12 +3,12 @@
 #include <auxfem/mesh/periodic_array.h>
 #include <auxfem/parameters/numerical_limits.h>
 
+#include <deal.II/base/bounding_box.h>
 #include <deal.II/base/numbers.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <map>
 #include <utility>
 
@@ -150,26 +150,75 @@ namespace auxfem
         }
     }
 
-    /** Least and largest parts of the translations at the ends of struts. */
-    using Extent = std::array<std::array<double, 3>, 2>;
-
-    void widen(const Periodicity      &periodicity,
-               const dealii::Point<3> &point,
-               Extent                 &extent)
+    /** Shifts to the neighbours of a period. */
+    std::vector<std::array<int, 3>>
+    neighbour_shifts(const unsigned int dimension)
     {
-      const auto reciprocal = periodicity.reciprocal_vectors();
-      for (std::size_t d = 0; d < reciprocal.size(); ++d)
-        {
-          const double part = reciprocal[d] * point;
-          extent[0][d]      = std::min(extent[0][d], part);
-          extent[1][d]      = std::max(extent[1][d], part);
-        }
+      std::vector<std::array<int, 3>> shifts;
+      const int                       depth = dimension == 3 ? 1 : 0;
+      for (int i = -1; i <= 1; ++i)
+        for (int j = -1; j <= 1; ++j)
+          for (int k = -depth; k <= depth; ++k)
+            if (i != 0 || j != 0 || k != 0)
+              shifts.push_back({{i, j, k}});
+      return shifts;
     }
 
-    Extent nothing()
+    using Box = dealii::BoundingBox<3>;
+
+    /** Boxes around the ends of the axes of each strut, in parts of the
+     * translations of the period. */
+    std::vector<Box> boxes_of_struts(const Lattice                  &lattice,
+                                     const std::vector<ContactAxis> &axes)
     {
-      constexpr double far = std::numeric_limits<double>::infinity();
-      return {{{{far, far, far}}, {{-far, -far, -far}}}};
+      const auto reciprocal = lattice.periodicity->reciprocal_vectors();
+      std::vector<std::vector<dealii::Point<3>>> ends(lattice.struts.size());
+      for (const ContactAxis &axis : axes)
+        for (const dealii::Point<3> &end : axis.ends)
+          {
+            dealii::Point<3> parts;
+            for (std::size_t d = 0; d < reciprocal.size(); ++d)
+              parts[d] = reciprocal[d] * end;
+            ends[axis.strut].push_back(parts);
+          }
+      std::vector<Box> boxes;
+      for (const std::vector<dealii::Point<3>> &points : ends)
+        boxes.emplace_back(points);
+      return boxes;
+    }
+
+    /** Whether @p box, moved by @p shift, meets @p other. */
+    bool meet(const Box &box, const std::array<int, 3> &shift, const Box &other)
+    {
+      for (unsigned int d = 0; d < 3; ++d)
+        if (box.upper_bound(d) + shift[d] < other.lower_bound(d) ||
+            box.lower_bound(d) + shift[d] > other.upper_bound(d))
+          return false;
+      return true;
+    }
+
+    /** The copy of @p axis moved by @p shift periods, without its line. */
+    ContactAxis copy_of(const ContactAxis        &axis,
+                        const std::array<int, 3> &shift,
+                        const LatticeModel       &model)
+    {
+      const Lattice &lattice     = model.lattice;
+      const auto     translation = lattice.periodicity->translation(shift);
+      ContactAxis    copy        = axis;
+      copy.shift                 = shift;
+      for (unsigned int d = 0; d < lattice.dimension; ++d)
+        {
+          copy.axis_factors.push_back(translation[d] /
+                                      lattice.periodicity->length());
+          const auto &unknowns =
+            model.numbering.global().joints[lattice.joint_of_axis(d)];
+          copy.unknowns.insert(copy.unknowns.end(),
+                               unknowns.begin(),
+                               unknowns.begin() + lattice.dimension);
+        }
+      for (dealii::Point<3> &end : copy.ends)
+        end += translation;
+      return copy;
     }
 
     /** Copies of the axes of a period in its neighbours. */
@@ -180,60 +229,22 @@ namespace auxfem
       const Lattice           &lattice = model.lattice;
       if (!lattice.periodicity)
         return copies;
-      const Periodicity &periodicity = *lattice.periodicity;
-      const unsigned int dimension   = lattice.dimension;
-      const double margin = 0.5 / std::pow(lattice.n_cells, 1. / dimension);
-      Extent       whole  = nothing();
-      std::vector<Extent> of_struts(lattice.struts.size(), nothing());
-      for (const ContactAxis &axis : axes)
-        for (const dealii::Point<3> &end : axis.ends)
-          {
-            widen(periodicity, end, whole);
-            widen(periodicity, end, of_struts[axis.strut]);
-          }
-      const auto is_near = [&](const unsigned int        strut,
-                               const std::array<int, 3> &shift) {
-        for (unsigned int d = 0; d < dimension; ++d)
-          if (of_struts[strut][1][d] + shift[d] < whole[0][d] - margin ||
-              of_struts[strut][0][d] + shift[d] > whole[1][d] + margin)
-            return false;
-        return true;
-      };
-      unsigned int line = lattice.struts.size();
-      const int    deep = dimension == 3 ? 1 : 0;
-      for (int i = -1; i <= 1; ++i)
-        for (int j = -1; j <= 1; ++j)
-          for (int k = -deep; k <= deep; ++k)
-            {
-              const std::array<int, 3> shift = {{i, j, k}};
-              if (shift == std::array<int, 3>{})
-                continue;
-              const auto translation = periodicity.translation(shift);
-              for (std::size_t a = 0; a < axes.size(); ++a)
-                {
-                  if (!is_near(axes[a].strut, shift))
-                    continue;
-                  if (copies.empty() || copies.back().shift != shift ||
-                      copies.back().strut != axes[a].strut)
-                    ++line;
-                  copies.push_back(axes[a]);
-                  ContactAxis &copy = copies.back();
-                  copy.shift        = shift;
-                  copy.line         = line - 1;
-                  for (unsigned int d = 0; d < dimension; ++d)
-                    {
-                      copy.axis_factors.push_back(translation[d] /
-                                                  periodicity.length());
-                      const auto &axis = model.numbering.global()
-                                           .joints[lattice.joint_of_axis(d)];
-                      copy.unknowns.insert(copy.unknowns.end(),
-                                           axis.begin(),
-                                           axis.begin() + dimension);
-                    }
-                  for (dealii::Point<3> &end : copy.ends)
-                    end += translation;
-                }
-            }
+      const std::vector<Box> boxes = boxes_of_struts(lattice, axes);
+      Box                    near  = boxes.front();
+      for (const Box &box : boxes)
+        near.merge_with(box);
+      near.extend(0.5 / std::pow(lattice.n_cells, 1. / lattice.dimension));
+      unsigned int first_line = 0;
+      for (const auto &shift : neighbour_shifts(lattice.dimension))
+        {
+          first_line += lattice.struts.size();
+          for (const ContactAxis &axis : axes)
+            if (meet(boxes[axis.strut], shift, near))
+              {
+                copies.push_back(copy_of(axis, shift, model));
+                copies.back().line = first_line + axis.strut;
+              }
+        }
       return copies;
     }
   } // namespace

@@ -186,13 +186,13 @@ namespace auxfem
                                 const std::vector<double> &to) const
   {
     // A copy rotates as its original.
-    const ContactAxis &list = curves.list()[axis];
+    const ContactAxis &contact_axis = curves.list()[axis];
     const std::size_t  n_values =
-      (list.order + 1) * std::size_t(model.lattice.dimension);
+      (contact_axis.order + 1) * std::size_t(model.lattice.dimension);
     double square = 0;
     for (std::size_t i = 0; i < n_values; ++i)
       {
-        const int number = list.unknowns[i];
+        const int number = contact_axis.unknowns[i];
         square += (to[number] - from[number]) * (to[number] - from[number]);
       }
     return std::sqrt(square);

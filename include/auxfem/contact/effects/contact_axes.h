@@ -16,16 +16,16 @@ namespace auxfem
   struct ContactAxis
   {
     unsigned int strut;
-    /** Number of the strut, or of its copy behind all struts. */
+    /** Number of the strut, or of its copy: behind all struts, with gaps. */
     unsigned int line;
     double       begin, end; ///< fractions of the strut's length
     /** Global numbers of the nodal displacements, `dimension` per node; of a
      * copy then those of the axes of the mean deformation. */
     std::vector<int> unknowns;
-    /** Of a copy: from the original, in periods. */
+    /** Shift of a copy from its original, in periods. */
     std::array<int, 3> shift = {{0, 0, 0}};
-    /** Of a copy: by axis of the mean deformation, the motion of the copy over
-     * that of the axis. */
+    /** Motion of a copy over that of each axis of the mean deformation; empty
+     * for originals. */
     std::vector<double> axis_factors = {};
     /** Numbers of the points at both ends of the axis and of its strut; equal
      * where they move together. */
