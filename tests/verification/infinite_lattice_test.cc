@@ -141,13 +141,14 @@ namespace
     for (const ModulusReference &reference : references)
       frequencies.push_back(reference.angular_frequency / (2 * pi));
     LatticeRun run(with_damping(plan_of_unit_strains(scene)), MPI_COMM_WORLD);
-    ASSERT_TRUE(has_damping(run));
+    ASSERT_TRUE(has_damping(run.model.plan.simulated));
     const auto      moduli = harmonic_moduli(run, frequencies);
     ComparisonTable table(title + (has_shear ? ", shear" : "") +
                           ": closed form and complex stiffness method");
     for (std::size_t i = 0; i < references.size(); ++i)
       {
-        const auto        S = moduli[i].compliance();
+        const auto compliance = moduli[i].compliance();
+        ASSERT_TRUE(compliance.has_value());
         const std::string at =
           "at " + formatted("%g", references[i].angular_frequency) + " rad/s: ";
         const auto compare = [&](const std::string          &name,
@@ -162,8 +163,8 @@ namespace
                     expected.imag(),
                     1e-7 * std::abs(expected));
         };
-        compare("E1", 1. / S[0], references[i].along);
-        compare("E2", 1. / S[4], references[i].across);
+        compare("E1", 1. / (*compliance)(0, 0), references[i].along);
+        compare("E2", 1. / (*compliance)(1, 1), references[i].across);
       }
   }
 

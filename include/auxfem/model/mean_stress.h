@@ -22,6 +22,14 @@ namespace auxfem
    */
   std::vector<WeightedUnknown>
   mean_stress_terms(const LatticeModel &model, unsigned int i, unsigned int j);
+  /** As mean_stress_terms(), for the component @p i of the symmetric stress in
+   * the order of ElasticConstants. */
+  std::vector<WeightedUnknown> symmetric_stress_terms(const LatticeModel &model,
+                                                      unsigned int        i);
+
+  /** The part of the owned @p values in a sum of @p terms. */
+  double sum_of_owned(const std::vector<WeightedUnknown> &terms,
+                      const double                       *values);
 } // namespace auxfem
 
 #endif

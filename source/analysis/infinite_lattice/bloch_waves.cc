@@ -18,7 +18,7 @@ namespace auxfem
       Evaluation::equilibrium(rest, run.solution.state);
     TangentSolver &solver = run.solver();
     solver.residual(at_rest, results);
-    const auto of_period = [&](const TangentMatrix &assembled) {
+    const auto period_matrix = [&](const TangentMatrix &assembled) {
       PeriodMatrix matrix(unknowns.size());
       for (const MatrixEntry &entry : entries_on_first_rank(assembled, layout))
         matrix.add(unknowns[entry.row], unknowns[entry.column], entry.value);
@@ -26,7 +26,7 @@ namespace auxfem
     };
     const auto assembled = [&](const TangentFactors &factors) {
       solver.assemble(at_rest, results, factors);
-      return of_period(solver.matrix());
+      return period_matrix(solver.matrix());
     };
     mass      = assembled({0., 0., 1.});
     stiffness = assembled({1., 0., 0.});
@@ -34,13 +34,13 @@ namespace auxfem
     for (const double time : run.equations.relaxation_times())
       {
         run.equations.relaxing_stiffness(at_rest, results, time, matrix);
-        relaxing.emplace_back(time, of_period(matrix));
+        relaxing.emplace_back(time, period_matrix(matrix));
       }
     // At the angular frequency 1 dashpots have their coefficient, to which
     // Maxwell elements add.
     TangentMatrix real(run.equations.pattern());
     run.equations.dynamic_stiffness(at_rest, results, {0., 1.}, real, matrix);
-    damping = of_period(matrix);
+    damping = period_matrix(matrix);
     for (const auto &[time, elements] : relaxing)
       damping.add_multiple(-time / (1 + time * time), elements);
 

@@ -112,22 +112,18 @@ namespace auxfem
       to.rotations = from.rotations;
     }
 
-    /** A run and its waves. */
+    /** A run and its waves, on one rank. */
     struct WavesOfRun
     {
-      explicit WavesOfRun(const RunPlan &plan)
-        : run(plan, MPI_COMM_SELF)
-        , waves((deform_if_asked(run), run))
-      {}
-
-      static void deform_if_asked(LatticeRun &run)
+      explicit WavesOfRun(const RunPlan &plan) : run(plan, MPI_COMM_SELF)
       {
-        if (run.scene.mean_deformation.is_given())
+        if (plan.scene.mean_deformation.is_given())
           deform(run);
+        waves.emplace(run);
       }
 
-      LatticeRun       run;
-      const BlochWaves waves;
+      LatticeRun                run;
+      std::optional<BlochWaves> waves;
     };
 
     /** Waves along the path, one row for each wave vector. */
@@ -247,7 +243,7 @@ namespace auxfem
         {
           const WavePhases phases = phases_of(corner);
           const auto       here   = waves.frequencies(phases, dispersion.bands),
-                     there = finer.waves.frequencies(phases, dispersion.bands);
+                     there = finer.waves->frequencies(phases, dispersion.bands);
           for (std::size_t i = 0; i < std::min(here.size(), there.size()); ++i)
             if (there[i] > 1e-3 * there.back())
               errors.relative[i] =
@@ -283,7 +279,7 @@ namespace auxfem
       const DispersionDefinition      &dispersion = scene.dispersion;
       const WavesOfRun                 computed(plan_of_waves(scene));
       const LatticeRun                &run   = computed.run;
-      const BlochWaves                &waves = computed.waves;
+      const BlochWaves                &waves = *computed.waves;
       RunReport                        report(scene,
                        run.equations,
                        rules,

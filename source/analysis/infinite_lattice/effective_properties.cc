@@ -6,6 +6,7 @@
 #include <auxfem/analysis/small_motions/mesh_error_estimate.h>
 #include <auxfem/mathematics/voigt.h>
 #include <auxfem/mesh/periodic_array.h>
+#include <auxfem/model/effect_decisions.h>
 #include <auxfem/model/mean_stress.h>
 #include <auxfem/output/console.h>
 #include <auxfem/output/overview.h>
@@ -40,19 +41,11 @@ namespace auxfem
     /** Mean stress (Pa) as a vector. */
     std::vector<double> mean_stress(const LatticeRun &run)
     {
-      const unsigned int  dimension = run.lattice.dimension;
       std::vector<double> stress;
-      for (unsigned int i = 0; i < n_strain_components(dimension); ++i)
-        {
-          const auto [a, b] = axes_of_component(i, dimension);
-          double sum        = 0;
-          for (const auto &[k, l] : {std::pair(a, b), std::pair(b, a)})
-            for (const WeightedUnknown &term :
-                 mean_stress_terms(run.model, k, l))
-              sum +=
-                term.weight / 2 * run.solution.state.displacement[term.unknown];
-          stress.push_back(sum);
-        }
+      for (unsigned int i = 0; i < n_strain_components(run.lattice.dimension);
+           ++i)
+        stress.push_back(sum_of_owned(symmetric_stress_terms(run.model, i),
+                                      run.solution.state.displacement.data()));
       return run.model.numbering.layout().sum(stress);
     }
 
@@ -120,19 +113,17 @@ namespace auxfem
       errors.relative = {change.linfty_norm() / largest};
       return errors;
     }
-  } // namespace
 
-  namespace
-  {
     /** Storage and loss moduli at the frequencies of `Frequency response`; none
      * if nothing loses energy. */
-    std::vector<HarmonicModuli> moduli_with_damping(const Scene   &scene,
+    std::vector<HarmonicModuli> moduli_with_damping(const LatticeRun &run,
                                                     const MPI_Comm communicator)
     {
-      LatticeRun damped(with_damping(plan_of_unit_strains(scene)),
-                        communicator);
-      if (!has_damping(damped))
+      const Scene  &scene = run.scene;
+      const RunPlan plan  = with_damping(plan_of_unit_strains(scene));
+      if (!has_damping(decide_effects(plan, run.lattice)))
         return {};
+      LatticeRun damped(plan, communicator);
       return harmonic_moduli(damped, scene.frequency_response.frequencies());
     }
   } // namespace
@@ -157,7 +148,7 @@ namespace auxfem
                      effective_property_contents());
     const MeshErrors          errors = errors_of(run, found, communicator);
     const std::vector<HarmonicModuli> harmonic =
-      moduli_with_damping(scene, communicator);
+      moduli_with_damping(run, communicator);
     RunResult result;
     result.exit_state = "completed";
     result.work       = run.work();

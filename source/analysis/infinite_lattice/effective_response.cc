@@ -1,4 +1,5 @@
 #include <auxfem/analysis/infinite_lattice/effective_response.h>
+#include <auxfem/analysis/infinite_lattice/harmonic_moduli.h>
 #include <auxfem/analysis/simulation/lattice_run.h>
 #include <auxfem/mesh/periodic_array.h>
 #include <auxfem/model/mean_stress.h>
@@ -43,12 +44,8 @@ namespace auxfem
         }
     for (unsigned int i = 0; i < lattice.dimension; ++i)
       for (unsigned int j = 0; j < lattice.dimension; ++j)
-        {
-          double stress = 0;
-          for (const WeightedUnknown &term : mean_stress_terms(model, i, j))
-            stress += term.weight * state.displacement[term.unknown];
-          values.push_back(stress);
-        }
+        values.push_back(sum_of_owned(mean_stress_terms(model, i, j),
+                                      state.displacement.data()));
     return layout.sum(values);
   }
 
@@ -101,8 +98,7 @@ namespace auxfem
     /** Whether forces depend on the deformation alone. */
     bool is_elastic(const SimulatedEffects &simulated)
     {
-      return !simulated.plasticity && !simulated.connector_viscosity &&
-        !simulated.strut_relaxation && !simulated.strut_damping;
+      return !simulated.plasticity && !has_damping(simulated);
     }
 
     /** Passes everything on to another recorder, and computes the tangent of
@@ -210,9 +206,9 @@ namespace auxfem
             text << ')';
           }
         text
-          << ". Later results hold for the period alone, which such a motion "
-             "does not fit. stability.csv has all losses; take more Cells to "
-             "follow one.";
+          << ". Later results hold only for motions that all periods make "
+             "alike. stability.csv has all losses; take more Cells to follow "
+             "one.";
         return {{Verdict::doubtful, text.str(), first.time, ""}};
       }
 
@@ -244,22 +240,16 @@ namespace auxfem
 
       void write_losses() const
       {
-        const auto text = [](const double value) {
-          std::ostringstream stream;
-          stream.precision(15);
-          stream << value;
-          return stream.str();
-        };
         CsvTable losses(*directory + "/stability.csv",
                         stability_columns(dimension));
         for (const StabilityLoss &loss : stability.losses())
           {
             std::vector<std::string> row = {name_of(loss.kind),
-                                            text(loss.time)};
+                                            text_of_cell(loss.time)};
             for (unsigned int d = 0; d < dimension; ++d)
-              row.push_back(text(loss.wave[d]));
+              row.push_back(text_of_cell(loss.wave[d]));
             for (const double value : loss.values)
-              row.push_back(text(value));
+              row.push_back(text_of_cell(value));
             losses.append_text(row);
           }
       }

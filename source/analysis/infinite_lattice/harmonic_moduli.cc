@@ -14,31 +14,19 @@
 
 namespace auxfem
 {
-  std::vector<std::complex<double>> HarmonicModuli::compliance() const
+  std::optional<dealii::FullMatrix<std::complex<double>>>
+  HarmonicModuli::compliance() const
   {
-    // Re z + i Im z acts on real and imaginary parts as [Re, -Im; Im, Re].
-    const unsigned int         n = storage.m();
-    dealii::FullMatrix<double> both(2 * n, 2 * n);
-    for (unsigned int i = 0; i < n; ++i)
-      for (unsigned int j = 0; j < n; ++j)
-        {
-          both(i, j) = both(n + i, n + j) = storage(i, j);
-          both(n + i, j)                  = loss(i, j);
-          both(i, n + j)                  = -loss(i, j);
-        }
-    std::vector<std::complex<double>> values;
+    dealii::FullMatrix<std::complex<double>> inverse = stiffness;
     try
       {
-        both.gauss_jordan();
+        inverse.gauss_jordan();
       }
     catch (const dealii::ExceptionBase &)
       {
-        return values;
+        return std::nullopt;
       }
-    for (unsigned int i = 0; i < n; ++i)
-      for (unsigned int j = 0; j < n; ++j)
-        values.emplace_back(both(i, j), both(n + i, j));
-    return values;
+    return inverse;
   }
 
   RunPlan with_damping(RunPlan plan)
@@ -51,9 +39,8 @@ namespace auxfem
     return plan;
   }
 
-  bool has_damping(const LatticeRun &run)
+  bool has_damping(const SimulatedEffects &simulated)
   {
-    const SimulatedEffects &simulated = run.model.plan.simulated;
     return simulated.connector_viscosity || simulated.strut_damping ||
       simulated.strut_relaxation;
   }
@@ -78,7 +65,8 @@ namespace auxfem
         stiffness.set({0., 2 * dealii::numbers::PI * frequency});
         if (!stiffness.factorize())
           fail(frequency, solver.last_failure());
-        HarmonicModuli moduli{frequency, {n, n}, {n, n}};
+        HarmonicModuli moduli{frequency,
+                              dealii::FullMatrix<std::complex<double>>(n, n)};
         for (unsigned int j = 0; j < n; ++j)
           {
             const std::vector<double> b = unit_strain(j);
@@ -88,13 +76,12 @@ namespace auxfem
             std::vector<double> stresses;
             for (unsigned int i = 0; i < n; ++i)
               for (const unsigned int first : {0u, layout.n_owned()})
-                stresses.push_back(stress(i, x.data() + first));
+                stresses.push_back(
+                  sum_of_owned(symmetric_stress_terms(model, i),
+                               x.data() + first));
             stresses = layout.sum(stresses);
             for (unsigned int i = 0; i < n; ++i)
-              {
-                moduli.storage(i, j) = stresses[2 * i];
-                moduli.loss(i, j)    = stresses[2 * i + 1];
-              }
+              moduli.stiffness(i, j) = {stresses[2 * i], stresses[2 * i + 1]};
           }
         return moduli;
       }
@@ -122,17 +109,6 @@ namespace auxfem
               layout.is_owned(unknown))
             b[unknown] = k == l ? length : length / 2;
         return b;
-      }
-
-      /** Part of this rank in a mean stress, by owned values. */
-      double stress(const unsigned int i, const double *values) const
-      {
-        const auto [k, l] = axes_of_component(i, model.lattice.dimension);
-        double sum        = 0;
-        for (const auto &[a, b] : {std::pair(k, l), std::pair(l, k)})
-          for (const WeightedUnknown &term : mean_stress_terms(model, a, b))
-            sum += term.weight / 2 * values[term.unknown];
-        return sum;
       }
 
       const LatticeModel  &model;
@@ -165,6 +141,11 @@ namespace auxfem
       columns.push_back({name + "_loss", "Pa", meaning + ", loss"});
     }
 
+    void add_cells(const std::complex<double> &value, std::vector<double> &row)
+    {
+      row.push_back(value.real());
+      row.push_back(value.imag());
+    }
   } // namespace
 
   void write_harmonic_moduli(const std::vector<HarmonicModuli> &moduli,
@@ -172,7 +153,7 @@ namespace auxfem
   {
     if (moduli.empty())
       return;
-    const unsigned int n         = moduli.front().storage.m(),
+    const unsigned int n         = moduli.front().stiffness.m(),
                        dimension = n == 3 ? 2 : 3;
     std::vector<Column> columns  = {
        {"frequency", "Hz", "of the mean strain or stress"}};
@@ -195,22 +176,15 @@ namespace auxfem
     write_column_reference(folder + "/moduli.units.csv", columns);
     for (const HarmonicModuli &at : moduli)
       {
-        std::vector<double>                     row = {at.frequency};
-        const std::vector<std::complex<double>> S   = at.compliance();
+        std::vector<double> row        = {at.frequency};
+        const auto          compliance = at.compliance();
         for (unsigned int i = 0; i < n; ++i)
-          {
-            const std::complex<double> modulus = S.empty()
-              ? std::numeric_limits<double>::quiet_NaN()
-              : 1. / S[(n + 1) * i];
-            row.push_back(modulus.real());
-            row.push_back(modulus.imag());
-          }
+          add_cells(compliance ? 1. / (*compliance)(i, i)
+                               : std::numeric_limits<double>::quiet_NaN(),
+                    row);
         for (unsigned int i = 0; i < n; ++i)
           for (unsigned int j = i; j < n; ++j)
-            {
-              row.push_back(at.storage(i, j));
-              row.push_back(at.loss(i, j));
-            }
+            add_cells(at.stiffness(i, j), row);
         table.append(row);
       }
   }

@@ -65,6 +65,35 @@ namespace auxfem
     {
       return symmetric_eigenvalues(symmetric).front();
     }
+
+    /** @p coupling^T @p K^-1 @p coupling: the stiffness that coupled unknowns
+     * lose if those of @p K adapt. Throws dealii::ExceptionBase if @p K is
+     * singular. */
+    Matrix adapted_stiffness(const Matrix &K, const Matrix &coupling)
+    {
+      Matrix inverse(K.m(), K.m()), motions(K.m(), coupling.n()),
+        product(coupling.n(), coupling.n());
+      inverse.invert(K);
+      inverse.mmult(motions, coupling);
+      coupling.Tmmult(product, motions);
+      return product;
+    }
+
+    /** The stiffness at @p state by global numbers, on the first rank. */
+    std::vector<MatrixEntry> stiffness_entries(const Equations &equations,
+                                               const State     &state)
+    {
+      const State       before  = state;
+      State             now     = state;
+      const Evaluation  at      = Evaluation::equilibrium(before, now);
+      EvaluationResults results = equations.make_results();
+      equations.residual(at, results);
+      TangentMatrix matrix(equations.pattern());
+      matrix.reset();
+      equations.tangent(at, results, {1., 0., 0.}, matrix);
+      return entries_on_first_rank(matrix,
+                                   equations.model().numbering.layout());
+    }
   } // namespace
 
   PeriodTangent::PeriodTangent(const Equations &equations, const State &state)
@@ -73,81 +102,14 @@ namespace auxfem
              depth_of_continuum(equations.model().plan.scene))
     , strut_length(equations.model().mean_strut_length)
   {
-    const LatticeModel  &model   = equations.model();
-    const Lattice       &lattice = model.lattice;
-    const UnknownLayout &layout  = model.numbering.layout();
-    const State          before  = state;
-    State                now     = state;
-    const Evaluation     at      = Evaluation::equilibrium(before, now);
-    EvaluationResults    results = equations.make_results();
-    equations.residual(at, results);
-    TangentMatrix matrix(equations.pattern());
-    matrix.reset();
-    equations.tangent(at, results, {1., 0., 0.}, matrix);
-    std::vector<MatrixEntry> entries = entries_on_first_rank(matrix, layout);
-    if (layout.rank() != 0)
+    const LatticeModel      &model   = equations.model();
+    std::vector<MatrixEntry> entries = stiffness_entries(equations, state);
+    if (model.numbering.layout().rank() != 0)
       return;
-
-    const PeriodUnknowns period(model);
-    const GlobalNumbers &numbers = model.numbering.global();
-    outer.resize(layout.n_global());
-    for (std::size_t u = 0; u < outer.size(); ++u)
-      outer[u].place = period[u];
-    std::vector<bool> is_inner(outer.size(), true);
-    const auto keep = [&](const int number, const unsigned int component) {
-      if (number < 0)
-        return;
-      is_inner[number]        = false;
-      outer[number].component = component;
-    };
-    for (const GlobalNumbers::RigidPartNumbers &part : numbers.rigid_parts)
-      {
-        n_multipliers += part.multipliers.size();
-        for (const int multiplier : part.multipliers)
-          keep(multiplier, n_motion_components);
-        for (unsigned int c = 0; c < n_motion_components; ++c)
-          keep(part.motion[c], c);
-      }
-    for (const GlobalNumbers::RelationNumbers &relation : numbers.relations)
-      keep(relation.multiplier, n_motion_components);
-    for (const GlobalNumbers::MotionNumbers &joint : numbers.joints)
-      for (unsigned int c = 0; c < n_motion_components; ++c)
-        keep(joint[c], c);
-    const auto move = [&](const unsigned int          joint,
-                          const dealii::Tensor<1, 3> &along) {
-      for (unsigned int c = 0; c < dimension; ++c)
-        for (unsigned int d = 0; d < dimension; ++d)
-          outer[numbers.joints[joint][c]].along[d] = along[d];
-    };
-    for (const JointImage &image : lattice.periodicity->images)
-      move(image.joint, lattice.periodicity->translation(image.shift));
-    std::vector<bool> is_axis(outer.size(), false);
-    for (unsigned int d = 0; d < lattice.n_axes; ++d)
-      {
-        const unsigned int joint = lattice.joint_of_axis(d);
-        move(joint, lattice.joints[joint]);
-        for (unsigned int c = 0; c < dimension; ++c)
-          is_axis[numbers.joints[joint][c]] = true;
-      }
-    // Only multipliers and contact with copies depend on the mean deformation.
-    for (const MatrixEntry &entry : entries)
-      if (is_axis[entry.row] &&
-          (is_inner[entry.column] ||
-           outer[entry.column].component < n_motion_components))
-        touches_next_period = true;
-
+    const std::vector<bool> is_inner = classify_unknowns(model);
+    touches_next_period = has_contact_with_copies(model, entries, is_inner);
     eliminate(entries, is_inner);
-    // Only the unknowns of the period that are left are counted.
-    std::map<unsigned int, unsigned int> renumbered;
-    for (std::size_t u = 0; u < outer.size(); ++u)
-      if (!is_inner[u] && outer[u].place.number != invalid_index)
-        {
-          const auto [entry, is_new] =
-            renumbered.try_emplace(outer[u].place.number, renumbered.size());
-          outer[u].place.number = entry->second;
-          if (is_new)
-            components.push_back(outer[u].component);
-        }
+    renumber(is_inner);
     stiffness = PeriodMatrix(components.size());
     for (const MatrixEntry &entry : entries)
       stiffness.add(outer[entry.row].place,
@@ -156,16 +118,96 @@ namespace auxfem
     find_moduli(entries);
   }
 
+  std::vector<bool> PeriodTangent::classify_unknowns(const LatticeModel &model)
+  {
+    const Lattice       &lattice = model.lattice;
+    const GlobalNumbers &numbers = model.numbering.global();
+    const PeriodUnknowns period(model);
+    outer.resize(model.numbering.layout().n_global());
+    for (std::size_t u = 0; u < outer.size(); ++u)
+      outer[u].place = period[u];
+    std::vector<bool> is_inner(outer.size(), true);
+    const auto set_outer = [&](const int number, const unsigned int component) {
+      if (number < 0)
+        return;
+      is_inner[number]        = false;
+      outer[number].component = component;
+    };
+    const auto set_all_outer = [&](const GlobalNumbers::MotionNumbers &motion) {
+      for (unsigned int c = 0; c < n_motion_components; ++c)
+        set_outer(motion[c], c);
+    };
+    for (const GlobalNumbers::RigidPartNumbers &part : numbers.rigid_parts)
+      {
+        n_multipliers += part.multipliers.size();
+        for (const int multiplier : part.multipliers)
+          set_outer(multiplier, n_motion_components);
+        set_all_outer(part.motion);
+      }
+    for (const GlobalNumbers::RelationNumbers &relation : numbers.relations)
+      set_outer(relation.multiplier, n_motion_components);
+    for (const GlobalNumbers::MotionNumbers &joint : numbers.joints)
+      set_all_outer(joint);
+    const auto set_mean_motion = [&](const unsigned int          joint,
+                                     const dealii::Tensor<1, 3> &along) {
+      for (unsigned int c = 0; c < dimension; ++c)
+        for (unsigned int d = 0; d < dimension; ++d)
+          outer[numbers.joints[joint][c]].along[d] = along[d];
+    };
+    for (const JointImage &image : lattice.periodicity->images)
+      set_mean_motion(image.joint,
+                      lattice.periodicity->translation(image.shift));
+    for (unsigned int d = 0; d < lattice.n_axes; ++d)
+      set_mean_motion(lattice.joint_of_axis(d),
+                      lattice.joints[lattice.joint_of_axis(d)]);
+    return is_inner;
+  }
+
+  bool PeriodTangent::has_contact_with_copies(
+    const LatticeModel             &model,
+    const std::vector<MatrixEntry> &entries,
+    const std::vector<bool>        &is_inner) const
+  {
+    std::vector<bool> is_axis(outer.size(), false);
+    for (unsigned int d = 0; d < model.lattice.n_axes; ++d)
+      for (unsigned int c = 0; c < dimension; ++c)
+        is_axis[model.numbering.global()
+                  .joints[model.lattice.joint_of_axis(d)][c]] = true;
+    // Multipliers and contact with copies alone depend on the mean deformation.
+    return std::any_of(entries.begin(),
+                       entries.end(),
+                       [&](const MatrixEntry &entry) {
+                         return is_axis[entry.row] &&
+                           (is_inner[entry.column] ||
+                            outer[entry.column].component <
+                              n_motion_components);
+                       });
+  }
+
+  void PeriodTangent::renumber(const std::vector<bool> &is_inner)
+  {
+    std::map<unsigned int, unsigned int> numbers;
+    for (std::size_t u = 0; u < outer.size(); ++u)
+      if (!is_inner[u] && outer[u].place.number != invalid_index)
+        {
+          const auto [entry, is_new] =
+            numbers.try_emplace(outer[u].place.number, numbers.size());
+          outer[u].place.number = entry->second;
+          if (is_new)
+            components.push_back(outer[u].component);
+        }
+  }
+
   void PeriodTangent::eliminate(std::vector<MatrixEntry> &entries,
                                 const std::vector<bool>  &is_inner)
   {
     std::vector<std::vector<MatrixEntry>> at_inner(is_inner.size());
-    std::vector<MatrixEntry>              left;
+    std::vector<MatrixEntry>              condensed;
     for (const MatrixEntry &entry : entries)
       if (is_inner[entry.row])
         at_inner[entry.row].push_back(entry);
       else if (!is_inner[entry.column])
-        left.push_back(entry);
+        condensed.push_back(entry);
     for (const auto &[first, group] : groups_of(entries, is_inner))
       {
         Positions inside, outside;
@@ -177,7 +219,7 @@ namespace auxfem
               outside(entry.column);
         const unsigned int n = inside.numbers.size(),
                            m = outside.numbers.size();
-        Matrix K(n, n), coupling(n, m), inverse(n, n), part(n, m), sum(m, m);
+        Matrix K(n, n), coupling(n, m);
         for (const int u : group)
           for (const MatrixEntry &entry : at_inner[u])
             if (is_inner[entry.column])
@@ -187,21 +229,19 @@ namespace auxfem
         inner_is_stable = inner_is_stable && least_eigenvalue(K) > 0;
         if (m == 0)
           continue;
-        inverse.invert(K);
-        inverse.mmult(part, coupling);
-        coupling.Tmmult(sum, part);
+        const Matrix adapted = adapted_stiffness(K, coupling);
         for (unsigned int i = 0; i < m; ++i)
           for (unsigned int j = 0; j < m; ++j)
-            left.push_back(
-              {outside.numbers[i], outside.numbers[j], -sum(i, j)});
+            condensed.push_back(
+              {outside.numbers[i], outside.numbers[j], -adapted(i, j)});
       }
-    entries.swap(left);
+    entries.swap(condensed);
   }
 
   void PeriodTangent::find_moduli(const std::vector<MatrixEntry> &entries)
   {
     const unsigned int n = stiffness.size(), n_strains = dimension * dimension;
-    Matrix K(n, n), coupling(n, n_strains), direct(n_strains, n_strains);
+    Matrix             coupling(n, n_strains), direct(n_strains, n_strains);
     // Motion of an unknown: one of the period and parts of the mean strain.
     const auto for_strains = [&](const Outer &at, const auto &action) {
       if (at.component < dimension)
@@ -209,59 +249,54 @@ namespace auxfem
           if (at.along[d] != 0)
             action(dimension * at.component + d, at.along[d]);
     };
-    double largest = 0;
     for (const MatrixEntry &entry : entries)
       {
-        const Outer &row = outer[entry.row], &column = outer[entry.column];
-        const unsigned int i = row.place.number, j = column.place.number;
-        if (i != invalid_index && j != invalid_index)
-          {
-            K(i, j) += entry.value;
-            if (row.component < dimension)
-              largest = std::max(largest, std::abs(entry.value));
-          }
-        for_strains(column, [&](const unsigned int b, const double along) {
-          if (i != invalid_index)
-            coupling(i, b) += entry.value * along;
-          for_strains(row, [&](const unsigned int a, const double other) {
-            direct(a, b) += entry.value * along * other;
-          });
-        });
+        const Outer       &row = outer[entry.row];
+        const unsigned int i   = row.place.number;
+        for_strains(outer[entry.column],
+                    [&](const unsigned int b, const double along) {
+                      if (i != invalid_index)
+                        coupling(i, b) += entry.value * along / unit(i);
+                      for_strains(row,
+                                  [&](const unsigned int a,
+                                      const double       other) {
+                                    direct(a, b) += entry.value * along * other;
+                                  });
+                    });
       }
-    // Equal translations have no stiffness.
+    // At equal phases real and imaginary parts are not coupled.
+    const Matrix both = stiffness_in_one_unit({});
+    Matrix       K(n, n);
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j < n; ++j)
-        if (components[i] < dimension && components[i] == components[j])
-          K(i, j) += largest;
-    Matrix inverse(n, n), part(n, n_strains), sum(n_strains, n_strains);
+        K(i, j) = both(i, j);
     try
       {
-        inverse.invert(K);
+        direct.add(-1., adapted_stiffness(K, coupling));
       }
     catch (const dealii::ExceptionBase &)
       {
         return;
       }
-    inverse.mmult(part, coupling);
-    coupling.Tmmult(sum, part);
-    direct.add(-1., sum);
     direct *= 1 / volume;
     tangent_moduli = direct;
   }
 
+  double PeriodTangent::unit(const unsigned int number) const
+  {
+    const unsigned int c = components[number];
+    return c >= first_rotation && c < n_motion_components ? strut_length : 1.;
+  }
+
   Matrix PeriodTangent::stiffness_in_one_unit(const WavePhases &phases) const
   {
-    Matrix             matrix = stiffness.at(phases);
-    const unsigned int n      = stiffness.size();
-    const auto         size   = [&](const unsigned int i) {
-      const unsigned int c = components[i % n];
-      return c >= first_rotation && c < n_motion_components ? strut_length : 1.;
-    };
-    double largest = 0;
+    Matrix             matrix  = stiffness.at(phases);
+    const unsigned int n       = stiffness.size();
+    double             largest = 0;
     for (unsigned int i = 0; i < 2 * n; ++i)
       for (unsigned int j = 0; j < 2 * n; ++j)
         {
-          matrix(i, j) /= size(i) * size(j);
+          matrix(i, j) /= unit(i % n) * unit(j % n);
           largest = std::max(largest, std::abs(matrix(i, j)));
         }
     if (phases == WavePhases{})
@@ -282,7 +317,8 @@ namespace auxfem
 
   unsigned int PeriodTangent::n_mechanisms() const
   {
-    constexpr double          nothing = 1e-9;
+    // Bending has (height / length)^2 of the stiffness of stretching.
+    constexpr double          relative_zero = 1e-9;
     const std::vector<double> values =
       symmetric_eigenvalues(stiffness_in_one_unit({}));
     const double largest = std::max(-values.front(), values.back());
@@ -290,7 +326,7 @@ namespace auxfem
     return std::count_if(values.begin(),
                          values.end(),
                          [&](const double value) {
-                           return std::abs(value) < nothing * largest;
+                           return std::abs(value) < relative_zero * largest;
                          }) /
       2;
   }

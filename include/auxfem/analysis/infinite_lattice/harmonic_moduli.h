@@ -6,30 +6,32 @@
 #include <deal.II/lac/full_matrix.h>
 
 #include <complex>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace auxfem
 {
   /** Stiffness of an infinite lattice under slow oscillations of its mean
-   * strain: storage is in phase, loss a quarter of a period ahead. */
+   * strain: the stress of storage is in phase, that of loss a quarter of a
+   * period ahead. */
   struct HarmonicModuli
   {
     double frequency; ///< Hz
-    /** Real and imaginary part of the complex stiffness (Pa), in the order of
-     * ElasticConstants. */
-    dealii::FullMatrix<double> storage, loss;
+    /** Complex stiffness (Pa) in the order of ElasticConstants: storage is its
+     * real part, loss its imaginary part. */
+    dealii::FullMatrix<std::complex<double>> stiffness;
 
     /** Complex compliance (1/Pa); empty if the stiffness is singular. */
-    std::vector<std::complex<double>> compliance() const;
+    std::optional<dealii::FullMatrix<std::complex<double>>> compliance() const;
   };
 
   /** @p plan with all damping and relaxation that the scene does not leave out.
    */
   RunPlan with_damping(RunPlan plan);
 
-  /** Whether anything in the lattice of @p run loses energy. */
-  bool has_damping(const LatticeRun &run);
+  /** Whether anything loses energy. */
+  bool has_damping(const SimulatedEffects &simulated);
 
   /**
    * Moduli at @p frequencies (Hz), without inertia: the periods of oscillation
@@ -41,7 +43,8 @@ namespace auxfem
   harmonic_moduli(LatticeRun &run, const std::vector<double> &frequencies);
 
   /** Writes storage and loss of Young's moduli, shear moduli and stiffnesses by
-   * frequency to @p file, and the meanings of its columns beside it. */
+   * frequency to moduli.csv in @p folder, and the meanings of its columns beside
+   * it. */
   void write_harmonic_moduli(const std::vector<HarmonicModuli> &moduli,
                              const std::string                 &folder);
 } // namespace auxfem

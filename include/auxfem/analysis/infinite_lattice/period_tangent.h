@@ -6,6 +6,8 @@
 
 #include <deal.II/lac/full_matrix.h>
 
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace auxfem
@@ -65,8 +67,24 @@ namespace auxfem
       std::array<double, 3> along     = {{0, 0, 0}};
     };
 
-    /** Stiffness against waves of @p phases as PeriodMatrix::at(), with
-     * rotations times the mean strut length, and without equal translations. */
+    /** Sets `outer` for all unknowns of the finite elements; returns which of
+     * them belong to the inside of struts. */
+    std::vector<bool> classify_unknowns(const LatticeModel &model);
+
+    /** Whether contact couples @p entries with the mean deformation. */
+    bool has_contact_with_copies(const LatticeModel             &model,
+                                 const std::vector<MatrixEntry> &entries,
+                                 const std::vector<bool> &is_inner) const;
+
+    /** Numbers the outer unknowns of the period consecutively. */
+    void renumber(const std::vector<bool> &is_inner);
+
+    /** Length by which an outer unknown of the period is divided: the mean
+     * strut length of rotations, else 1. */
+    double unit(unsigned int number) const;
+
+    /** Stiffness against waves of @p phases as PeriodMatrix::at(), with unknowns
+     * times unit(); equal translations have an artificial stiffness. */
     dealii::FullMatrix<double>
     stiffness_in_one_unit(const WavePhases &phases) const;
 
