@@ -77,14 +77,14 @@ namespace auxfem
                                      const Lanes          *strains,
                                      const SectionHistory &history)
   {
-    using std::max, std::sqrt;
+    using std::abs, std::max, std::sqrt;
     const FibreSection &section = sections.of(point);
     const FibrePoint    fibres(point, section);
     const FeltStrains   x = fibres.felt(strains);
     SectionYielding     largest;
     for (unsigned int i = 0; i < section.n_fibres(); ++i)
       {
-        Lanes square = 0, tension = 0;
+        Lanes square = 0, tension = 0, equivalent = 0;
         for (unsigned int c = 0; c < section.n_components; ++c)
           {
             const double modulus = section.moduli[c];
@@ -97,9 +97,14 @@ namespace auxfem
             if (c == 0)
               tension = elastic;
             square += section.equivalents[c] * stress * stress;
+            equivalent += section.equivalents[c] * elastic * elastic;
           }
         const Lanes accumulated = history.kept(fibres.layout.accumulated(i));
         largest.plastic_strain  = max(largest.plastic_strain, accumulated);
+        largest.equivalent_stress =
+          max(largest.equivalent_stress, Lanes(sqrt(equivalent)));
+        where(abs(tension) > abs(largest.fibre_stress), largest.fibre_stress) =
+          tension;
         largest.utilisation =
           max(largest.utilisation,
               Lanes(sqrt(square) / sections.curve.stress(accumulated)));

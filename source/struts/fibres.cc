@@ -1,4 +1,5 @@
 #include <auxfem/struts/fibres.h>
+#include <auxfem/struts/shapes/stress_points.h>
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -37,35 +38,6 @@ namespace auxfem
         part.position = std::sqrt((1 + bore * bore) / 2 +
                                   (1 - bore * bore) / 2 * part.position);
       return parts;
-    }
-
-    /**
-     * Shear strains of a rectangle by Saint-Venant's torsion at y, z from its
-     * centre: derivatives of Prandtl's stress function.
-     * @param h, b sides along y and z
-     */
-    Shear twist_of_rectangle(const double y,
-                             const double z,
-                             const double h,
-                             const double b)
-    {
-      // Terms fall with n^-2, and exponentially away from the sides z = +- b/2.
-      Shear shear = {{0, 0}};
-      for (int n = 1, sign = 1; n < 200; n += 2, sign = -sign)
-        {
-          const double a = n * PI / h;
-          const double decay =
-            std::exp(a * (std::abs(z) - b / 2)) / (1 + std::exp(-a * b));
-          const double cosh = decay * (1 + std::exp(-2 * a * std::abs(z))),
-                       sinh =
-                         std::copysign(decay *
-                                         (1 - std::exp(-2 * a * std::abs(z))),
-                                       z);
-          const double factor = sign * 8 * h / (PI * PI * n * n);
-          shear[0] -= factor * sinh * std::cos(a * y);
-          shear[1] += factor * (1 - cosh) * std::sin(a * y);
-        }
-      return shear;
     }
 
     /** Scales values at the fibres to a mean square of one. */

@@ -120,6 +120,9 @@ namespace auxfem
     /** Largest stress minus back stress of its fibres, over the yield stress
      * there. */
     Lanes utilisation = 0;
+    /** Normal stress of the fibre where it is largest in magnitude, and largest
+     * von Mises stress of a fibre, over Young's modulus. */
+    Lanes fibre_stress = 0, equivalent_stress = 0;
     /** Largest plastic strain or stress over that at which struts break; 0:
      * they do not. */
     Lanes failure = 0;

@@ -38,11 +38,14 @@ namespace auxfem
       section.torsion_constant =
         values.value_or(torsion_constant_parameter(),
                         PI * a * a * a * b * b * b / (a * a + b * b));
-      section.shear_area_2     = section.area * shear_part_of_ellipse(a, b);
-      section.shear_area_3     = section.area * shear_part_of_ellipse(b, a);
-      section.radius           = a;
-      section.half_thicknesses = {{b, a}};
-      section.outer_fibres     = fibres_at(section.half_thicknesses);
+      section.shear_area_2       = section.area * shear_part_of_ellipse(a, b);
+      section.shear_area_3       = section.area * shear_part_of_ellipse(b, a);
+      section.radius             = a;
+      section.half_thicknesses   = {{b, a}};
+      section.outer_fibres       = fibres_at(section.half_thicknesses);
+      section.make_stress_points = [a, b](unsigned int) {
+        return ellipse_stress_points(2 * a, 2 * b);
+      };
       return std::make_unique<CrossSection>(section);
     }
   } // namespace

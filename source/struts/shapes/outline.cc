@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace auxfem
 {
@@ -270,6 +271,11 @@ namespace auxfem
       {half_extent(outline, 1), half_extent(outline, 0)}};
     section.radius       = section.half_thicknesses[1];
     section.outer_fibres = convex_hull(outline);
+    section.make_stress_points =
+      [points = std::make_shared<const std::vector<StressPoint>>(
+         constants.stress_points)](unsigned int) {
+        return StressPoints{*points, false};
+      };
     return section;
   }
 } // namespace auxfem

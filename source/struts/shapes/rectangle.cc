@@ -49,10 +49,13 @@ namespace auxfem
         values.value_or(torsion_constant_parameter(),
                         torsion_constant_of_rectangle(std::max(b, h),
                                                       std::min(b, h)));
-      section.radius           = h / 2;
-      section.shape            = {SectionShape::Kind::rectangle, b / h};
-      section.half_thicknesses = {{b / 2, h / 2}};
-      section.outer_fibres     = fibres_at(section.half_thicknesses);
+      section.radius             = h / 2;
+      section.shape              = {SectionShape::Kind::rectangle, b / h};
+      section.half_thicknesses   = {{b / 2, h / 2}};
+      section.outer_fibres       = fibres_at(section.half_thicknesses);
+      section.make_stress_points = [b, h](const unsigned int dimension) {
+        return rectangle_stress_points(h, b, dimension);
+      };
       set_shear_areas(values, 5. / 6., section);
       return std::make_unique<CrossSection>(section);
     }

@@ -161,16 +161,19 @@ namespace auxfem
         assemble();
         const EnvelopeCholesky factor(matrix);
         std::array<double, 3>  energies;
+        std::array<Values, 3>  solutions = right_sides;
         for (unsigned int i = 0; i < 3; ++i)
           {
-            Values solution = right_sides[i];
-            factor.solve(solution);
-            energies[i] = solution * right_sides[i];
+            factor.solve(solutions[i]);
+            energies[i] = solutions[i] * right_sides[i];
+            constraints.distribute(solutions[i]);
           }
-        const double square = scale * scale;
-        return {square * square * (moments[0] + moments[1] - energies[2]),
+        const double square  = scale * scale;
+        const double torsion = moments[0] + moments[1] - energies[2];
+        return {square * square * torsion,
                 {{square * moments[0] * moments[0] / energies[0],
-                  square * moments[1] * moments[1] / energies[1]}}};
+                  square * moments[1] * moments[1] / energies[1]}},
+                stress_points(solutions, torsion)};
       }
 
     private:
@@ -267,6 +270,59 @@ namespace auxfem
             loads[1][a] += value * x[1];
             loads[2][a] += x[1] * gradient[0] - x[0] * gradient[1];
           }
+      }
+
+      /** Stresses at the vertices of cells away from re-entrant corners, means
+       * over the cells around them. */
+      std::vector<StressPoint>
+      stress_points(const std::array<Values, 3> &solutions,
+                    const double                 torsion) const
+      {
+        const dealii::QTrapezoid<2>                                  vertices;
+        dealii::FEValues<2>                                          values(fe,
+                                   vertices,
+                                   dealii::update_gradients |
+                                     dealii::update_quadrature_points);
+        std::map<unsigned int, std::pair<StressPoint, unsigned int>> sums;
+        std::array<std::vector<dealii::Tensor<1, 2>>, 3>             gradients;
+        gradients.fill(std::vector<dealii::Tensor<1, 2>>(vertices.size()));
+        for (const auto &cell : dofs.active_cell_iterators())
+          {
+            if (cell->level() > 0)
+              continue;
+            values.reinit(cell);
+            for (unsigned int i = 0; i < 3; ++i)
+              values.get_function_gradients(solutions[i], gradients[i]);
+            for (unsigned int v = 0; v < vertices.size(); ++v)
+              {
+                const dealii::Point<2> &x = values.quadrature_point(v);
+                auto &[point, n]          = sums[cell->vertex_index(v)];
+                point.y                   = scale * x[0];
+                point.z                   = scale * x[1];
+                ++n;
+                for (unsigned int d = 0; d < 2; ++d)
+                  {
+                    const double turned = d == 0 ? -x[1] : x[0];
+                    point.by_shear_2[d] += gradients[0][v][d] / moments[0];
+                    point.by_shear_3[d] += gradients[1][v][d] / moments[1];
+                    point.by_torque[d] +=
+                      (gradients[2][v][d] + turned) / torsion;
+                  }
+              }
+          }
+        std::vector<StressPoint> points;
+        for (auto &[vertex, sum] : sums)
+          {
+            auto &[point, n] = sum;
+            for (unsigned int d = 0; d < 2; ++d)
+              {
+                point.by_shear_2[d] /= n * scale * scale;
+                point.by_shear_3[d] /= n * scale * scale;
+                point.by_torque[d] /= n * scale * scale * scale;
+              }
+            points.push_back(point);
+          }
+        return points;
       }
 
       dealii::Triangulation<2>          mesh;

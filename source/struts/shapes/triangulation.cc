@@ -1,5 +1,7 @@
 #include <auxfem/struts/shapes/triangulation.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,9 +16,9 @@ namespace auxfem
     /** Growth of the distance of points on a side with that from its ends. */
     constexpr double point_growth = 0.5;
 
-    /** Sine of the angle by which a corner must be re-entrant to be refined;
+    /** Angle beyond a straight one from which a corner is re-entrant (rad);
      * chords of arcs turn by less. */
-    constexpr double reentrant_sine = 0.3;
+    constexpr double reentrant_angle = 0.3;
 
     /** Distance of @p p from the side from @p a to @p b (m). */
     double distance_from_side(const dealii::Point<2> &p,
@@ -175,17 +177,32 @@ namespace auxfem
       return false;
     }
 
+    /** Angle inside the section at the corner @p b after @p a and before @p c
+     * (rad). */
+    double interior_angle(const dealii::Point<2> &a,
+                          const dealii::Point<2> &b,
+                          const dealii::Point<2> &c)
+    {
+      const double angle = std::atan2(twice_area(b, c, a), (c - b) * (a - b));
+      return angle < 0 ? angle + 2 * dealii::numbers::PI : angle;
+    }
+
+    /** Corners at which a hole is joined to the outer polygon appear twice; the
+     * side that joins them divides their angle. */
     std::vector<dealii::Point<2>> reentrant_corners_of(const Outline &outline)
     {
       std::vector<dealii::Point<2>> corners;
       const std::size_t             n = outline.size();
       for (std::size_t i = 0; i < n; ++i)
         {
-          const auto &a = outline[(i + n - 1) % n], &b = outline[i],
-                     &c = outline[(i + 1) % n];
-          if (twice_area(a, b, c) <
-              -reentrant_sine * a.distance(b) * b.distance(c))
-            corners.push_back(b);
+          double angle = 0;
+          for (std::size_t k = 0; k < n; ++k)
+            if (outline[k] == outline[i])
+              angle += interior_angle(outline[(k + n - 1) % n],
+                                      outline[k],
+                                      outline[(k + 1) % n]);
+          if (angle > dealii::numbers::PI + reentrant_angle)
+            corners.push_back(outline[i]);
         }
       return corners;
     }

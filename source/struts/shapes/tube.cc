@@ -31,11 +31,14 @@ namespace auxfem
           " is more than Outer radius = " + values.text(outer_radius) +
           "; reduce it, or set Shape = circle for a solid rod");
       CrossSection section;
-      section.area             = PI * (outer * outer - inner * inner);
-      section.radius           = outer;
-      section.shape            = {SectionShape::Kind::tube, inner / outer};
-      section.half_thicknesses = {{outer, outer}};
-      section.outer_fibres     = fibres_at(section.half_thicknesses);
+      section.area               = PI * (outer * outer - inner * inner);
+      section.radius             = outer;
+      section.shape              = {SectionShape::Kind::tube, inner / outer};
+      section.half_thicknesses   = {{outer, outer}};
+      section.outer_fibres       = fibres_at(section.half_thicknesses);
+      section.make_stress_points = [outer, inner](unsigned int) {
+        return tube_stress_points(outer, inner);
+      };
       set_axisymmetric_moments(PI / 4 *
                                  (std::pow(outer, 4) - std::pow(inner, 4)),
                                section);

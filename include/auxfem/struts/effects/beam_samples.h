@@ -66,11 +66,13 @@ namespace auxfem
     {
       const unsigned int          e      = index(element);
       const typename Beam::Motion motion = beams.motion(e, state);
-      SectionForces               elastic[order], viscous[order] = {};
+      SectionForces elastic[order], viscous[order] = {}, strains[order];
       section_forces(e, state, elastic);
       viscous_forces(e, state, viscous);
-      find_moments(elastic);
-      find_moments(viscous);
+      elastic_forces(e, state, strains);
+      subtract_initial_strains(e, state, strains);
+      for (SectionForces(*forces)[order] : {&elastic, &viscous, &strains})
+        find_moments(*forces);
 
       std::vector<StrutPoint> points(n_points);
       for (unsigned int i = 0; i < n_points; ++i)
@@ -88,12 +90,15 @@ namespace auxfem
           point.rotation = Beam::rotation(N, motion, beams.unknowns(e), state);
           point.axes =
             Beam::axes(tangent, beams.section(e).orientation(), point.rotation);
+          double S[order];
+          strain_interpolation(H, S);
           SectionForces E = {}, V = {};
           for (int g = 0; g < order; ++g)
             for (unsigned int k = 0; k < 6; ++k)
               {
                 E[k] += H[g] * elastic[g][k];
                 V[k] += H[g] * viscous[g][k];
+                point.strain_forces[k] += S[g] * strains[g][k];
               }
           for (unsigned int k = 0; k < 3; ++k)
             {
@@ -301,6 +306,16 @@ namespace auxfem
                   beams.shape.moment[g][h] * on_curvatures[h];
             }
         }
+    }
+
+    /** Weights of the Gauss points for strains, where those of smooth functions
+     * are @p H: the nearest one alone beside plastic hinges. */
+    void strain_interpolation(const double (&H)[order],
+                              double (&S)[order]) const
+    {
+      const int nearest = std::max_element(H, H + order) - H;
+      for (int g = 0; g < order; ++g)
+        S[g] = has_smooth_strains() ? H[g] : g == nearest;
     }
 
     /** Damping section forces at the Gauss points of element @p e; the caller

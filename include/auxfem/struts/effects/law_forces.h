@@ -55,6 +55,11 @@ namespace auxfem
           const unsigned int g = nearest_point(-1 + 2. * i / (n_points - 1));
           points[i].plastic_strain = lane_value(yielding[g].plastic_strain, 0);
           points[i].utilisation    = lane_value(yielding[g].utilisation, 0);
+          const double modulus     = beams.section(e).youngs_modulus;
+          points[i].fibre_stress =
+            modulus * lane_value(yielding[g].fibre_stress, 0);
+          points[i].equivalent_stress =
+            modulus * lane_value(yielding[g].equivalent_stress, 0);
           points[i].dissipated_density =
             state.history[first_lost + e] / (2 * beams.at_rest(e).jacobian);
         }

@@ -31,12 +31,18 @@ namespace auxfem
     /** Torque and bending moments about axes 2, 3 (N m). */
     dealii::Tensor<1, 3> moment;
     double               energy_density; ///< strain energy per length (J/m)
+    /** Section forces of an elastic strut with the same strains, without
+     * initial ones: a measure of strains. */
+    SectionForces strain_forces = {};
     /** @name Of struts with a law, else zero. */
     ///@{
     double dissipated_density = 0; ///< energy lost per length so far (J/m)
     double plastic_strain     = 0; ///< SectionYielding::plastic_strain
     double utilisation        = 0; ///< SectionYielding::utilisation
     double intactness         = 1; ///< part of the forces that is left
+    /** Largest normal stress of the fibres, with its sign, and von Mises stress
+     * (Pa), of struts that yield. */
+    double fibre_stress = 0, equivalent_stress = 0;
     ///@}
   };
 

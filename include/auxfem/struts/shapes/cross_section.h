@@ -3,6 +3,7 @@
 
 #include <auxfem/parameters/registry.h>
 #include <auxfem/struts/fibres.h>
+#include <auxfem/struts/shapes/stress_points.h>
 
 #include <deal.II/base/point.h>
 
@@ -36,6 +37,8 @@ namespace auxfem
     /** Outermost fibres, at their distances along axes 2 and 3 from the axis
      * (m): bending strains are largest at one of them. Empty: unknown. */
     std::vector<dealii::Point<2>> outer_fibres;
+    /** Points at which stresses are looked for; empty: the shape is unknown. */
+    StressPointsMaker make_stress_points;
     /** Half thickness across axes 2 and 3 for contact (m); 0: unknown, the
      * section is given by its stiffnesses. */
     std::array<double, 2> half_thicknesses = {{0., 0.}};

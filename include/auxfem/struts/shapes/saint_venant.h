@@ -1,9 +1,11 @@
 #ifndef auxfem_struts_shapes_saint_venant_h
 #define auxfem_struts_shapes_saint_venant_h
 
+#include <auxfem/struts/shapes/stress_points.h>
 #include <auxfem/struts/shapes/triangulation.h>
 
 #include <array>
+#include <vector>
 
 namespace auxfem
 {
@@ -13,6 +15,9 @@ namespace auxfem
     double torsion_constant; ///< J (m4)
     /** Shear areas along axes 2 and 3 (m2). */
     std::array<double, 2> shear_areas;
+    /** Stresses at corners, middles of sides and inside. Re-entrant corners are
+     * left out: there the stress has no bound. */
+    std::vector<StressPoint> stress_points;
   };
 
   /**
