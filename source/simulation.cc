@@ -2,6 +2,7 @@
 #include <auxfem/analysis/simulation/imperfect_lattice.h>
 #include <auxfem/model/build_lattice.h>
 #include <auxfem/output/console.h>
+#include <auxfem/output/figure_files.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/parameter_file.h>
 #include <auxfem/simulation.h>
@@ -56,8 +57,13 @@ namespace auxfem
     bool may_change(const std::string &path, const Scene &scene)
     {
       const std::vector<std::string> ends = ends_of(scene);
+      const auto is_in = [&path](const std::string &subsection) {
+        return path.compare(0, subsection.size() + 1, subsection + '/') == 0;
+      };
       return std::find(ends.begin(), ends.end(), path) != ends.end() ||
-        (path.compare(0, 7, "Output/") == 0 && path != "Output/Directory" &&
+        is_in(evaluation_schema().name) || is_in(crush_curve_schema().name) ||
+        is_in(transmission_schema().name) ||
+        (is_in(output_schema().name) && path != "Output/Directory" &&
          path != "Output/Graphics" && path != "Output/Effective strains");
     }
 
@@ -88,8 +94,8 @@ namespace auxfem
           "A run that goes on keeps its parameters; what it has computed until "
           "now depends on them:" +
           changes + "\nOnly " + ends +
-          "and the parameters of Output but Directory, Graphics and Effective "
-          "strains may change. Leave the others as they were, or start anew.");
+          "the parameters of Output but Directory, Graphics and Effective "
+          "strains, and those of the evaluation may change. Leave the others as they were, or start anew.");
     }
 
     void refuse_end_of_path_before(const CheckpointData &reached,
@@ -156,16 +162,28 @@ namespace auxfem
         std::cout << indented(text) << '\n' << std::endl;
     }
 
-    /** Files that only analyses other than @p entry write. */
-    std::vector<std::string> files_of_others(const AnalysisEntry &entry)
+    /** Those of @p all that are not among @p own. */
+    std::vector<std::string> others_of(const std::vector<std::string> &all,
+                                       const std::vector<std::string> &own)
     {
-      const std::vector<std::string> &own = entry.files;
-      std::vector<std::string>        others;
-      for (const AnalysisEntry &other : analysis_registry())
-        for (const std::string &file : other.files)
-          if (std::find(own.begin(), own.end(), file) == own.end())
-            others.push_back(file);
+      std::vector<std::string> others;
+      for (const std::string &file : all)
+        if (std::find(own.begin(), own.end(), file) == own.end())
+          others.push_back(file);
       return others;
+    }
+
+    /** Files of other analyses than @p entry, and of evaluations that @p scene
+     * does not ask for. */
+    std::vector<std::string> files_of_others(const AnalysisEntry &entry,
+                                             const Scene         &scene)
+    {
+      std::vector<std::string> files =
+        others_of(all_figure_files(), figure_files(scene));
+      for (const AnalysisEntry &other : analysis_registry())
+        for (const std::string &file : others_of(other.files, entry.files))
+          files.push_back(file);
+      return files;
     }
   } // namespace
 
@@ -176,7 +194,7 @@ namespace auxfem
     report_size(scene, communicator);
     const AnalysisEntry &analysis            = analysis_of(scene);
     FolderOptions        with_others         = options;
-    with_others.rules.results_of_other_kinds = files_of_others(analysis);
+    with_others.rules.results_of_other_kinds = files_of_others(analysis, scene);
     return analysis.run(scene, communicator, with_others);
   }
 

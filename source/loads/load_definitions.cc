@@ -39,6 +39,17 @@ namespace auxfem
        {"free"}},
       {"Rotation", "free", "rad", "Time history of the rotation", {"free"}});
 
+    const QuantityList moment_point = {
+      "Moments about",
+      "none",
+      "m",
+      Range::any(),
+      2,
+      3,
+      "Point, fixed in space, about which history.csv has the moment of the "
+      "support's forces and moments; none: not recorded.",
+      {"none"}};
+
     /** Holds those of the first @p n components that the dimension has. */
     void hold(const unsigned int dimension,
               const unsigned int n,
@@ -75,7 +86,7 @@ namespace auxfem
       "Supports",
       SubsectionSchema::Form::named_groups,
       "Joints that are held or moved.",
-      {set_of_joints, support_type},
+      {set_of_joints, support_type, moment_point},
       "Type",
       {{"clamp", "Neither displacement nor rotation.", {}},
        {"pin", "No displacement, free rotation.", {}},
@@ -115,6 +126,8 @@ namespace auxfem
         hold(values.context.dimension, 3, support);
         support.fixed[type.back() - 'x'] = false;
       }
+    if (!values.is_word(moment_point))
+      support.moment_point = dealii::Point<3>(vector_of(values, moment_point));
 
     return support;
   }

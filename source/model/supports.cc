@@ -161,7 +161,7 @@ namespace auxfem
                 continue;
               const int unknown = numbering.joint_unknown(joint, c);
               if (unknown >= 0)
-                support.unknowns.push_back({unknown, c});
+                support.unknowns.push_back({unknown, c, joint});
             }
         if (large_rotations && lattice.dimension == 3)
           {

@@ -273,6 +273,23 @@ namespace auxfem
     return values;
   }
 
+  std::vector<std::pair<std::string, double>>
+  dissipated_shares(const Energies &energies)
+  {
+    std::vector<std::pair<std::string, double>> shares;
+    const double                                whole = energies.dissipated();
+    const std::vector<EnergyEntry> &causes = energies.ledger().entries();
+    for (unsigned int i = 0; i < causes.size() && whole > 0; ++i)
+      if (causes[i].kind == EnergyKind::dissipated)
+        shares.emplace_back(causes[i].name, energies[i] / whole);
+    std::stable_sort(shares.begin(),
+                     shares.end(),
+                     [](const auto &one, const auto &other) {
+                       return one.second > other.second;
+                     });
+    return shares;
+  }
+
   Json json_of_energies(const EnergyRecord &record)
   {
     Json                      json;
@@ -280,6 +297,8 @@ namespace auxfem
     const std::vector<double> values  = energy_values(record);
     for (unsigned int i = 0; i < columns.size(); ++i)
       json[columns[i].name] = values[i];
+    for (const auto &[cause, share] : dissipated_shares(record.latest))
+      json["dissipated_shares"][cause] = share;
     json["largest"]                  = record.largest_energy;
     json["largest_relative_balance"] = record.relative(record.largest_balance);
     return json;

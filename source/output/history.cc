@@ -1,11 +1,7 @@
 #include <auxfem/connectors/effects/connector_forces.h>
 #include <auxfem/contact/effects/contact.h>
 #include <auxfem/equations/node_rotations.h>
-#include <auxfem/mesh/periodic_array.h>
-#include <auxfem/mesh/sets.h>
-#include <auxfem/model/mean_stress.h>
 #include <auxfem/output/history.h>
-#include <auxfem/output/output_folder.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -17,40 +13,6 @@ namespace auxfem
 {
   namespace
   {
-    const std::vector<Column> path_columns = {
-      {"arc_length",
-       "m",
-       "sum over the points of the root mean square of nodal displacements, "
-       "with rotations times the mean strut length"},
-      {"load_factor", "1", "factor of the loads"},
-      {"negative_eigenvalues",
-       "",
-       "negative eigenvalues of the stiffness: 0 in stable equilibrium; nan: "
-       "unknown"},
-      {"determinant",
-       "",
-       "sign of the determinant of the stiffness: 1 in stable equilibrium; "
-       "nan: unknown"}};
-
-    /** Column of a component of the force or moment of a support. */
-    Column reaction_column(const std::string &support,
-                           const unsigned int component,
-                           const unsigned int dimension)
-    {
-      const std::string axis = axis_name(component % 3);
-      if (component < first_rotation)
-        return {support + ".r" + axis,
-                "N",
-                "force of the support on the lattice along " + axis};
-      const bool is_planar = dimension == 2;
-      return {support + (is_planar ? ".m" : ".m" + axis),
-              "N m",
-              "moment of the support " +
-                (is_planar ? "" : "about " + axis + " ") +
-                "on the rotations it prescribes, without moments of its "
-                "forces"};
-    }
-
     /**
      * Largest rotation (rad) of all nodes on this rank: in space an angle up to
      * half a revolution.
@@ -83,206 +45,6 @@ namespace auxfem
     }
   } // namespace
 
-  History::History(const Scene     &scene,
-                   const Equations &equations,
-                   const MPI_Comm   communicator)
-    : equations(equations)
-    , communicator(communicator)
-    , part_rotations(equations)
-    , rotation_vectors(equations.model())
-  {
-    if (scene.analysis == Analysis::static_path)
-      column_list = path_columns;
-    else
-      column_list.push_back({"time", "s", "time"});
-    n_position_columns = column_list.size();
-    for (const ProbeDefinition &probe : scene.output.probes)
-      if (RigidPartProbe::is_rigid_part_probe(probe))
-        rigid_part_probes.emplace_back(probe, scene, equations);
-      else
-        define_probe(probe, scene.context);
-    if (equations.model().lattice.periodicity)
-      define_mean_deformation();
-    else
-      for (const Support &support : equations.model().supports)
-        define_support(support);
-    for (const RigidPartProbe &probe : rigid_part_probes)
-      for (const Column &column : probe.columns())
-        column_list.push_back(column);
-    for (const ConnectorGroup &group : equations.reporting().connectors)
-      define_connectors(*group.forces);
-    if (scene.output.effective_strains)
-      {
-        strains.emplace(equations.model());
-        strain_so_far = LargestStrain(
-          loaded_axis(equations.model().plan, equations.model().lattice));
-        for (const Column &column : strains->columns())
-          column_list.push_back(column);
-      }
-    if (const PlateContact *plates = equations.reporting().plates)
-      define_plates(*plates);
-    for (const Column &column : energy_columns(equations.layout().energies))
-      column_list.push_back(column);
-    row.resize(column_list.size());
-  }
-
-  void History::define_probe(const ProbeDefinition &probe,
-                             const SceneContext    &context)
-  {
-    const Lattice                  &lattice = equations.model().lattice;
-    const std::vector<unsigned int> joints =
-      select_joints(lattice, probe.selection, context, probe.path);
-    const auto define = [&](const Column      &column,
-                            const Quantity     quantity,
-                            const unsigned int component) {
-      define_mean(probe, joints, column, quantity, component);
-    };
-
-    for (unsigned int c = 0; c < lattice.dimension; ++c)
-      define({"u" + axis_name(c), "m", "displacement along " + axis_name(c)},
-             Quantity::displacement,
-             c);
-    if (std::all_of(joints.begin(), joints.end(), [&](const unsigned int j) {
-          return equations.model().numbering.joint_has(j, rotation_z);
-        }))
-      {
-        if (lattice.dimension == 2)
-          define({"phi", "rad", "rotation"},
-                 Quantity::displacement,
-                 rotation_z);
-        else
-          for (unsigned int c = 0; c < 3; ++c)
-            define({"phi_" + axis_name(c),
-                    "rad",
-                    "component along " + axis_name(c) +
-                      " of the rotation vector"},
-                   Quantity::rotation_vector,
-                   first_rotation + c);
-      }
-    if (equations.model().plan.simulated.inertia)
-      for (unsigned int c = 0; c < lattice.dimension; ++c)
-        define({"v" + axis_name(c), "m/s", "velocity along " + axis_name(c)},
-               Quantity::velocity,
-               c);
-  }
-
-  void History::define_mean(const ProbeDefinition           &probe,
-                            const std::vector<unsigned int> &joints,
-                            const Column                    &column,
-                            const Quantity                   quantity,
-                            const unsigned int               component)
-  {
-    UnknownSum sum{quantity, {}, 1. / joints.size()};
-    for (const unsigned int joint : joints)
-      {
-        const int unknown =
-          equations.model().numbering.joint_unknown(joint, component);
-        if (equations.model().numbering.layout().is_owned(unknown))
-          {
-            sum.unknowns.push_back(unknown);
-            if (quantity == Quantity::rotation_vector)
-              rotation_vectors.choose(unknown);
-          }
-      }
-    unknown_sums.push_back(std::move(sum));
-    column_list.push_back(
-      {probe.name + "." + column.name,
-       column.unit,
-       "mean " + column.meaning + " of the probe's joints"});
-  }
-
-  void History::define_support(const Support &support)
-  {
-    const DofNumbering &numbering = equations.model().numbering;
-    for (const unsigned int component : numbering.components())
-      {
-        UnknownSum sum{Quantity::residual, {}, 1.};
-        for (const Support::PrescribedUnknown &prescribed : support.unknowns)
-          if (prescribed.component == component &&
-              numbering.layout().is_owned(prescribed.unknown))
-            sum.unknowns.push_back(prescribed.unknown);
-        unknown_sums.push_back(std::move(sum));
-        column_list.push_back(
-          reaction_column(support.name,
-                          component,
-                          equations.model().lattice.dimension));
-      }
-  }
-
-  void History::define_mean_deformation()
-  {
-    const LatticeModel &model   = equations.model();
-    const Lattice      &lattice = model.lattice;
-    for (unsigned int i = 0; i < lattice.dimension; ++i)
-      for (unsigned int j = 0; j < lattice.dimension; ++j)
-        {
-          UnknownSum strain{Quantity::displacement,
-                            {},
-                            1 / lattice.periodicity->length()};
-          const int  unknown =
-            model.numbering.joint_unknown(lattice.joint_of_axis(j), i);
-          if (model.numbering.layout().is_owned(unknown))
-            strain.unknowns.push_back(unknown);
-          unknown_sums.push_back(std::move(strain));
-          column_list.push_back({"strain_" + component_name(i, j),
-                                 "1",
-                                 "mean derivative of the displacement along " +
-                                   axis_name(i) + " by " + axis_name(j)});
-        }
-    for (unsigned int i = 0; i < lattice.dimension; ++i)
-      for (unsigned int j = 0; j < lattice.dimension; ++j)
-        {
-          UnknownSum stress{Quantity::displacement, {}, 1.};
-          for (const WeightedUnknown &term : mean_stress_terms(model, i, j))
-            {
-              stress.unknowns.push_back(term.unknown);
-              stress.weights.push_back(term.weight);
-            }
-          unknown_sums.push_back(std::move(stress));
-          column_list.push_back(
-            {"stress_" + component_name(i, j),
-             "Pa",
-             "mean nominal stress: force along " + axis_name(i) +
-               " per area at rest with its normal along " + axis_name(j)});
-        }
-  }
-
-  void History::define_connectors(const ConnectorForces &group)
-  {
-    column_list.push_back(
-      {group.name() + ".force",
-       "N",
-       "sum of the connectors' forces, positive in tension"});
-    column_list.push_back(
-      {group.name() + ".extension", "m", "sum of the connectors' extensions"});
-    if (group.may_break())
-      column_list.push_back({group.name() + ".broken",
-                             "1",
-                             "number of connectors that have broken"});
-  }
-
-  void History::define_plates(const PlateContact &plates)
-  {
-    const unsigned int dimension = equations.model().lattice.dimension;
-    for (unsigned int i = 0; i < plates.n_plates(); ++i)
-      {
-        for (unsigned int c = 0; c < dimension; ++c)
-          column_list.push_back(
-            {plates.name(i) + ".u" + axis_name(c),
-             "m",
-             "displacement of the plate along " + axis_name(c)});
-        for (unsigned int c = 0; c < dimension; ++c)
-          column_list.push_back(
-            {plates.name(i) + ".f" + axis_name(c),
-             "N",
-             "force of the struts on the plate along " + axis_name(c)});
-        column_list.push_back(
-          {plates.name(i) + ".penetration",
-           "1",
-           "largest penetration of a strut into the plate over its thickness"});
-      }
-  }
-
   unsigned int History::add_unknown_sums(const State &state,
                                          unsigned int column)
   {
@@ -300,6 +62,22 @@ namespace auxfem
   {
     for (const RigidPartProbe &probe : rigid_part_probes)
       for (const double value : probe.values(state, part_rotations))
+        row[column++] = value;
+    return column;
+  }
+
+  unsigned int History::add_support_moments(const State &state,
+                                            unsigned int column)
+  {
+    for (const double moment : support_moments.values(state))
+      row[column++] = moment;
+    return column;
+  }
+
+  unsigned int History::add_stresses(const State &state, unsigned int column)
+  {
+    for (const StressProbe &probe : stress_probes)
+      for (const double value : probe.values(state, communicator))
         row[column++] = value;
     return column;
   }
@@ -384,6 +162,8 @@ namespace auxfem
           return rotation_vectors[unknown];
         case Quantity::velocity:
           return (*state.velocity)[unknown];
+        case Quantity::acceleration:
+          return (*state.acceleration)[unknown];
         default:
           return state.residual[unknown];
       }
@@ -393,6 +173,7 @@ namespace auxfem
   {
     const State &state = solution.state;
     note(state);
+    row.resize(n_recorded_columns);
     row[0] = state.time;
     if (state.path)
       {
@@ -406,6 +187,7 @@ namespace auxfem
       }
     unsigned int column = add_unknown_sums(state, n_position_columns);
     column              = add_rigid_part_values(state, column);
+    column              = add_support_moments(state, column);
     column              = add_connector_sums(solution, column);
     column              = add_strains(state, column);
     if (equations.model().numbering.layout().n_ranks() > 1)
@@ -421,9 +203,12 @@ namespace auxfem
                         strains->axes(),
                         &row[column - strains->axes().size()]);
     column = add_plates(solution, column);
+    column = add_stresses(state, column);
     for (const double energy : energy_values(record))
       row[column++] = energy;
     AssertDimension(column, row.size());
+    if (derived_values)
+      derived_values->append_to(row);
 
     rotation_so_far =
       std::max(rotation_so_far,
@@ -435,7 +220,7 @@ namespace auxfem
   {
     std::vector<Column> columns;
     for (unsigned int i = 0; i < unknown_sums.size(); ++i)
-      if (unknown_sums[i].quantity != Quantity::velocity)
+      if (!is_rate(unknown_sums[i].quantity))
         columns.push_back(column_list[n_position_columns + i]);
     return columns;
   }
@@ -446,7 +231,7 @@ namespace auxfem
     std::vector<double> values;
     for (const UnknownSum &sum : unknown_sums)
       {
-        if (sum.quantity == Quantity::velocity)
+        if (is_rate(sum.quantity))
           continue;
         const Vector &unknown_values =
           sum.quantity == Quantity::residual ? reactions : displacements;
@@ -475,16 +260,5 @@ namespace auxfem
     rotation_so_far =
       dealii::Utilities::MPI::max(rotation_so_far, communicator);
     archive.values("output: largest rotation", rotation_so_far);
-  }
-
-  void require_existing_columns(const Scene &scene, const Lattice &lattice)
-  {
-    if (scene.output.effective_strains)
-      EffectiveStrains::check(lattice);
-    for (const ProbeDefinition &probe : scene.output.probes)
-      if (RigidPartProbe::is_rigid_part_probe(probe))
-        RigidPartProbe::check(probe, scene, lattice);
-      else
-        select_joints(lattice, probe.selection, scene.context, probe.path);
   }
 } // namespace auxfem

@@ -1,5 +1,6 @@
 #include <auxfem/output/failures.h>
 #include <auxfem/output/output_folder.h>
+#include <auxfem/output/view_script_template.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/parameter_file.h>
 #include <auxfem/parameters/text.h>
@@ -12,6 +13,7 @@
 #include <system_error>
 
 #include <fcntl.h>
+#include <nlohmann/json.hpp>
 #include <sys/file.h>
 #include <unistd.h>
 
@@ -60,7 +62,7 @@ namespace auxfem
   {
     namespace fs = std::filesystem;
 
-    const std::string list_name = ".auxfem-files";
+    const std::string list_name = ".auxfem-files", view_script_name = "view.py";
 
     const std::string list_head =
       "# Written here by auxfem, which replaces these and nothing else:\n";
@@ -348,6 +350,17 @@ namespace auxfem
                         ignored);
     }
 
+    /** The script for ParaView. Its own folder is not known where ParaView runs
+     * it from a menu, so that the present one stands in it. */
+    std::string view_script(const std::string &folder)
+    {
+      std::string       text   = view_script_template;
+      const std::string marker = "FOLDER_OF_THE_RUN";
+      return text.replace(text.find(marker),
+                          marker.size(),
+                          Json(fs::absolute(folder).string()).dump());
+    }
+
     FolderContents contents_of(const Scene          &scene,
                                const FolderContents &further)
     {
@@ -358,6 +371,7 @@ namespace auxfem
          "history.units.csv",
          "summary.json",
          "summary.json.part",
+         view_script_name,
          "checkpoint_a",
          "checkpoint_a.part",
          "checkpoint_b",
@@ -408,6 +422,8 @@ namespace auxfem
     if (is_copied(scene) && !is_continued)
       write("original.prm", read_input_file(scene.file));
     write("parameters.prm", scene.all_parameters);
+    if (scene.output.graphics)
+      write(view_script_name, view_script(path));
   }
 
   void RunFolder::write(const std::string &name, const std::string &text) const

@@ -1,5 +1,7 @@
 #include <auxfem/output/console.h>
+#include <auxfem/output/figure_files.h>
 #include <auxfem/output/history.h>
+#include <auxfem/output/member_forces.h>
 #include <auxfem/output/notes.h>
 #include <auxfem/output/output_folder.h>
 #include <auxfem/output/overview.h>
@@ -44,18 +46,35 @@ namespace auxfem
       return progress;
     }
 
-    /** Files that only the analysis of @p scene writes. */
+    /** Files of @p scene besides those of every run. */
     FolderContents further_contents(const Scene &scene)
     {
-      switch (scene.analysis)
-        {
-          case Analysis::static_path:
-            return path_contents();
-          case Analysis::effective_response:
-            return response_contents();
-          default:
-            return {};
-        }
+      FolderContents contents;
+      if (scene.analysis == Analysis::static_path)
+        contents = path_contents();
+      else if (scene.analysis == Analysis::effective_response)
+        contents = response_contents();
+      for (const std::string &file : figure_files(scene))
+        contents.files.push_back(file);
+      return contents;
+    }
+
+    /** Time between frames (s); empty: none within the run. */
+    std::optional<double> graphics_interval(const Scene &scene)
+    {
+      if (!scene.output.graphics)
+        return std::nullopt;
+      constexpr unsigned int n_frames = 50;
+      const double           interval =
+        scene.output.graphics_interval.value_or(scene.time.end_time / n_frames);
+      return interval > 0 ? std::optional(interval) : std::nullopt;
+    }
+
+    /** The smaller one of the times that are given. */
+    std::optional<double> earlier(const std::optional<double> one,
+                                  const std::optional<double> other)
+    {
+      return one && other ? std::min(*one, *other) : one ? one : other;
     }
 
     /** Recorder of make_run_output(). */
@@ -74,10 +93,7 @@ namespace auxfem
         , construction_time(Clock::now())
         , first_step(construction_time)
         , row_times(scene.output.row_interval, step_end_tolerance(scene.time))
-        , graphics_times(scene.output.graphics &&
-                             scene.output.graphics_interval > 0
-                           ? std::optional(scene.output.graphics_interval)
-                           : std::nullopt,
+        , graphics_times(graphics_interval(scene),
                          step_end_tolerance(scene.time))
       {}
 
@@ -108,6 +124,8 @@ namespace auxfem
         search_console.reset();
         // A mistyped probe must not destroy the results of an earlier run.
         require_existing_columns(scene, equations.model().lattice);
+        history.emplace(scene, equations, communicator);
+        require_columns(scene.figures, names_of(history->columns()));
 
         on_first_rank(communicator, [&]() {
           if (console) // A repeated run continues the same log.
@@ -138,7 +156,6 @@ namespace auxfem
         this->equations = &equations;
         last_row.reset();
         last_graphics.reset();
-        history.emplace(scene, equations, communicator);
         open_files();
       }
 
@@ -165,6 +182,8 @@ namespace auxfem
         archive.values(length_record, length);
         if (singular_points)
           singular_points->serialize(archive);
+        if (members)
+          members->serialize(archive);
         if (graphics)
           graphics->serialize(archive);
         // A repetition of a resumed run begins at the start.
@@ -197,11 +216,9 @@ namespace auxfem
 
       std::optional<double> next_time(const double time) const override
       {
-        const std::optional<double> row      = row_times.after(time),
-                                    graphics = graphics_times.after(time);
-        return row && graphics ? std::min(*row, *graphics)
-          : row                ? row
-                               : graphics;
+        const std::optional<double> next =
+          earlier(row_times.after(time), graphics_times.after(time));
+        return members ? earlier(next, members->after(time)) : next;
       }
 
       void row(const Solution &solution) override
@@ -211,6 +228,8 @@ namespace auxfem
           write_row(solution);
         if (graphics_times.has(solution.state.time))
           write_frame(solution);
+        if (members && members->has(solution.state.time))
+          members->write(consistent_solution(solution).state);
       }
 
       void step(const Solution &solution, const StepReport &report) override
@@ -249,6 +268,8 @@ namespace auxfem
             write_row(last);
           if (last_graphics && last_graphics != last.state.time)
             write_graphics(last);
+          if (members && members->includes_end())
+            members->write(last.state);
         }
 
         Summary summary;
@@ -278,7 +299,12 @@ namespace auxfem
         summary.notes                    = notes;
         summary.decisions = equations->model().plan.simulated.decisions;
 
+        CrushGeometry geometry;
+        if (scene.figures.crush)
+          geometry = crush_geometry(*equations);
+
         on_first_rank(communicator, [&]() {
+          summary.figures = figures_of_history(geometry);
           replace_file(folder + "/summary.json", summary_json(scene, summary));
           if (equations->model().struts_may_fail())
             replace_file(folder + "/" + broken_struts_table,
@@ -296,6 +322,20 @@ namespace auxfem
 
     private:
       using Clock = std::chrono::steady_clock;
+
+      /** Figures from the rows in the folder, with their files. */
+      RunFigures figures_of_history(const CrushGeometry &geometry) const
+      {
+        FiguresDefinition definition = scene.figures;
+        definition.options.in_time   = !is_static(scene);
+        const RunFigures figures =
+          figures_of_run(definition,
+                         names_of_bodies(scene),
+                         geometry,
+                         read_table(folder + "/history.csv"));
+        write_figures(figures, scene, folder);
+        return figures;
+      }
 
       /** Continues the folder of a run at @p state. */
       void resume(const State &state)
@@ -343,16 +383,19 @@ namespace auxfem
         on_first_rank(communicator, [&]() { table->append(row); });
       }
 
-      /**
-       * Writes a frame. If its forces are not those of its motion, the nearest
-       * end of the step replaces it.
-       */
+      /** @p solution, or if its forces are not those of its motion the nearest
+       * end of the step. */
+      static const Solution &consistent_solution(const Solution &solution)
+      {
+        const auto &within = solution.forces_within;
+        return !within         ? solution
+          : within->part < 0.5 ? *within->from
+                               : *within->to;
+      }
+
       void write_frame(const Solution &solution)
       {
-        const auto     &within     = solution.forces_within;
-        const Solution &consistent = !within ? solution
-          : within->part < 0.5               ? *within->from
-                                             : *within->to;
+        const Solution &consistent = consistent_solution(solution);
         if (last_graphics != consistent.state.time)
           write_graphics(consistent);
       }
@@ -401,6 +444,12 @@ namespace auxfem
                                   communicator,
                                   restored_checkpoint ? &*restored_checkpoint
                                                       : nullptr);
+        if (scene.figures.member_forces)
+          members.emplace(scene,
+                          *equations,
+                          communicator,
+                          restored_checkpoint ? &*restored_checkpoint
+                                              : nullptr);
         if (scene.output.graphics)
           open_graphics();
       }
@@ -448,6 +497,7 @@ namespace auxfem
       std::optional<History>         history;
       std::optional<CsvTable>        table; ///< on rank 0
       std::optional<VtuWriter>       graphics;
+      std::optional<MemberForces>    members;
       std::optional<RunCheckpoints>  checkpoints;
       /** Files of singular points; only on a path of equilibria. */
       std::optional<SingularPointFiles> singular_points;

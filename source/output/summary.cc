@@ -1,5 +1,6 @@
 #include <auxfem/connectors/effects/connector_forces.h>
 #include <auxfem/output/console.h>
+#include <auxfem/output/figure_files.h>
 #include <auxfem/output/summary.h>
 #include <auxfem/parameters/text.h>
 #include <auxfem/version.h>
@@ -290,6 +291,21 @@ namespace auxfem
     }
   } // namespace
 
+  namespace
+  {
+    /** A line on the dissipated energy by cause; empty without any. */
+    std::string dissipation_text(const Energies &energies)
+    {
+      std::string causes;
+      for (const auto &[cause, share] : dissipated_shares(energies))
+        causes +=
+          (causes.empty() ? ": " : ", ") + cause + " " + percentage_text(share);
+      return causes.empty() ? ""
+                            : "Dissipated " +
+          rounded_text(energies.dissipated()) + " J" + causes + '\n';
+    }
+  } // namespace
+
   std::string closing_energies_text(const EnergyRecord &record,
                                     const std::string  &folder)
   {
@@ -300,8 +316,8 @@ namespace auxfem
       "Energy balance holds to %.1e of the largest energy (%.3e J)\n",
       record.relative(record.largest_balance),
       record.largest_energy);
-    return (record.largest_energy > 0 ? balance : "") +
-      ("Results are in " + folder);
+    return dissipation_text(record.latest) +
+      (record.largest_energy > 0 ? balance : "") + ("Results are in " + folder);
   }
 
   std::string summary_json(const Scene &scene, const Summary &summary)
@@ -346,6 +362,8 @@ namespace auxfem
       json["notes"] = summary.notes;
     if (summary.strain.along(summary.strain.axis()))
       json["largest_effective_strain"] = json_of(summary.strain);
+    if (const Json figures = json_of(summary.figures); !figures.is_null())
+      json["evaluation"] = figures;
     return json_text(json) + '\n';
   }
 
@@ -403,7 +421,7 @@ namespace auxfem
              << percentage_text(*summary.largest_penetration, 3)
              << " of the thickness\n";
     stream << failures_text(summary.broken, summary.broken_connectors)
-           << poissons_ratio_text(summary.strain)
+           << poissons_ratio_text(summary.strain) << text_of(summary.figures)
            << closing_energies_text(summary.energies, folder) << '\n'
            << verdict_text(summary.findings);
     return stream.str();

@@ -79,6 +79,12 @@ namespace auxfem
     : equations(equations)
     , n_segments(scene.output.segments)
   {
+    if (scene.output.stresses)
+      {
+        stresses.emplace(equations.model());
+        if (!stresses->exist())
+          stresses.reset();
+      }
     const Lattice &lattice = equations.model().lattice;
     for (const SetDefinition &definition : scene.sets)
       {
@@ -131,6 +137,32 @@ namespace auxfem
     return fields;
   }
 
+  std::vector<GraphicsField> VtuWriter::stress_fields() const
+  {
+    if (!stresses)
+      return {};
+    std::vector<GraphicsField> fields = {{"axial_stress", 1, "Pa"},
+                                         {"bending_stress", 1, "Pa"},
+                                         {"fibre_stress", 1, "Pa"},
+                                         {"shear_stress", 1, "Pa"}};
+    if (equations.model().lattice.dimension == 3)
+      fields.push_back({"torsion_stress", 1, "Pa"});
+    fields.push_back({"von_mises_stress", 1, "Pa"});
+    fields.push_back({"fibre_strain", 1, ""});
+    return fields;
+  }
+
+  void VtuWriter::append_stresses(const PointStresses &at,
+                                  std::vector<float>  &values) const
+  {
+    for (const double value : {at.axial, at.bending, at.fibre, at.shear})
+      values.push_back(value);
+    if (equations.model().lattice.dimension == 3)
+      values.push_back(at.torsion);
+    values.push_back(at.von_mises);
+    values.push_back(at.fibre_strain);
+  }
+
   std::vector<GraphicsField> VtuWriter::strut_fields() const
   {
     std::vector<GraphicsField> fields = {{"displacement", 3, "m"}};
@@ -142,6 +174,8 @@ namespace auxfem
       fields.push_back(field);
     fields.push_back({"strain_energy_density", 1, "J/m"});
     for (const GraphicsField &field : law_fields())
+      fields.push_back(field);
+    for (const GraphicsField &field : stress_fields())
       fields.push_back(field);
     for (const GraphicsField &field :
          std::vector<GraphicsField>{{"radius", 1, "m"},
@@ -200,10 +234,17 @@ namespace auxfem
 
         points.clear();
         values.clear();
+        unsigned int next = 0;
         for (const StrutPoint &point : struts.sample(state, e, n_segments + 1))
           {
             points.push_back(point.position);
             append_point(point, values);
+            const double xi = -1 + 2. * next++ / n_segments;
+            if (stresses)
+              append_stresses(stresses->at(point,
+                                           number,
+                                           element.interval.at(xi)),
+                              values);
             values.push_back(radius);
             for (const unsigned int value :
                  {number,

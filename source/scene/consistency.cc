@@ -3,6 +3,7 @@
 #include <auxfem/scene/scene.h>
 #include <auxfem/struts/beam_dispatch.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <sstream>
@@ -427,6 +428,7 @@ namespace auxfem
       ColumnNames motions(scene, mistakes);
       motions.enter(scene.output.probes);
       motions.enter(scene.plates);
+      motions.enter(scene.figures.stresses);
       std::vector<JointDefinition> laws;
       for (const JointDefinition &joint : scene.joints)
         if (joint.law)
@@ -434,6 +436,26 @@ namespace auxfem
       ColumnNames losses(scene, mistakes);
       losses.enter(scene.connectors);
       losses.enter(laws);
+    }
+
+    void check_crush_curve(const Scene &scene, Mistakes &mistakes)
+    {
+      if (!scene.figures.crush)
+        return;
+      std::vector<std::string> known;
+      for (const SupportDefinition &support : scene.supports)
+        known.push_back(support.name);
+      for (const PlateDefinition &plate : scene.plates)
+        if (!plate.support)
+          known.push_back(plate.name);
+      for (const std::string &body : scene.figures.crush->bodies)
+        if (std::find(known.begin(), known.end(), body) == known.end())
+          mistakes.add(
+            message(scene,
+                    "Crush curve/Bodies: \"",
+                    body,
+                    "\" is no plate or support. Allowed: ",
+                    known.empty() ? "none, as there are none" : joined(known)));
     }
   } // namespace
 
@@ -458,5 +480,6 @@ namespace auxfem
     check_motions(scene, mistakes);
     check_density(scene, mistakes);
     check_column_names(scene, mistakes);
+    check_crush_curve(scene, mistakes);
   }
 } // namespace auxfem

@@ -344,20 +344,25 @@ namespace auxfem
                                         "Whether files for ParaView are written."};
     const Quantity graphics_interval = {
       "Graphics interval",
-      "0 s",
+      "auto",
       "s",
       Range::non_negative(),
       "Time between files for ParaView, interpolated within steps; 0: at start "
-      "and end only."};
-    const Integer checkpoints = {
-      "Checkpoints",
-      20,
-      0,
-      1000000,
-      "Largest number of checkpoints, after equal numbers of steps; 0: none. "
-      "They take at most 0.3 % of the run's time; another one follows SIGINT and "
-      "SIGTERM. `auxfem --resume DIR` continues from the last one, with equal "
-      "digits."};
+      "and end only. auto: a fiftieth of the end time.",
+      {"auto"}};
+    const Boolean write_stresses = {"Stresses",
+                                    true,
+                                    "Whether files for ParaView have the "
+                                    "stresses of struts."};
+    const Integer checkpoints    = {
+         "Checkpoints",
+         20,
+         0,
+         1000000,
+         "Largest number of checkpoints, after equal numbers of steps; 0: none. "
+            "They take at most 0.3 % of the run's time; another one follows SIGINT and "
+            "SIGTERM. `auxfem --resume DIR` continues from the last one, with equal "
+            "digits."};
     const Integer history_interval = {
       "History interval",
       1,
@@ -406,6 +411,7 @@ namespace auxfem
             {directory,
              graphics,
              graphics_interval,
+             write_stresses,
              history_interval,
              checkpoints,
              row_interval,
@@ -422,11 +428,13 @@ namespace auxfem
   OutputParameters read_output(ParameterValues &values)
   {
     OutputParameters output;
-    output.directory         = values[directory];
-    output.graphics          = values[graphics];
-    output.graphics_interval = values[graphics_interval];
-    output.history_interval  = values[history_interval];
-    output.checkpoints       = values[checkpoints];
+    output.directory = values[directory];
+    output.graphics  = values[graphics];
+    if (!values.is_word(graphics_interval))
+      output.graphics_interval = values[graphics_interval];
+    output.stresses         = values[write_stresses];
+    output.history_interval = values[history_interval];
+    output.checkpoints      = values[checkpoints];
     if (!values.is_word(row_interval))
       output.row_interval = values[row_interval];
     output.segments          = values[segments];

@@ -242,6 +242,18 @@ namespace auxfem
       scene.output.probes.push_back(read_probe(values));
     }
 
+    void add_column(ParameterValues &values, Scene &scene)
+    {
+      scene.output.columns.push_back(read_derived_column(values));
+    }
+
+    /** Adds to the figures what @p read finds. */
+    template <auto read>
+    void add_figures(ParameterValues &values, Scene &scene)
+    {
+      read(values, scene.figures);
+    }
+
     /** Needs the study, which set<&Scene::study> would overwrite. */
     void add_quantity(ParameterValues &values, Scene &scene)
     {
@@ -305,6 +317,12 @@ namespace auxfem
       {solver_schema(), set<&Scene::solver, read_solver>},
       {output_schema(), set<&Scene::output, read_output>},
       {probes_schema(), add_probe},
+      {columns_schema(), add_column},
+      {evaluation_schema(), add_figures<read_evaluation>},
+      {crush_curve_schema(), add_figures<read_crush_curve>},
+      {transmission_schema(), add_figures<read_transmission>},
+      {stresses_schema(), add_figures<read_stress_probe>},
+      {member_forces_schema(), add_figures<read_member_forces>},
       {modes_schema(), set<&Scene::modes, read_modes>},
       {path_schema(), set<&Scene::path, read_path>},
       {frequency_response_schema(),

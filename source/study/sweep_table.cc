@@ -5,8 +5,6 @@
 #include <auxfem/study/quantities.h>
 #include <auxfem/study/sweep_table.h>
 
-#include <deal.II/base/utilities.h>
-
 #include <algorithm>
 #include <fstream>
 #include <sstream>
@@ -91,25 +89,6 @@ namespace auxfem
     const std::string sweep_file           = "sweep.csv",
                       sweep_reference_file = "sweep.units.csv";
 
-    /** Columns of the history in @p folder; none without one. */
-    std::map<std::string, std::vector<double>>
-    history_in(const std::string &folder)
-    {
-      std::map<std::string, std::vector<double>> columns;
-      std::ifstream stream(folder + "/history.csv");
-      std::string   line;
-      if (!std::getline(stream, line))
-        return columns;
-      const auto names = dealii::Utilities::split_string_list(line, ',');
-      while (std::getline(stream, line))
-        {
-          const auto cells = dealii::Utilities::split_string_list(line, ',');
-          for (std::size_t i = 0; i < std::min(names.size(), cells.size()); ++i)
-            columns[names[i]].push_back(std::stod(cells[i]));
-        }
-      return columns;
-    }
-
     /** Quantities of the scene that are numbers, by the history in @p folder. */
     NamedResults quantities_of(const Scene &scene, const std::string &folder)
     {
@@ -117,8 +96,10 @@ namespace auxfem
       if (scene.study.quantities.empty())
         return results;
       MeasuredRun run;
-      run.exit_state = "completed";
-      run.columns    = history_in(folder);
+      run.exit_state              = "completed";
+      const RecordedTable history = read_table(folder + "/history.csv");
+      for (std::size_t i = 0; i < history.names.size(); ++i)
+        run.columns[history.names[i]] = history.columns[i];
       for (const QuantityDefinition &quantity : scene.study.quantities)
         if (quantity.is_number() && run.columns.count(quantity.columns[0]) > 0)
           results.emplace_back(quantity.name,

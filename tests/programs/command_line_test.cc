@@ -155,7 +155,10 @@ namespace
                                     "set Moment =",
                                     "set NAME = TEXT",
                                     "set SUBSECTION/PARAMETER = TEXT",
-                                    "set Results"};
+                                    "set Results",
+                                    "set Bodies",
+                                    "set Input",
+                                    "set Output ="};
     std::istringstream stream(run.output);
     std::string        line, comment, all_comments;
     unsigned int       n_parameters = 0;

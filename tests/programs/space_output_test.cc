@@ -296,8 +296,18 @@ end
     const Table table = history();
     Words       names = {"time"};
     for (const char *probe : {"knee.", "tip."})
-      for (const char *name :
-           {"ux", "uy", "uz", "phi_x", "phi_y", "phi_z", "vx", "vy", "vz"})
+      for (const char *name : {"ux",
+                               "uy",
+                               "uz",
+                               "phi_x",
+                               "phi_y",
+                               "phi_z",
+                               "vx",
+                               "vy",
+                               "vz",
+                               "ax",
+                               "ay",
+                               "az"})
         names.push_back(std::string(probe) + name);
     for (const char *name : {"rx", "ry", "rz", "mx", "my", "mz"})
       names.push_back(std::string("pivot.") + name);

@@ -315,7 +315,7 @@ end
     EXPECT_EQ(scene.solver.maximum_iterations, 70u);
     EXPECT_EQ(scene.output.directory, "somewhere");
     EXPECT_FALSE(scene.output.graphics);
-    expect_close(scene.output.graphics_interval, 1e-3);
+    expect_close(*scene.output.graphics_interval, 1e-3);
     EXPECT_EQ(scene.output.history_interval, 10u);
     EXPECT_EQ(scene.output.segments, 3u);
     ASSERT_EQ(scene.output.probes.size(), 2u);

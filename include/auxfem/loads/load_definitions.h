@@ -7,10 +7,12 @@
 #include <auxfem/parameters/parameter_values.h>
 #include <auxfem/parameters/subsection_schema.h>
 
+#include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -71,7 +73,9 @@ namespace auxfem
     /** Prescribed components, and their time histories (m, rad). */
     std::array<bool, n_motion_components>         fixed = {};
     std::array<TimeFunction, n_motion_components> motion;
-    std::string                                   path; ///< for messages
+    /** Point about which its moment is recorded (m); empty: not recorded. */
+    std::optional<dealii::Point<3>> moment_point;
+    std::string                     path; ///< for messages
   };
 
   /** Schema of `Supports`. */

@@ -13,6 +13,7 @@ namespace auxfem
     {
       int          unknown; ///< local number
       unsigned int component;
+      unsigned int joint;
     };
     /** A large spatial rotation with prescribed spins. */
     struct PrescribedRotation

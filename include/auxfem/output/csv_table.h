@@ -1,6 +1,7 @@
 #ifndef auxfem_output_csv_table_h
 #define auxfem_output_csv_table_h
 
+#include <auxfem/figures/recorded_table.h>
 #include <auxfem/parameters/text.h>
 #include <auxfem/state/checkpoint_archive.h>
 #include <auxfem/state/energies.h>
@@ -8,18 +9,11 @@
 #include <fstream>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace auxfem
 {
-  /** A column of a table: name in the header, unit, meaning. */
-  struct Column
-  {
-    std::string name;
-    std::string unit;
-    std::string meaning;
-  };
-
   /**
    * A table, mostly of numbers, in a comma-separated file that grows by rows:
    * one header line with the names, then numbers with 15 significant digits.
@@ -104,6 +98,11 @@ namespace auxfem
 
   /** The numbers in these columns after the latest add(). */
   std::vector<double> energy_values(const EnergyRecord &record);
+
+  /** Causes of dissipation and their shares of all dissipated energy, the
+   * largest first; none without dissipation. */
+  std::vector<std::pair<std::string, double>>
+  dissipated_shares(const Energies &energies);
 
   /** Final energies for summary.json. */
   Json json_of_energies(const EnergyRecord &record);

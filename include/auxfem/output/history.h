@@ -2,9 +2,12 @@
 #define auxfem_output_history_h
 
 #include <auxfem/equations/equations.h>
+#include <auxfem/figures/derived_columns.h>
 #include <auxfem/output/csv_table.h>
 #include <auxfem/output/effective_strains.h>
 #include <auxfem/output/probes.h>
+#include <auxfem/output/strut_stresses.h>
+#include <auxfem/output/support_moments.h>
 #include <auxfem/scene/scene.h>
 #include <auxfem/state/checkpoint_archive.h>
 
@@ -15,20 +18,22 @@ namespace auxfem
   /**
    * Rows of `history.csv`. Columns: `time`, or `arc_length`, `load_factor`,
    * `negative_eigenvalues` and `determinant`; for a probe P `P.ux`, `P.uy`,
-   * `P.phi` (if all its joints rotate) and in dynamics `P.vx`, `P.vy`, means
-   * over its joints; for a probe on rigid parts the columns of RigidPartProbe;
-   * for a support S `S.rx`, `S.ry`, `S.m`, force and moment on the lattice
-   * summed over its joints (`S.m` excludes moments of forces); for a group of
-   * connectors C `C.force`, `C.extension`, sums over the group; if requested
-   * those of EffectiveStrains; for a plate P `P.ux`, `P.uy`, its displacement,
-   * `P.fx`, `P.fy`, the force of the struts on it, and `P.penetration`; those
-   * of energy_columns(). An infinite lattice has no supports but the mean
-   * strain and stress, `strain_xy`, `stress_xy`. Units and meanings are in
-   * `history.units.csv`.
+   * `P.phi` (if all its joints rotate) and in dynamics `P.vx`, `P.vy`, `P.ax`,
+   * `P.ay`, means over its joints; for a probe on rigid parts the columns of
+   * RigidPartProbe; for a support S `S.rx`, `S.ry`, `S.m`, force and moment on
+   * the lattice summed over its joints (`S.m` excludes moments of forces), and
+   * `S.ux`, `S.uy` where it moves; for a group of connectors C `C.force`,
+   * `C.extension`, sums over the group; if requested those of
+   * EffectiveStrains; for a plate P `P.ux`, `P.uy`, its displacement, `P.fx`,
+   * `P.fy`, the force of the struts on it, `P.penetration`, and if it moves in
+   * dynamics `P.vx`, `P.ax`; those of SupportMoments, StressProbe and
+   * energy_columns(); those of the user, see DerivedColumn. An infinite lattice
+   * has no supports but the mean strain and stress, `strain_xy`, `stress_xy`.
+   * Units and meanings are in `history.units.csv`.
    *
-   * In space probes also have `P.uz` and `P.vz`, and instead of `P.phi` the
-   * mean rotation vector `P.phi_x`, `P.phi_y`, `P.phi_z`, which includes whole
-   * turns; supports have `S.rz`, and instead of `S.m` the moments `S.mx`,
+   * In space probes also have `P.uz`, `P.vz`, `P.az`, and instead of `P.phi`
+   * the mean rotation vector `P.phi_x`, `P.phi_y`, `P.phi_z`, which includes
+   * whole turns; supports have `S.rz`, and instead of `S.m` the moments `S.mx`,
    * `S.my`, `S.mz`.
    */
   class History
@@ -106,8 +111,15 @@ namespace auxfem
       displacement,
       rotation_vector,
       velocity,
+      acceleration,
       residual
     };
+
+    static bool is_rate(const Quantity quantity)
+    {
+      return quantity == Quantity::velocity ||
+        quantity == Quantity::acceleration;
+    }
 
     /** A column that is a weighted sum over unknowns. */
     struct UnknownSum
@@ -141,15 +153,26 @@ namespace auxfem
                      Quantity                         quantity,
                      unsigned int                     component);
     void define_support(const Support &support);
+    /** Defines `S.ux` and so on for the displacements that @p support moves,
+     * unless @p scene has a probe or plate of its name. */
+    void define_moved_support(const Scene &scene, const Support &support);
+    /** Defines velocities and accelerations of the plates that move. */
+    void define_plate_rates(const Scene &scene);
+    /** Defines velocities and accelerations of @p probe in dynamics. */
+    void define_rates(const ProbeDefinition           &probe,
+                      const std::vector<unsigned int> &joints);
     void define_mean_deformation();
     void define_connectors(const ConnectorForces &group);
     void define_plates(const PlateContact &plates);
+    void define_derived_columns(const std::vector<DerivedColumn> &definitions);
 
     /**
      * Writes sums of this rank from column @p column on; returns the next
      * column.
      */
     unsigned int add_unknown_sums(const State &state, unsigned int column);
+    unsigned int add_support_moments(const State &state, unsigned int column);
+    unsigned int add_stresses(const State &state, unsigned int column);
     unsigned int add_rigid_part_values(const State &state, unsigned int column);
     unsigned int add_connector_sums(const Solution &solution,
                                     unsigned int    column);
@@ -166,13 +189,18 @@ namespace auxfem
     std::vector<UnknownSum>     unknown_sums;
     RigidPartRotations          part_rotations;
     std::vector<RigidPartProbe> rigid_part_probes;
+    SupportMoments              support_moments;
+    std::vector<StressProbe>    stress_probes;
     RotationVectors             rotation_vectors;
     /** Effective strains, if requested. */
     std::optional<EffectiveStrains> strains;
     LargestStrain                   strain_so_far;
     std::vector<double>             row;
-    EnergyRecord                    record;
-    double                          rotation_so_far = 0;
+    /** Number of columns before the derived ones. */
+    unsigned int                 n_recorded_columns = 0;
+    std::optional<DerivedValues> derived_values;
+    EnergyRecord                 record;
+    double                       rotation_so_far = 0;
   };
 
   /**

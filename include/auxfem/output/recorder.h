@@ -68,7 +68,6 @@ namespace auxfem
   /** Report on the choice of elements for summary.json. */
   Json json_of(const OrderReport &report);
 
-  struct Column;
   struct Scene;
 
   /** Outcome and effort of a run. */

@@ -2,6 +2,7 @@
 #define auxfem_output_summary_h
 
 #include <auxfem/equations/equations.h>
+#include <auxfem/figures/run_figures.h>
 #include <auxfem/model/mass_and_size.h>
 #include <auxfem/output/failures.h>
 #include <auxfem/output/history.h>
@@ -94,6 +95,8 @@ namespace auxfem
     /** See RunResult. */
     std::optional<double>      time_error, small_displacement_error;
     std::optional<OrderReport> orders;
+    /** Figures from the history. */
+    RunFigures figures;
     /** Notes on the scene, see notes_on(). */
     std::vector<std::string> notes;
     /** Simulated and omitted effects. */

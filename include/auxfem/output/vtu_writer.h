@@ -3,6 +3,7 @@
 
 #include <auxfem/equations/equations.h>
 #include <auxfem/output/line_graphics.h>
+#include <auxfem/output/strut_stresses.h>
 #include <auxfem/scene/scene.h>
 #include <auxfem/state/checkpoint_archive.h>
 #include <auxfem/struts/effects/struts.h>
@@ -20,7 +21,8 @@ namespace auxfem
    *
    * Fields of struts: displacement (m), velocity (m/s, in dynamics), rotation
    * (rad), axial_force, shear_force (N), bending_moment (N m),
-   * strain_energy_density (J/m), radius (m), numbers of strut, cell, section
+   * strain_energy_density (J/m), those of Stresses (Pa) and fibre_strain,
+   * radius (m), numbers of strut, cell, section
    * and mpi_rank, and `set_NAME`, 1 inside and 0 outside, for the user's strut
    * sets. In space rotation is the rotation vector, d1, d2, d3 are the section
    * axes now, and forces are axial_force, shear_force_2, shear_force_3 (N),
@@ -77,8 +79,12 @@ namespace auxfem
 
     /** Fields of struts with a law. */
     std::vector<GraphicsField> law_fields() const;
+    std::vector<GraphicsField> stress_fields() const;
+    void                       append_stresses(const PointStresses &stresses,
+                                               std::vector<float>  &values) const;
     std::vector<GraphicsField> strut_fields() const;
-    /** Appends the values of strut_fields() at @p point. */
+    /** Appends the first values of strut_fields(), up to the stresses, at @p
+     * point. */
     void                       append_point(const StrutPoint   &point,
                                             std::vector<float> &values) const;
     std::vector<GraphicsField> rigid_part_fields() const;
@@ -91,6 +97,8 @@ namespace auxfem
 
     const Equations   &equations;
     const unsigned int n_segments;
+    /** Stresses; empty: not written. */
+    std::optional<StrutStresses> stresses;
 
     std::vector<std::string>       set_names;
     std::vector<SetMembers>        sets;

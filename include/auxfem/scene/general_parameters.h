@@ -1,6 +1,7 @@
 #ifndef auxfem_scene_general_parameters_h
 #define auxfem_scene_general_parameters_h
 
+#include <auxfem/figures/derived_columns.h>
 #include <auxfem/parameters/subsection_schema.h>
 
 #include <optional>
@@ -121,10 +122,13 @@ namespace auxfem
   struct OutputParameters
   {
     std::string directory = "output";
-    /** Time between .vtu files (s); 0: at start and end only. */
-    double       graphics_interval = 0;
-    bool         graphics          = true;
-    unsigned int history_interval  = 1; ///< steps between rows of history.csv
+    /** Time between .vtu files (s); 0: at start and end only; empty: a fiftieth
+     * of the end time. */
+    std::optional<double> graphics_interval;
+    bool                  graphics = true;
+    /** Whether .vtu files have the stresses of struts. */
+    bool         stresses         = true;
+    unsigned int history_interval = 1; ///< steps between rows of history.csv
     /** Time between rows of history.csv (s), instead of history_interval. */
     std::optional<double> row_interval;
     /** Number of checkpoints, after equal numbers of steps. */
@@ -135,6 +139,7 @@ namespace auxfem
     /** Whether a verdict against the results makes the exit code a failure. */
     bool                         verdict_fails = true;
     std::vector<ProbeDefinition> probes;
+    std::vector<DerivedColumn>   columns;
   };
 
   /** Schema of `Output`. */

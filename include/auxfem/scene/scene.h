@@ -4,6 +4,7 @@
 #include <auxfem/algebra/linear_solver_method.h>
 #include <auxfem/connectors/connector_definition.h>
 #include <auxfem/contact/plate_definition.h>
+#include <auxfem/figures/figures_definition.h>
 #include <auxfem/joints/constraint_definition.h>
 #include <auxfem/joints/joint_definition.h>
 #include <auxfem/loads/load_definitions.h>
@@ -66,6 +67,7 @@ namespace auxfem
     NewtonParameters             newton;
     SolverParameters             solver;
     OutputParameters             output;
+    FiguresDefinition            figures;
     ModesDefinition              modes;
     PathDefinition               path;
     FrequencyResponseDefinition  frequency_response;

@@ -1,10 +1,11 @@
 #ifndef auxfem_study_measured_run_h
 #define auxfem_study_measured_run_h
 
+#include <auxfem/figures/recorded_history.h>
 #include <auxfem/output/recorder.h>
 #include <auxfem/parameters/text.h>
 #include <auxfem/scene/scene.h>
-#include <auxfem/study/recorded_history.h>
+#include <auxfem/study/recorded_field.h>
 
 #include <mpi.h>
 

@@ -1,4 +1,4 @@
-#include <auxfem/study/recorded_history.h>
+#include <auxfem/figures/recorded_history.h>
 
 #include <gtest/gtest.h>
 
