@@ -6,8 +6,8 @@
 #include <auxfem/output/output_folder.h>
 #include <auxfem/output/overview.h>
 #include <auxfem/output/recorder.h>
-#include <auxfem/output/response_files.h>
 #include <auxfem/output/run_checkpoints.h>
+#include <auxfem/output/run_files.h>
 #include <auxfem/output/run_output.h>
 #include <auxfem/output/singular_point_files.h>
 #include <auxfem/output/verdict.h>
@@ -46,30 +46,6 @@ namespace auxfem
       return progress;
     }
 
-    /** Files of @p scene besides those of every run. */
-    FolderContents further_contents(const Scene &scene)
-    {
-      FolderContents contents;
-      if (scene.analysis == Analysis::static_path)
-        contents = path_contents();
-      else if (scene.analysis == Analysis::effective_response)
-        contents = response_contents();
-      for (const std::string &file : figure_files(scene))
-        contents.files.push_back(file);
-      return contents;
-    }
-
-    /** Time between frames (s); empty: none within the run. */
-    std::optional<double> graphics_interval(const Scene &scene)
-    {
-      if (!scene.output.graphics)
-        return std::nullopt;
-      constexpr unsigned int n_frames = 50;
-      const double           interval =
-        scene.output.graphics_interval.value_or(scene.time.end_time / n_frames);
-      return interval > 0 ? std::optional(interval) : std::nullopt;
-    }
-
     /** The smaller one of the times that are given. */
     std::optional<double> earlier(const std::optional<double> one,
                                   const std::optional<double> other)
@@ -93,8 +69,7 @@ namespace auxfem
         , construction_time(Clock::now())
         , first_step(construction_time)
         , row_times(scene.output.row_interval, step_end_tolerance(scene.time))
-        , graphics_times(graphics_interval(scene),
-                         step_end_tolerance(scene.time))
+        , graphics_times(frame_interval(scene), step_end_tolerance(scene.time))
       {}
 
       void search_step(const RunPlan    &search,

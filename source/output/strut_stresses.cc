@@ -130,45 +130,64 @@ namespace auxfem
     return result;
   }
 
+  namespace
+  {
+    /** A maximum of values at whole numbers. */
+    struct SampledMaximum
+    {
+      double       value, place;
+      unsigned int nearest; ///< the largest of the values
+    };
+
+    /** The largest of @p values; between them, if they are smooth, the vertex
+     * of the parabola through it and its neighbours. */
+    SampledMaximum maximum_of(const std::vector<double> &values,
+                              const bool                 are_smooth)
+    {
+      const auto         at = std::max_element(values.begin(), values.end());
+      const unsigned int i  = at - values.begin();
+      SampledMaximum     found{*at, double(i), i};
+      if (!are_smooth || i == 0 || i + 1 == values.size())
+        return found;
+      const double slope = at[1] - at[-1], bend = 2 * at[0] - at[1] - at[-1];
+      if (bend > 0)
+        {
+          found.value += slope * slope / (8 * bend);
+          found.place += slope / (2 * bend);
+        }
+      return found;
+    }
+  } // namespace
+
   void StressProbe::look_along(const StrutForces &struts,
                                const State       &state,
                                const unsigned int element,
                                Place             &largest) const
   {
+    const LatticeModel  &model = equations.model();
     const StrutInterval &interval =
-      equations.model().numbering.elements()[element].interval;
-    const unsigned int         n = 4 * struts.elements().order + 1;
-    std::vector<PointStresses> along;
-    for (unsigned int i = 0; i < n; ++i)
-      along.emplace_back();
+      model.numbering.elements()[element].interval;
+    const unsigned int n    = 4 * struts.elements().order + 1;
+    const auto         part = [&](const double place) {
+      return interval.at(-1 + 2 * place / (n - 1));
+    };
     const std::vector<StrutPoint> points = struts.sample(state, element, n);
-    unsigned int                  most   = 0;
+    std::vector<double>           von_mises, fibre;
     for (unsigned int i = 0; i < n; ++i)
       {
-        along[i] = stresses.at(points[i],
-                               interval.strut,
-                               interval.at(-1 + 2. * i / (n - 1)));
-        if (along[i].von_mises > along[most].von_mises)
-          most = i;
+        const PointStresses at =
+          stresses.at(points[i], interval.strut, part(i));
+        von_mises.push_back(at.von_mises);
+        fibre.push_back(at.fibre);
       }
-    double stress = along[most].von_mises, place = most;
-    if (most > 0 && most + 1 < n)
-      {
-        // Vertex of the parabola through the largest value and its neighbours.
-        const double slope =
-          along[most + 1].von_mises - along[most - 1].von_mises;
-        const double bend = 2 * along[most].von_mises -
-          along[most + 1].von_mises - along[most - 1].von_mises;
-        if (bend > 0)
-          {
-            stress += slope * slope / (8 * bend);
-            place += slope / (2 * bend);
-          }
-      }
-    if (stress > largest.von_mises)
-      largest = {stress,
-                 along[most].fibre,
-                 interval.at(-1 + 2. * place / (n - 1)),
+    // The fibres of struts that yield are known at Gauss points alone.
+    const bool is_smooth =
+      !model.sections[model.lattice.struts[interval.strut].section].yields();
+    const SampledMaximum found = maximum_of(von_mises, is_smooth);
+    if (found.value > largest.von_mises)
+      largest = {found.value,
+                 fibre[found.nearest],
+                 part(found.place),
                  interval.strut};
   }
 
