@@ -428,7 +428,6 @@ namespace auxfem
       ColumnNames motions(scene, mistakes);
       motions.enter(scene.output.probes);
       motions.enter(scene.plates);
-      motions.enter(scene.figures.stresses);
       std::vector<JointDefinition> laws;
       for (const JointDefinition &joint : scene.joints)
         if (joint.law)
