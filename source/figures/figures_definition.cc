@@ -80,9 +80,10 @@ namespace auxfem
       no_body,
       "Column of history.csv with the force or motion that goes in; none: no "
       "transmission."};
-    const Text     output = {"Output",
-                             no_body,
-                             "Column of history.csv with what comes out."};
+    const Text output = {
+      "Output",
+      no_body,
+      "Column of history.csv with the force or motion that comes out."};
     const Quantity from   = {"From",
                              "0 s",
                              "s",
@@ -207,11 +208,12 @@ namespace auxfem
 
   SubsectionSchema transmission_schema()
   {
-    return {"Transmission",
-            SubsectionSchema::Form::fixed,
-            "What comes out over what goes in, in time and by frequency, in "
-            "transmission.csv.",
-            {input, output, from, to, window, largest_frequency}};
+    return {
+      "Transmission",
+      SubsectionSchema::Form::fixed,
+      "Transmission from one column of history.csv to another, in time and by "
+      "frequency, in transmission.csv.",
+      {input, output, from, to, window, largest_frequency}};
   }
 
   void read_transmission(ParameterValues &values, FiguresDefinition &result)

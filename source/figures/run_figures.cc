@@ -192,7 +192,10 @@ namespace auxfem
       if (!(figures.largest_strain > 0))
         found.notes.push_back("Crush curve: " + definition.bodies[0] + " and " +
                               definition.bodies[1] +
-                              " do not approach each other.");
+                              " do not approach each other: history.csv has no "
+                              "displacement that closes the gap. A support has "
+                              "one where it is moved, else give it a probe of "
+                              "the same name.");
       else if (!figures.densification_strain)
         found.notes.push_back(
           "Crush curve: the efficiency still grows at the largest strain, " +

@@ -167,9 +167,9 @@ namespace auxfem
     const std::size_t n = columns().size();
     on_first_rank(communicator, [&]() {
       std::vector<std::vector<double>> rows;
-      for (const std::vector<double> &of_rank : all)
-        for (std::size_t i = 0; i < of_rank.size(); i += n)
-          rows.emplace_back(of_rank.begin() + i, of_rank.begin() + i + n);
+      for (const std::vector<double> &numbers : all)
+        for (std::size_t i = 0; i < numbers.size(); i += n)
+          rows.emplace_back(numbers.begin() + i, numbers.begin() + i + n);
       std::sort(rows.begin(), rows.end(), [](const auto &a, const auto &b) {
         return a[1] < b[1] || (a[1] == b[1] && a[2] < b[2]);
       });

@@ -21,8 +21,8 @@ namespace auxfem
   /** Names of plates, supports and probes of @p scene, each once. */
   std::vector<std::string> names_of_bodies(const Scene &scene);
 
-  /** What a crush curve of the scene of @p equations needs to know about its
-   * lattice. Collective. */
+  /** Bodies and lattice of the crush curve in the scene of @p equations.
+   * Collective. */
   CrushGeometry crush_geometry(const Equations &equations);
 
   /**
