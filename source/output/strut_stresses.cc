@@ -27,6 +27,10 @@ namespace auxfem
     const auto                            found = sections.find(key);
     if (found != sections.end())
       return found->second;
+    // Graded lattices may have a section a strut, some kB each.
+    constexpr std::size_t most_sections = 4096;
+    if (sections.size() >= most_sections)
+      sections.clear();
     return sections
       .emplace(key, SectionStresses(whole.at(part), model.lattice.dimension))
       .first->second;
