@@ -86,6 +86,16 @@ namespace auxfem
     return true;
   }
 
+  double shortest_interval(const RecordedHistory &history)
+  {
+    const std::vector<double> &times    = history.times;
+    double                     shortest = times.back() - times.front();
+    for (std::size_t i = 1; i < times.size(); ++i)
+      if (times[i] > times[i - 1])
+        shortest = std::min(shortest, times[i] - times[i - 1]);
+    return shortest;
+  }
+
   RecordedHistory at_equal_intervals(const RecordedHistory &history,
                                      const std::size_t      n)
   {
@@ -114,13 +124,9 @@ namespace auxfem
     const std::size_t n = history.times.size();
     if (n < 2)
       return std::nullopt;
-    double longest = 0, shortest = history.times.back();
+    double longest = 0;
     for (std::size_t i = 1; i < n; ++i)
-      {
-        const double interval = history.times[i] - history.times[i - 1];
-        longest               = std::max(longest, interval);
-        shortest              = std::min(shortest, interval);
-      }
+      longest = std::max(longest, history.times[i] - history.times[i - 1]);
     // Intervals may miss the limit by round-off.
     if (longest > (1 + 1e-6) * CfcFilter::longest_interval(channel_class))
       return std::nullopt;
@@ -129,7 +135,8 @@ namespace auxfem
       {
         // Shorter intervals than a hundredth of a period show nothing more.
         const double interval =
-          std::max(shortest, CfcFilter::longest_interval(channel_class) / 10);
+          std::max(shortest_interval(history),
+                   CfcFilter::longest_interval(channel_class) / 10);
         const double length = history.times.back() - history.times.front();
         result = at_equal_intervals(history, std::ceil(length / interval));
       }

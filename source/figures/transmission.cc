@@ -31,14 +31,10 @@ namespace auxfem
       const std::vector<double> &times = history.times;
       if (is_equally_spaced(history))
         return times.size() - 1;
-      double shortest = times.back() - times.front();
-      for (std::size_t i = 1; i < times.size(); ++i)
-        if (times[i] > times[i - 1])
-          shortest = std::min(shortest, times[i] - times[i - 1]);
       // Very short steps, as at events, would ask for too many intervals.
       constexpr std::size_t most_per_row = 16;
       return std::min<std::size_t>(std::ceil((times.back() - times.front()) /
-                                             shortest),
+                                             shortest_interval(history)),
                                    most_per_row * times.size());
     }
 

@@ -4,6 +4,7 @@
 #include <auxfem/model/supports.h>
 #include <auxfem/output/csv_table.h>
 #include <auxfem/output/figure_files.h>
+#include <auxfem/output/member_forces.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +17,7 @@ namespace auxfem
   {
     const std::string figures_file = "evaluation", crush_file = "crush",
                       transmission_file = "transmission",
-                      members_file      = "member_forces";
+                      members_file      = MemberForces::table_name;
 
     std::string table_of(const std::string &name)
     {

@@ -70,6 +70,9 @@ namespace auxfem
    */
   bool is_equally_spaced(const RecordedHistory &history);
 
+  /** Shortest interval between different times of @p history (s). */
+  double shortest_interval(const RecordedHistory &history);
+
   /** @p history at @p n equal intervals, by linear interpolation. */
   RecordedHistory at_equal_intervals(const RecordedHistory &history,
                                      std::size_t            n);
