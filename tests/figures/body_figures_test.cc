@@ -144,7 +144,9 @@ TEST(BodyFigures, ReadTheColumnsOfABody)
   for (const BodyFigure &figure : body_figure_columns())
     {
       if (figure.column.name == "peak_acceleration_g")
-        EXPECT_DOUBLE_EQ(*figure.value(figures[0]), 2);
+        {
+          EXPECT_DOUBLE_EQ(*figure.value(figures[0]), 2);
+        }
     }
   EXPECT_TRUE(figures_of_body("Q", table, unfiltered()).empty());
 }
