@@ -9,8 +9,9 @@ namespace auxfem
   const std::vector<AnalysisEntry> &analysis_registry()
   {
     static const std::vector<AnalysisEntry> registry = {
-      // A scene with a sweep has another analysis for its cases.
+      // Scenes with many runs have another analysis for each of them.
       sweep_entry(),
+      optimization_entry(),
       simulation_entry(),
       static_path_entry(),
       modes_entry(),

@@ -68,7 +68,7 @@ namespace auxfem
                              const std::vector<std::string> &names)
     {
       throw InputError(column.path + " = " + column.expression + ": " +
-                       problem + "\n  Columns: " + joined(names, 60));
+                       problem + "\n  Names: " + joined(names, 60));
     }
   } // namespace
 

@@ -200,6 +200,17 @@ namespace auxfem
           }
       }
 
+      /** Parameters of the user's names have no defaults. */
+      void list_changes(const ParameterValues &values, const Form form)
+      {
+        const bool has_defaults =
+          form == Form::fixed || form == Form::named_groups;
+        for (const Parameter &parameter : values.parameters)
+          if (!has_defaults || !values.is_default(parameter))
+            line("set " + parameter.name +
+                 after_equals(values.text(parameter)));
+      }
+
       std::string text() const
       {
         return out.str();
@@ -466,25 +477,61 @@ namespace auxfem
 
 
 
+  namespace
+  {
+    /** The @p values of a subsection, each written by @p list. */
+    template <class List>
+    std::string listed(const SubsectionSchema             &schema,
+                       const std::vector<ParameterValues> &values,
+                       const List                         &list)
+    {
+      TerminalText text;
+      if (!schema.name.empty())
+        text.open(schema.name);
+      for (const ParameterValues &one : values)
+        {
+          if (schema.form == Form::named_groups)
+            text.open(one.name());
+          list(text, one);
+          if (schema.form == Form::named_groups)
+            text.close();
+        }
+      if (!schema.name.empty())
+        text.close();
+      text.line("");
+      return text.text();
+    }
+  } // namespace
+
   std::string listing_of(const SubsectionSchema             &schema,
                          const std::vector<ParameterValues> &values)
   {
     if (values.empty())
       return "";
-    TerminalText text;
-    if (!schema.name.empty())
-      text.open(schema.name);
-    for (const ParameterValues &one : values)
-      {
-        if (schema.form == Form::named_groups)
-          text.open(one.name());
-        text.list(one);
-        if (schema.form == Form::named_groups)
-          text.close();
-      }
-    if (!schema.name.empty())
-      text.close();
-    text.line("");
-    return text.text();
+    return listed(schema,
+                  values,
+                  [](TerminalText &text, const ParameterValues &one) {
+                    text.list(one);
+                  });
+  }
+
+  std::string changes_in(const SubsectionSchema             &schema,
+                         const std::vector<ParameterValues> &values)
+  {
+    const auto has_changes = [](const ParameterValues &one) {
+      return std::any_of(one.parameters.begin(),
+                         one.parameters.end(),
+                         [&one](const Parameter &parameter) {
+                           return !one.is_default(parameter);
+                         });
+    };
+    if (values.empty() ||
+        (schema.form == Form::fixed && !has_changes(values.front())))
+      return "";
+    return listed(schema,
+                  values,
+                  [&schema](TerminalText &text, const ParameterValues &one) {
+                    text.list_changes(one, schema.form);
+                  });
   }
 } // namespace auxfem

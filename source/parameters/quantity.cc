@@ -1,6 +1,7 @@
 #include <auxfem/parameters/describe.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/quantity.h>
+#include <auxfem/parameters/text.h>
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/utilities.h>
@@ -251,6 +252,32 @@ namespace auxfem
     if (!good)
       throw InputError("\"" + trimmed + "\" is not a number");
     return {number / divisor, trim(std::string(begin, end))};
+  }
+
+
+
+  ParsedRange split_range(const std::string &text)
+  {
+    ParsedRange              range;
+    std::vector<std::string> parts =
+      dealii::Utilities::split_string_list(text, ':');
+    const std::string last  = trim(parts.back());
+    const std::size_t blank = last.find(' ');
+    if (blank != std::string::npos)
+      {
+        range.unit   = trim(last.substr(blank));
+        parts.back() = last.substr(0, blank);
+      }
+    for (const std::string &part : parts)
+      range.numbers.push_back(parse_quantity(part, "1"));
+    return range;
+  }
+
+
+
+  std::string quantity_text(const double value, const std::string &unit)
+  {
+    return number_text(value) + (unit.empty() ? "" : " " + unit);
   }
 
 

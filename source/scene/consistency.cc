@@ -480,5 +480,6 @@ namespace auxfem
     check_density(scene, mistakes);
     check_column_names(scene, mistakes);
     check_crush_curve(scene, mistakes);
+    check_optimization(scene, mistakes);
   }
 } // namespace auxfem

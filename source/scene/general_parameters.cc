@@ -1,5 +1,6 @@
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/expression.h>
+#include <auxfem/scene/constants.h>
 #include <auxfem/scene/general_parameters.h>
 
 #include <deal.II/base/utilities.h>
@@ -158,13 +159,6 @@ namespace auxfem
       "of the infinite lattice of these cells; effective response: its stress "
       "under large mean strains, see Mean deformation; dispersion: its waves, "
       "see Dispersion; study: many runs with other parameters, see Study."};
-    const Text constants = {
-      "Constants",
-      "",
-      "Constants for expressions, e.g. \"L = 20 mm, h = L/4\". A value is a "
-      "number, in SI or with a unit, or an expression of the constants before "
-      "it."};
-
     /** Value of @p word in @p table; nothing for an unknown word. */
     template <class Value>
     std::optional<Value>
@@ -183,75 +177,6 @@ namespace auxfem
       const ParameterEntry *entry = root.find_entry(choice.name);
       return entry == nullptr ? choice.default_value : entry->value;
     }
-
-    bool is_identifier(const std::string &name)
-    {
-      const auto letter = [](const char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-      };
-      return !name.empty() && letter(name[0]) &&
-        std::all_of(name.begin(), name.end(), [&letter](const char c) {
-          return letter(c) || (c >= '0' && c <= '9');
-        });
-    }
-
-    using Constants = std::vector<std::pair<std::string, double>>;
-
-    /** @p text cut at the commas that are outside of parentheses. */
-    std::vector<std::string> split_definitions(const std::string &text)
-    {
-      std::vector<std::string> items;
-      int                      depth = 0;
-      for (const char c : text)
-        {
-          depth += (c == '(') - (c == ')');
-          if (items.empty() || (c == ',' && depth == 0))
-            items.emplace_back();
-          if (c != ',' || depth != 0)
-            items.back() += c;
-        }
-      return items;
-    }
-
-    /** @param known the constants that @p item may refer to */
-    std::pair<std::string, double> read_constant(const std::string &item,
-                                                 const Constants   &known)
-    {
-      static const std::set<std::string> reserved_names = {"t",
-                                                           "x",
-                                                           "y",
-                                                           "z",
-                                                           "pi",
-                                                           "e",
-                                                           "_pi",
-                                                           "_e",
-                                                           "xmin",
-                                                           "xmax",
-                                                           "ymin",
-                                                           "ymax",
-                                                           "zmin",
-                                                           "zmax"};
-      const std::string message = "Constants = ... " + item + " ...: ";
-      const std::size_t equals  = item.find('=');
-      const std::string name    = trim(item.substr(0, equals));
-      if (equals == std::string::npos || !is_identifier(name))
-        throw InputError(message +
-                         "not understood; write name = number, the name of "
-                         "letters, digits and _, e.g. Constants = F0 = 1.0, t0 "
-                         "= 10 ms, t1 = 2*t0");
-      if (reserved_names.count(name) != 0)
-        throw InputError(message + "the name \"" + name +
-                         "\" has a meaning in expressions already; choose "
-                         "another one");
-      try
-        {
-          return {name, constant_value(trim(item.substr(equals + 1)), known)};
-        }
-      catch (const InputError &error)
-        {
-          throw InputError(message + error.what());
-        }
-    }
   } // namespace
 
 
@@ -261,7 +186,7 @@ namespace auxfem
     return {"",
             SubsectionSchema::Form::fixed,
             "At the top of the file, outside all subsections.",
-            {title, analysis, model, dimension, constants},
+            {title, analysis, model, dimension, constants_parameter()},
             "",
             {},
             {Model::lattice, Model::reduced_cell}};
@@ -289,24 +214,6 @@ namespace auxfem
   Analysis read_analysis(const ParameterValues &values)
   {
     return *value_of(analyses, values[analysis]);
-  }
-
-
-
-  std::vector<std::pair<std::string, double>>
-  read_constants(const ParameterValues &values)
-  {
-    Constants result;
-    for (const std::string &item : split_definitions(values[constants]))
-      {
-        const auto constant = read_constant(trim(item), result);
-        for (const auto &other : result)
-          if (other.first == constant.first)
-            throw InputError("Constants: \"" + constant.first +
-                             "\" is given twice; remove one of them");
-        result.push_back(constant);
-      }
-    return result;
   }
 
 

@@ -1,6 +1,7 @@
 #include <auxfem/parameters/describe.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/inheritance.h>
+#include <auxfem/scene/constants.h>
 #include <auxfem/scene/general_parameters.h>
 #include <auxfem/scene/graded_sections.h>
 #include <auxfem/scene/infinite_lattice.h>
@@ -112,6 +113,7 @@ namespace auxfem
                 files.insert(values.files.begin(), values.files.end());
               }
             scene.all_parameters += listing_of(subsection.schema, groups);
+            scene.changed_parameters += changes_in(subsection.schema, groups);
           }
       scene.newton =
         scene.newton.for_steps_within(scene.time.relative_tolerance);
@@ -136,7 +138,14 @@ namespace auxfem
         if (schema.form == SubsectionSchema::Form::path_entries)
           path_subsections.push_back(schema.name);
       for (const std::string &assignment : overrides)
-        apply_override(root, assignment, path_subsections);
+        {
+          const std::size_t equals = assignment.find('=');
+          if (const auto constant = constant_in(assignment.substr(0, equals));
+              constant && equals != std::string::npos)
+            set_constant(root, *constant, assignment.substr(equals + 1));
+          else
+            apply_override(root, assignment, path_subsections);
+        }
       return make_scene(root, file);
     }
   } // namespace
@@ -163,14 +172,17 @@ namespace auxfem
   {
     ParameterSubsection root =
       parse_parameter_text(scene.all_parameters, scene.file);
-    const auto is_of_sweep = [](const ParameterSubsection &subsection) {
-      return subsection.name == sweep_schema().name ||
-        subsection.name == sampling_schema().name;
-    };
-    root.subsections.erase(std::remove_if(root.subsections.begin(),
-                                          root.subsections.end(),
-                                          is_of_sweep),
-                           root.subsections.end());
+    const std::set<std::string> of_many_runs = {sweep_schema().name,
+                                                sampling_schema().name,
+                                                design_variables_schema().name,
+                                                optimization_schema().name};
+    root.subsections.erase(
+      std::remove_if(root.subsections.begin(),
+                     root.subsections.end(),
+                     [&](const ParameterSubsection &subsection) {
+                       return of_many_runs.count(subsection.name) > 0;
+                     }),
+      root.subsections.end());
     return make_scene(root, scene.file, overrides);
   }
 
@@ -265,6 +277,16 @@ namespace auxfem
       scene.sweep.parameters.push_back(read_swept_parameter(values));
     }
 
+    void add_design_variable(ParameterValues &values, Scene &scene)
+    {
+      scene.optimization.variables.push_back(read_design_variable(values));
+    }
+
+    void set_optimization(ParameterValues &values, Scene &scene)
+    {
+      read_optimization(values, scene.optimization);
+    }
+
     void set_sampling(ParameterValues &values, Scene &scene)
     {
       read_sampling(values, scene.sweep);
@@ -333,7 +355,9 @@ namespace auxfem
       {study_schema(), set<&Scene::study, read_study>},
       {quantities_schema(), add_quantity},
       {sweep_schema(), add_swept_parameter},
-      {sampling_schema(), set_sampling}};
+      {sampling_schema(), set_sampling},
+      {design_variables_schema(), add_design_variable},
+      {optimization_schema(), set_optimization}};
     return all;
   }
 

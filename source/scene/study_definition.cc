@@ -176,9 +176,15 @@ namespace auxfem
       {"minimum of ", Measure::minimum},
       {"time of maximum of ", Measure::time_of_maximum},
       {"time of minimum of ", Measure::time_of_minimum},
-      {"integral of ", Measure::integral}};
+      {"integral of ", Measure::integral},
+      {"mean square deviation of ", Measure::mean_square_deviation}};
 
     const std::string separator = " at ";
+
+    bool begins_with(const std::string &text, const std::string &beginning)
+    {
+      return text.compare(0, beginning.size(), beginning) == 0;
+    }
 
     std::vector<std::string> columns_in(const std::string &text)
     {
@@ -208,8 +214,9 @@ namespace auxfem
           quantity.path + " = " + text +
           ": not understood; allowed: history COLUMN, COLUMN at TIME, COLUMN at "
           "end, maximum of COLUMN, minimum of COLUMN, time of maximum of COLUMN, "
-          "time of minimum of COLUMN, integral of COLUMN, each maybe followed by "
-          "an exact value, = EXPRESSION; energy norm at TIME, total energy norm "
+          "time of minimum of COLUMN, integral of COLUMN, mean square deviation "
+          "of COLUMN from FUNCTION, each maybe followed by an exact value, = "
+          "EXPRESSION; energy norm at TIME, total energy norm "
           "at TIME. Columns are those of history.csv, e.g. " +
           quantity.name + " = history top.uy");
       read_norm_or_column(trim(text.substr(0, at)), quantity);
@@ -230,7 +237,7 @@ namespace auxfem
     void read_form(const std::string &text, QuantityDefinition &quantity)
     {
       for (const Form &form : forms)
-        if (text.compare(0, form.beginning.size(), form.beginning) == 0)
+        if (begins_with(text, form.beginning))
           {
             quantity.measure = form.measure;
             quantity.columns = columns_in(text.substr(form.beginning.size()));
@@ -259,9 +266,8 @@ namespace auxfem
         }
     }
 
-    /** Reads the exact value from character @p begin on. */
-    TimeFunction read_exact_value(ParameterValues  &values,
-                                  const std::size_t begin)
+    /** Reads a function of time from character @p begin on. */
+    TimeFunction read_function(ParameterValues &values, const std::size_t begin)
     {
       const TimeExpression exact{values.name(), "", "1", ""};
       const std::string    text    = text_of_free_entry(values);
@@ -273,6 +279,24 @@ namespace auxfem
       values.set(exact.name, text.substr(0, begin) + " " + value.text(exact));
       values.files = value.files;
       return function;
+    }
+    const std::string from = " from ";
+
+    /** Reads `COLUMN from FUNCTION` of a mean square deviation. */
+    void read_target(ParameterValues &values, QuantityDefinition &quantity)
+    {
+      const std::string text     = text_of_free_entry(values);
+      const std::size_t position = text.find(from);
+      if (position == std::string::npos)
+        throw InputError(
+          quantity.path + " = " + text +
+          ": the function to compare with is missing. Allowed: "
+          "mean square deviation of COLUMN from an expression in "
+          "t or table: FILE, e.g. from table: measured.csv");
+      const std::string &beginning = forms.back().beginning;
+      quantity.columns =
+        columns_in(text.substr(beginning.size(), position - beginning.size()));
+      quantity.target = read_function(values, position + from.size());
     }
   } // namespace
 
@@ -348,7 +372,8 @@ namespace auxfem
       "\"history COLUMN, COLUMN\"), \"COLUMN at TIME\", \"COLUMN at end\", "
       "\"maximum of COLUMN\", \"minimum of COLUMN\", \"time of maximum of "
       "COLUMN\", \"time of minimum of COLUMN\", \"integral of COLUMN\" (over "
-      "time). A known exact value may follow: \"... = EXPRESSION\", for a history "
+      "time), \"mean square deviation of COLUMN from FUNCTION\" (an expression in t "
+      "or table: FILE, mean over time). A known exact value may follow: \"... = EXPRESSION\", for a history "
       "in t. \"energy norm at TIME\": square root of the strain energy of the "
       "difference, over all struts; \"total energy norm at TIME\": with kinetic "
       "energy; TIME is that of a step, or end. Without quantities: the histories "
@@ -367,8 +392,12 @@ namespace auxfem
     quantity.name          = values.name();
     quantity.path          = values.context.path;
     const std::string text = text_of_free_entry(values);
-    const std::size_t sign = text.find('=');
+    // The target of a deviation may be a condition.
+    const bool        is_deviation = begins_with(text, forms.back().beginning);
+    const std::size_t sign = is_deviation ? std::string::npos : text.find('=');
     read_form(trim(text.substr(0, sign)), quantity);
+    if (is_deviation)
+      read_target(values, quantity);
     if (quantity.columns.empty() && !quantity.is_field())
       throw InputError(quantity.path + " = " + text +
                        ": a column of history.csv is missing");
@@ -382,7 +411,7 @@ namespace auxfem
         ": a norm has no exact value, it is measured against the "
         "reference; remove the text from = on");
     if (sign != std::string::npos)
-      quantity.exact = read_exact_value(values, sign + 1);
+      quantity.exact = read_function(values, sign + 1);
     return quantity;
   }
 } // namespace auxfem

@@ -42,11 +42,6 @@ namespace auxfem
             "summary.json, e.g. nu12, or Quantities. auto: all numbers of the "
             "analysis, and Quantities."};
 
-    std::string with_unit(const double value, const std::string &unit)
-    {
-      return number_text(value) + (unit.empty() ? "" : " " + unit);
-    }
-
     [[noreturn]] void refuse(const ParameterValues &values,
                              const std::string     &text,
                              const std::string     &why)
@@ -58,41 +53,27 @@ namespace auxfem
         "commas); with Sampling/Samples also begin:end");
     }
 
-    double number_in(const ParameterValues &values,
-                     const std::string     &text,
-                     const std::string     &part)
-    {
-      try
-        {
-          return parse_quantity(trim(part), "1");
-        }
-      catch (const InputError &)
-        {
-          refuse(values, text, "\"" + trim(part) + "\" is no number");
-        }
-    }
-
     void read_range(const ParameterValues &values,
                     const std::string     &text,
                     SweptParameter        &swept)
     {
-      std::vector<std::string> parts = split_string_list(text, ':');
-      if (parts.size() > 3)
-        refuse(values, text, "a range has at most three numbers");
-      // The unit follows the last number.
-      const std::string last  = trim(parts.back());
-      const std::size_t blank = last.find(' ');
-      if (blank != std::string::npos)
+      ParsedRange range;
+      try
         {
-          swept.unit   = trim(last.substr(blank));
-          parts.back() = last.substr(0, blank);
+          range = split_range(text);
         }
-      const double begin = number_in(values, text, parts[0]),
-                   end   = number_in(values, text, parts[1]);
-      swept.range        = {{begin, end}};
-      if (parts.size() == 2)
+      catch (const InputError &error)
+        {
+          refuse(values, text, error.what());
+        }
+      if (range.numbers.size() > 3)
+        refuse(values, text, "a range has at most three numbers");
+      const double begin = range.numbers[0], end = range.numbers[1];
+      swept.unit  = range.unit;
+      swept.range = {{begin, end}};
+      if (range.numbers.size() == 2)
         return;
-      const double step = number_in(values, text, parts[2]);
+      const double step = range.numbers[2];
       const double n    = (end - begin) / step;
       if (!(n >= 0) || n > most)
         refuse(values,
@@ -102,7 +83,7 @@ namespace auxfem
                  std::to_string(most) + " steps");
       // The end counts in spite of round-off.
       for (unsigned int i = 0; i <= std::floor(n + 1e-9); ++i)
-        swept.values.push_back(with_unit(begin + i * step, swept.unit));
+        swept.values.push_back(quantity_text(begin + i * step, swept.unit));
     }
 
     bool is_number(const std::string &text)
@@ -133,7 +114,8 @@ namespace auxfem
     if (!range)
       return values[std::min<std::size_t>(part * values.size(),
                                           values.size() - 1)];
-    return with_unit((*range)[0] + part * ((*range)[1] - (*range)[0]), unit);
+    return quantity_text((*range)[0] + part * ((*range)[1] - (*range)[0]),
+                         unit);
   }
 
   SubsectionSchema sweep_schema()
@@ -217,31 +199,45 @@ namespace auxfem
     }
 
     std::vector<std::vector<std::string>>
-    latin_hypercube(const SweepDefinition &sweep)
+    sampled_cases(const SweepDefinition &sweep)
     {
-      const unsigned int n = *sweep.samples;
-      // Boost gives the same numbers with any standard library.
-      boost::random::mt19937                generator(sweep.seed);
-      boost::random::uniform_01<double>     within;
-      std::vector<std::vector<std::string>> cases(n);
-      for (const SweptParameter &swept : sweep.parameters)
-        {
-          std::vector<unsigned int> order(n);
-          std::iota(order.begin(), order.end(), 0);
-          for (unsigned int i = n; i-- > 1;)
-            std::swap(
-              order[i],
-              order[boost::random::uniform_int_distribution<unsigned int>(0, i)(
-                generator)]);
-          for (unsigned int i = 0; i < n; ++i)
-            cases[i].push_back(swept.at((order[i] + within(generator)) / n));
-        }
+      std::vector<std::vector<std::string>>  cases(*sweep.samples);
+      const std::vector<std::vector<double>> points =
+        latin_hypercube(cases.size(), sweep.parameters.size(), sweep.seed);
+      for (std::size_t i = 0; i < cases.size(); ++i)
+        for (std::size_t p = 0; p < sweep.parameters.size(); ++p)
+          cases[i].push_back(sweep.parameters[p].at(points[i][p]));
       return cases;
     }
   } // namespace
 
+  std::vector<std::vector<double>>
+  latin_hypercube(const unsigned int n_points,
+                  const unsigned int n_coordinates,
+                  const unsigned int seed)
+  {
+    // Boost gives the same numbers with any standard library.
+    boost::random::mt19937            generator(seed);
+    boost::random::uniform_01<double> within;
+    std::vector<std::vector<double>>  points(n_points,
+                                            std::vector<double>(n_coordinates));
+    for (unsigned int c = 0; c < n_coordinates; ++c)
+      {
+        std::vector<unsigned int> order(n_points);
+        std::iota(order.begin(), order.end(), 0);
+        for (unsigned int i = n_points; i-- > 1;)
+          std::swap(
+            order[i],
+            order[boost::random::uniform_int_distribution<unsigned int>(0, i)(
+              generator)]);
+        for (unsigned int i = 0; i < n_points; ++i)
+          points[i][c] = (order[i] + within(generator)) / n_points;
+      }
+    return points;
+  }
+
   std::vector<std::vector<std::string>> cases_of(const SweepDefinition &sweep)
   {
-    return sweep.samples ? latin_hypercube(sweep) : all_combinations(sweep);
+    return sweep.samples ? sampled_cases(sweep) : all_combinations(sweep);
   }
 } // namespace auxfem

@@ -10,6 +10,9 @@ namespace auxfem
     /** The first deferred signal; 0: none. */
     volatile std::sig_atomic_t deferred_signal = 0;
 
+    /** Number of DeferredSignals. */
+    unsigned int n_objects = 0;
+
     void defer_signal(const int signal)
     {
       if (deferred_signal == 0)
@@ -23,8 +26,10 @@ namespace auxfem
     , number(signal)
   {}
 
-  DeferredSignals::DeferredSignals()
+  DeferredSignals::DeferredSignals() : is_outermost(n_objects++ == 0), former()
   {
+    if (!is_outermost)
+      return;
     deferred_signal         = 0;
     struct sigaction action = {};
     action.sa_handler       = defer_signal;
@@ -42,6 +47,9 @@ namespace auxfem
 
   DeferredSignals::~DeferredSignals()
   {
+    --n_objects;
+    if (!is_outermost)
+      return;
     for (unsigned int i = 0; i < signals.size(); ++i)
       sigaction(signals[i], &former[i], nullptr);
   }

@@ -101,6 +101,27 @@ namespace auxfem
       return values.is_field ? std::sqrt(squares) : largest;
     }
 
+    /** Mean over time of the square of @p history minus @p target, as far as the
+     * target is known. */
+    double mean_square_deviation(const RecordedHistory &history,
+                                 const TimeFunction    &target)
+    {
+      const double    last = target.last_time().value_or(history.times.back());
+      RecordedHistory squares;
+      for (std::size_t i = 0; i < history.times.size(); ++i)
+        if (const double time = history.times[i];
+            time <= last + time_resolution(last))
+          {
+            squares.times.push_back(time);
+            squares.values.push_back(
+              std::pow(history.values[i] - target.value(time), 2));
+          }
+      if (squares.times.size() < 2)
+        return std::nan("");
+      return integral_of(squares) /
+        (squares.times.back() - squares.times.front());
+    }
+
     std::vector<double> fewest_times(const std::vector<MeasuredRun> &runs)
     {
       std::vector<double> times;
@@ -193,6 +214,8 @@ namespace auxfem
           return {{maximum_of(negative(history)).time}};
         case Measure::integral:
           return {{integral_of(history)}};
+        case Measure::mean_square_deviation:
+          return {{mean_square_deviation(history, *quantity.target)}};
         default:
           break;
       }

@@ -3,23 +3,16 @@
 #include <auxfem/output/overview.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/state/interruption.h>
-#include <auxfem/study/measured_run.h>
 #include <auxfem/study/sweep_table.h>
 
 #include <deal.II/base/mpi.h>
 
-#include <algorithm>
 #include <iostream>
-#include <sstream>
-
-#include <nlohmann/json.hpp>
 
 namespace auxfem
 {
   namespace
   {
-    namespace mpi = dealii::Utilities::MPI;
-
     const std::string cases_folder = "/cases";
 
     std::string case_text(const SweepDefinition          &sweep,
@@ -35,21 +28,20 @@ namespace auxfem
 
   std::vector<SweepCase> sweep_cases(const Scene &scene)
   {
+    std::vector<std::string> paths;
+    for (const SweptParameter &swept : scene.sweep.parameters)
+      paths.push_back(swept.path);
     std::vector<SweepCase> cases;
     for (const std::vector<std::string> &values : cases_of(scene.sweep))
       {
-        std::ostringstream folder;
-        folder << scene.output.directory << cases_folder << '/';
-        folder.width(4);
-        folder.fill('0');
-        folder << cases.size() + 1;
-        std::vector<std::string> overrides = {"Output/Directory=" +
-                                              folder.str()};
-        for (std::size_t i = 0; i < values.size(); ++i)
-          overrides.push_back(scene.sweep.parameters[i].path + "=" + values[i]);
+        const SceneCase one =
+          scene_case(numbered_folder(scene.output.directory + cases_folder,
+                                     cases.size() + 1),
+                     paths,
+                     values);
         try
           {
-            scene_of_case(scene, overrides);
+            scene_of_case(scene, one.overrides);
           }
         catch (const InputError &error)
           {
@@ -58,121 +50,31 @@ namespace auxfem
                              case_text(scene.sweep, values) + ":\n" +
                              error.what());
           }
-        cases.push_back({values, folder.str(), overrides});
+        cases.push_back({values, one});
       }
     return cases;
   }
 
   namespace
   {
-    std::string key_file(const SweepCase &one)
+    /** Line on a case that has ended. */
+    std::string line_of(const CaseEnd &end, const int signal)
     {
-      return one.folder + ".key";
-    }
-
-    /** Whether an earlier sweep has completed the case. */
-    bool is_done(const SweepCase &one, const Scene &scene)
-    {
-      return contents(key_file(one)) == key_of(scene, 1) &&
-        !summary_in(one.folder).is_null();
-    }
-
-    /** Keeps the screen for the lines of the sweep. */
-    class Silence
-    {
-    public:
-      Silence() : screen(std::cout.rdbuf(nullptr))
-      {}
-
-      ~Silence()
-      {
-        std::cout.rdbuf(screen);
-        std::cout.clear();
-      }
-
-      Silence(const Silence &)            = delete;
-      Silence &operator=(const Silence &) = delete;
-
-    private:
-      std::streambuf *const screen;
-    };
-
-    /** Computes a case; returns the reason of a failure, or nothing. */
-    std::string compute(const SweepCase &one,
-                        const Scene     &scene,
-                        const MPI_Comm   communicator,
-                        const FileRules &rules)
-    {
-      const Silence silence;
-      try
-        {
-          analysis_of(scene).run(scene, communicator, {rules, {}, {}});
-          on_first_rank(communicator, [&]() {
-            replace_file(key_file(one), key_of(scene, 1));
-          });
-          return "";
-        }
-      catch (const InputError &error)
-        {
-          return error.what();
-        }
-      catch (const ComputationError &error)
-        {
-          return error.what();
-        }
-    }
-
-    /** Runs the cases; returns the failures by case. */
-    std::vector<std::string> compute_all(const Scene                  &scene,
-                                         const std::vector<SweepCase> &cases,
-                                         const MPI_Comm   communicator,
-                                         const FileRules &rules,
-                                         Console         *console)
-    {
-      const unsigned int n_ranks     = mpi::n_mpi_processes(communicator),
-                         rank        = mpi::this_mpi_process(communicator);
-      const bool     is_side_by_side = n_ranks > 1 && cases.size() >= n_ranks;
-      const MPI_Comm case_communicator =
-        is_side_by_side ? MPI_COMM_SELF : communicator;
-      std::vector<std::string> failures(cases.size());
-      int                      signal = 0;
-      for (std::size_t c = 0; c < cases.size() && signal == 0; ++c)
-        {
-          if (is_side_by_side && c % n_ranks != rank)
-            continue;
-          const SweepCase &one          = cases[c];
-          const Scene      scene_of_one = scene_of_case(scene, one.overrides);
-          bool             reused       = false;
-          try
-            {
-              on_first_rank(case_communicator,
-                            [&]() { reused = is_done(one, scene_of_one); });
-              reused = mpi::max(int(reused), case_communicator);
-              if (!reused)
-                failures[c] =
-                  compute(one, scene_of_one, case_communicator, rules);
-            }
-          catch (const Interrupted &interruption)
-            {
-              signal = interruption.signal();
-            }
-          if (console != nullptr)
-            console->print("  " + std::to_string(c + 1) + '/' +
-                           std::to_string(cases.size()) + "  " +
-                           case_text(scene.sweep, one.values) +
-                           (signal != 0             ? ": interrupted"
-                              : reused              ? ": from an earlier sweep"
-                              : failures[c].empty() ? ""
-                                                    : ": failed, " +
-                                failures[c].substr(0, failures[c].find('\n'))));
-        }
-      signal = mpi::max(signal, communicator);
       if (signal != 0)
-        throw Interrupted(signal);
-      if (is_side_by_side)
-        for (std::size_t c = 0; c < cases.size(); ++c)
-          failures[c] = broadcast_text(c % n_ranks, failures[c], communicator);
-      return failures;
+        return ": interrupted";
+      if (end.is_reused)
+        return ": from an earlier sweep";
+      return end.failure.empty()
+        ? ""
+        : ": failed, " + end.failure.substr(0, end.failure.find('\n'));
+    }
+
+    std::vector<SceneCase> scene_cases(const std::vector<SweepCase> &cases)
+    {
+      std::vector<SceneCase> list;
+      for (const SweepCase &one : cases)
+        list.push_back(one.scene_case);
+      return list;
     }
 
     std::string overview(const Scene &scene, const std::size_t n_cases)
@@ -200,19 +102,26 @@ namespace auxfem
                     options.rules,
                     FolderContents{SweepTable::files(), {}});
       console.emplace(std::cout,
-                      terminal_width(mpi::n_mpi_processes(communicator)),
+                      terminal_width(
+                        dealii::Utilities::MPI::n_mpi_processes(communicator)),
                       files->log());
       console->print(overview(scene, cases.size()));
       make_output_subfolder(scene.output.directory + cases_folder);
     });
-    std::vector<std::string> failures;
+    std::vector<CaseEnd> ends;
     try
       {
-        failures = compute_all(scene,
-                               cases,
-                               communicator,
-                               options.rules,
-                               console ? &*console : nullptr);
+        ends = run_cases(
+          scene,
+          scene_cases(cases),
+          communicator,
+          options.rules,
+          [&](const std::size_t c, const CaseEnd &end, const int signal) {
+            console->print("  " + std::to_string(c + 1) + '/' +
+                           std::to_string(cases.size()) + "  " +
+                           case_text(scene.sweep, cases[c].values) +
+                           line_of(end, signal));
+          });
       }
     catch (const Interrupted &)
       {
@@ -227,7 +136,7 @@ namespace auxfem
     SweepTable table(scene);
     on_first_rank(communicator, [&]() {
       for (std::size_t c = 0; c < cases.size(); ++c)
-        table.add(cases[c], failures[c]);
+        table.add(results_of(scene, cases[c].scene_case, ends[c]));
       table.write(cases);
       console->print(verdict_text(table.findings()));
       console->print("The table of all cases is " + scene.output.directory +
@@ -247,7 +156,8 @@ namespace auxfem
             nullptr,
             [](const Scene &scene, const MPI_Comm communicator) {
               const std::vector<SweepCase> cases = sweep_cases(scene);
-              const Scene first = scene_of_case(scene, cases.front().overrides);
+              const Scene                  first =
+                scene_of_case(scene, cases.front().scene_case.overrides);
               analysis_of(first).check(first, communicator);
               on_first_rank(communicator, [&]() {
                 std::cout << '\n' << overview(scene, cases.size());

@@ -63,6 +63,7 @@ namespace auxfem
   AnalysisEntry reduced_cell_entry();
   AnalysisEntry study_entry();
   AnalysisEntry sweep_entry();
+  AnalysisEntry optimization_entry();
   ///@}
 } // namespace auxfem
 

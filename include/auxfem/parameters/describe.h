@@ -47,6 +47,11 @@ namespace auxfem
    */
   std::string listing_of(const SubsectionSchema             &schema,
                          const std::vector<ParameterValues> &values);
+
+  /** As listing_of(), without sentences and without values that are defaults;
+   * empty if nothing is left. */
+  std::string changes_in(const SubsectionSchema             &schema,
+                         const std::vector<ParameterValues> &values);
 } // namespace auxfem
 
 #endif

@@ -42,6 +42,22 @@ namespace auxfem
    */
   ParsedQuantity split_quantity(const std::string &text);
 
+  /** Numbers of a range and their common unit word. */
+  struct ParsedRange
+  {
+    std::vector<double> numbers;
+    std::string         unit; ///< empty if there was none
+  };
+
+  /**
+   * Splits `50:80:5 deg` at the colons; the unit word follows the last number.
+   * Throws InputError if a part is not a number.
+   */
+  ParsedRange split_range(const std::string &text);
+
+  /** @p value followed by @p unit, if there is one. */
+  std::string quantity_text(double value, const std::string &unit);
+
   /**
    * SI value of @p text (`10 mm`, `70 GPa`, `0.3`). @p unit is the unit of the
    * quantity and of numbers without unit word. Throws InputError if the text is

@@ -6,7 +6,6 @@
 
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace auxfem
@@ -83,13 +82,6 @@ namespace auxfem
 
   /** Reads `Analysis`. */
   Analysis read_analysis(const ParameterValues &values);
-
-  /**
-   * Reads the names and values of `Constants`. Throws InputError for one that
-   * is not understood, has a meaning already or is given twice.
-   */
-  std::vector<std::pair<std::string, double>>
-  read_constants(const ParameterValues &values);
 
   /** Name of @p model in the parameter file, e.g. `reduced cell`. */
   std::string name_of(Model model);

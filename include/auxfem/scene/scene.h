@@ -15,6 +15,7 @@
 #include <auxfem/scene/dispersion_definition.h>
 #include <auxfem/scene/general_parameters.h>
 #include <auxfem/scene/mean_deformation.h>
+#include <auxfem/scene/optimization_definition.h>
 #include <auxfem/scene/study_definition.h>
 #include <auxfem/scene/sweep_definition.h>
 #include <auxfem/struts/discretization_parameters.h>
@@ -75,8 +76,12 @@ namespace auxfem
     DispersionDefinition         dispersion;
     StudyDefinition              study;
     SweepDefinition              sweep;
+    OptimizationDefinition       optimization;
     /** Contents of parameters.prm: all parameters with the values used. */
     std::string all_parameters;
+    /** Those of all_parameters that are not at their defaults, as a parameter
+     * file. */
+    std::string changed_parameters;
   };
 
   /**
@@ -92,8 +97,8 @@ namespace auxfem
                              const std::string              &name,
                              const std::vector<std::string> &overrides = {});
 
-  /** A case of the sweep of @p scene: its analysis with @p overrides. Throws
-   * InputError as read_scene(). */
+  /** A case of the sweep or optimization of @p scene: its analysis with @p
+   * overrides. Throws InputError as read_scene(). */
   Scene scene_of_case(const Scene                    &scene,
                       const std::vector<std::string> &overrides);
 
@@ -128,6 +133,10 @@ namespace auxfem
 
   /** Adds what the connectors of @p scene cannot do there to @p mistakes. */
   void check_connectors(const Scene &scene, Mistakes &mistakes);
+
+  /** Adds what Design variables and Optimization of @p scene lack to @p
+   * mistakes. */
+  void check_optimization(const Scene &scene, Mistakes &mistakes);
 
   /** Adds contradictions between subsections of @p scene to @p mistakes. */
   void check_consistency(const Scene &scene, Mistakes &mistakes);

@@ -22,9 +22,11 @@ namespace auxfem
       minimum,
       time_of_maximum,
       time_of_minimum,
-      integral,         ///< over time, e.g. the impulse of a reaction
-      energy_norm,      ///< of the strains of all struts
-      total_energy_norm ///< of their strains and velocities
+      integral,              ///< over time, e.g. the impulse of a reaction
+      mean_square_deviation, ///< mean over time of the square of column -
+                             ///< target
+      energy_norm,           ///< of the strains of all struts
+      total_energy_norm      ///< of their strains and velocities
     };
 
     std::string name;
@@ -34,6 +36,8 @@ namespace auxfem
     std::vector<std::string> columns;
     /** Time (s) of Measure::at_time and of norms; none: the end. */
     std::optional<double> time;
+    /** Target of Measure::mean_square_deviation. */
+    std::optional<TimeFunction> target;
     /** Exact value as a function of time, where it is known. */
     std::optional<TimeFunction> exact;
     /** `Quantities/NAME`, for messages. */
@@ -58,8 +62,9 @@ namespace auxfem
   /**
    * Reads one entry `Quantities/NAME`: `history top.ux, top.uy`, `top.uy at
    * 5 ms`, `maximum of top.uy`, `time of minimum of top.uy`, `integral of
-   * base.ry`, each maybe with an exact value, ` = EXPRESSION`; or `energy norm
-   * at 5 ms`, `total energy norm at end`. Throws InputError for anything else.
+   * base.ry`, `mean square deviation of f2 from table: f2.csv`, each maybe with
+   * an exact value, ` = EXPRESSION`; or `energy norm at 5 ms`, `total energy
+   * norm at end`. Throws InputError for anything else.
    */
   QuantityDefinition read_quantity(ParameterValues &values);
 

@@ -62,11 +62,18 @@ namespace auxfem
   void read_sampling(const ParameterValues &values, SweepDefinition &sweep);
 
   /**
+   * Points of a Latin hypercube in the unit cube of @p n_coordinates coordinates: each
+   * coordinate has one point in each of @p n_points equal intervals (McKay,
+   * Beckman and Conover, 1979, Technometrics 21, 239). Equal for equal seeds.
+   */
+  std::vector<std::vector<double>> latin_hypercube(unsigned int n_points,
+                                                   unsigned int n_coordinates,
+                                                   unsigned int seed);
+
+  /**
    * The texts of all parameters, case by case: all combinations, the last
-   * parameter changing fastest; or a Latin hypercube, which has one value in
-   * each of as many equal parts of every range (McKay, Beckman and Conover,
-   * 1979, Technometrics 21, 239). Throws InputError for a range without a step
-   * where all combinations are asked for.
+   * parameter changing fastest; or a latin_hypercube(). Throws InputError for a
+   * range without a step where all combinations are asked for.
    */
   std::vector<std::vector<std::string>> cases_of(const SweepDefinition &sweep);
 } // namespace auxfem

@@ -31,7 +31,7 @@ namespace auxfem
   /**
    * Defers SIGTERM and SIGINT to pending_signal() during its lifetime. A second
    * signal of a kind ends the process at once; ignored signals stay ignored.
-   * Only one object may exist at a time.
+   * Objects within the lifetime of another one have no effect.
    */
   class DeferredSignals
   {
@@ -45,6 +45,7 @@ namespace auxfem
   private:
     static constexpr std::array<int, 2> signals = {{SIGTERM, SIGINT}};
 
+    const bool                                   is_outermost;
     std::array<struct sigaction, signals.size()> former;
   };
 

@@ -4,6 +4,7 @@
 #include <auxfem/output/output_folder.h>
 #include <auxfem/output/recorder.h>
 #include <auxfem/scene/scene.h>
+#include <auxfem/study/scene_cases.h>
 
 #include <string>
 #include <vector>
@@ -14,10 +15,7 @@ namespace auxfem
   struct SweepCase
   {
     std::vector<std::string> values; ///< by parameter of the sweep
-    std::string              folder; ///< for its results
-    /** For scene_of_case(), which many cases at once would need much memory
-     * for. */
-    std::vector<std::string> overrides;
+    SceneCase                scene_case;
   };
 
   /** All cases of @p scene. Throws InputError for the first one that is no valid

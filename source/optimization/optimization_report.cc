@@ -1,0 +1,321 @@
+#include <auxfem/optimization/optimization_report.h>
+#include <auxfem/optimization/refined_designs.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace auxfem
+{
+  std::string name_of(const Design &design)
+  {
+    const std::size_t last   = design.folder.rfind('/'),
+                      before = design.folder.rfind('/', last - 1);
+    const std::string parent =
+      design.folder.substr(before + 1, last - before - 1);
+    const std::string own = design.folder.substr(last + 1);
+    return parent == "designs" ? own : parent + "/" + own;
+  }
+
+  std::string short_name(const OptimizationDefinition &optimization,
+                         const std::size_t             v)
+  {
+    const auto last_part = [](const DesignVariable &variable) {
+      return variable.path.substr(variable.path.rfind('/') + 1);
+    };
+    const std::vector<DesignVariable> &variables = optimization.variables;
+    const std::string                  name      = last_part(variables[v]);
+    const auto                         n = std::count_if(variables.begin(),
+                                 variables.end(),
+                                 [&](const DesignVariable &other) {
+                                   return last_part(other) == name;
+                                 });
+    return n > 1 ? variables[v].path : name;
+  }
+
+  namespace
+  {
+    std::string value_text(const DesignVariable &variable, const double part)
+    {
+      return rounded_text(variable.value_at(part), 6) +
+        (variable.unit.empty() ? "" : " " + variable.unit);
+    }
+  } // namespace
+
+  std::string
+  line_of(const Scene &scene, const Goals &goals, const Design &design)
+  {
+    const std::vector<DesignVariable> &variables = scene.optimization.variables;
+    std::string                        text      = name_of(design) + "  ";
+    for (std::size_t v = 0; v < variables.size(); ++v)
+      text += (v > 0 ? ", " : "") + short_name(scene.optimization, v) + " = " +
+        value_text(variables[v], design.point[v]);
+    if (!design.goals)
+      return text + ": failed, " +
+        design.exit_state.substr(0, design.exit_state.find('\n'));
+    text += ":";
+    for (std::size_t i = 0; i < goals.objectives().size(); ++i)
+      text += (i > 0 ? ", " : " ") + goals.objectives()[i].expression + " = " +
+        rounded_text(design.goals->objectives[i], 6);
+    for (std::size_t i = 0; i < goals.limits().size(); ++i)
+      text += ", " + goals.limits()[i].expression + " = " +
+        rounded_text(design.goals->limited[i], 6);
+    return text + (design.is_usable() ? "" : "; " + design.verdict);
+  }
+
+  Gain gain_of(const OptimizationResult &result, const Goals &goals)
+  {
+    const auto gain = [&goals](const GoalValues &first,
+                               const GoalValues &best) {
+      return (goals.objectives()[0].is_maximized ? 1 : -1) *
+        (best.objectives[0] - first.objectives[0]);
+    };
+    const double coarse = gain(*result.first.goals, *result.best.goals);
+    if (!result.refined_first || !result.refined_best)
+      return {coarse, {}};
+    const double fine = gain(*result.refined_first, *result.refined_best);
+    return {fine, std::abs(fine - coarse)};
+  }
+
+  namespace
+  {
+    Finding finding(const Verdict verdict, const std::string &text)
+    {
+      return {verdict, text, 0, ""};
+    }
+
+    void add_gain_finding(const OptimizationResult &result,
+                          const Goals              &goals,
+                          std::vector<Finding>     &findings)
+    {
+      if (result.best.point == result.first.point)
+        {
+          findings.push_back(finding(
+            Verdict::doubtful,
+            "No design is better than that of the scene. Give more "
+            "Evaluations, wider bounds, other Starts or a global method."));
+          return;
+        }
+      const Gain gain = gain_of(result, goals);
+      // A first design beyond a constraint may have the better objective.
+      if (goals.largest_excess(*result.first.goals) > 0 || !gain.error ||
+          gain.value > *gain.error)
+        return;
+      findings.push_back(
+        finding(Verdict::doubtful,
+                "The gain, " + rounded_text(gain.value) +
+                  ", is not larger than its error by mesh and time step, " +
+                  rounded_text(*gain.error) +
+                  ". Refine the mesh and the time step of the scene."));
+    }
+  } // namespace
+
+  std::vector<Finding> findings_of(const Scene              &scene,
+                                   const OptimizationResult &result,
+                                   const Goals              &goals)
+  {
+    std::vector<Finding> findings;
+    const double         tolerance = scene.optimization.tolerance;
+    if (!result.best.is_usable())
+      findings.push_back(
+        finding(Verdict::not_to_be_used,
+                "No design has results that may be used: see verdict and "
+                "exit_state in " +
+                  design_table_file + "."));
+    else if (goals.largest_excess(*result.best.goals) > tolerance)
+      findings.push_back(finding(
+        Verdict::not_to_be_used,
+        "No design meets all constraints. The best one exceeds them by " +
+          percentage_text(goals.largest_excess(*result.best.goals)) +
+          " of a limit. Relax them, or widen the bounds."));
+    else
+      add_gain_finding(result, goals, findings);
+    if (result.best.goals && result.best.verdict == name_of(Verdict::doubtful))
+      findings.push_back(
+        finding(Verdict::doubtful,
+                "The run of the best design is doubtful itself: see "
+                "summary.json in " +
+                  result.best.folder + "."));
+    if (result.is_cut_short)
+      findings.push_back(
+        finding(Verdict::doubtful,
+                "A search ended after " +
+                  std::to_string(scene.optimization.n_evaluations) +
+                  " designs, before its steps were small. Give more "
+                  "Optimization/Evaluations; designs so far are kept."));
+    std::stable_sort(findings.begin(),
+                     findings.end(),
+                     [](const Finding &one, const Finding &other) {
+                       return one.verdict > other.verdict;
+                     });
+    return findings;
+  }
+
+  namespace
+  {
+    /** Line on a goal from the first to the best design. */
+    std::string goal_text(const std::string           &name,
+                          const double                 first,
+                          const double                 best,
+                          const std::optional<double> &refined,
+                          const std::string           &refinement)
+    {
+      std::string text = "    " + name + ": " + rounded_text(first, 6) +
+        " -> " + rounded_text(best, 6);
+      if (first != 0)
+        text += " (" + std::string(best > first ? "+" : "") +
+          percentage_text((best - first) / std::abs(first), 3) + ")";
+      if (refined)
+        text += "; " + rounded_text(*refined, 6) + " with " + refinement;
+      return text + '\n';
+    }
+
+    std::string bound_text(const double part)
+    {
+      const double nearness = 1e-6;
+      return part <= nearness  ? " (lower bound)"
+        : part >= 1 - nearness ? " (upper bound)"
+                               : "";
+    }
+
+    /** Usable designs within constraints that differ from the best one by less
+     * than the error of its objective. */
+    std::vector<const Design *> equal_designs(const Scene              &scene,
+                                              const OptimizationResult &result,
+                                              const Goals              &goals,
+                                              const double              error)
+    {
+      std::vector<const Design *> list;
+      for (const Design &design : result.designs)
+        if (design.is_usable() &&
+            goals.largest_excess(*design.goals) <=
+              scene.optimization.tolerance &&
+            std::abs(design.goals->objectives[0] -
+                     result.best.goals->objectives[0]) <= error)
+          list.push_back(&design);
+      return list;
+    }
+
+    /** What the error of the objective leaves open. */
+    std::string equal_designs_text(const Scene              &scene,
+                                   const OptimizationResult &result,
+                                   const Goals              &goals)
+    {
+      if (!result.refined_best)
+        return "";
+      const double error = std::abs(result.refined_best->objectives[0] -
+                                    result.best.goals->objectives[0]);
+      const auto   equal = equal_designs(scene, result, goals, error);
+      if (equal.size() < 2)
+        return "";
+      std::string text = "  " + std::to_string(equal.size()) +
+        " designs differ from the best by less than " + refinement_text(scene) +
+        " change it, " + rounded_text(error) + ":\n";
+      for (std::size_t v = 0; v < result.best.point.size(); ++v)
+        {
+          const auto ends =
+            std::minmax_element(equal.begin(),
+                                equal.end(),
+                                [v](const Design *one, const Design *other) {
+                                  return one->point[v] < other->point[v];
+                                });
+          const DesignVariable &variable = scene.optimization.variables[v];
+          text += "    " + variable.path + ": " +
+            value_text(variable, (*ends.first)->point[v]) + " to " +
+            value_text(variable, (*ends.second)->point[v]) + '\n';
+        }
+      return text;
+    }
+
+    std::string sensitivity_text(const std::string &goal,
+                                 const Sensitivity &sensitivity)
+    {
+      return "    " + goal +
+        (sensitivity.is_resolved()
+           ? ": " + rounded_text(sensitivity.derivative, 4) + " +- " +
+             rounded_text(sensitivity.error, 1) + " per unit, " +
+             rounded_text(sensitivity.elasticity) + " % per %\n"
+           : ": not resolved, within " + rounded_text(sensitivity.error) +
+             " per unit\n");
+    }
+
+    std::string sensitivities_text(const Scene              &scene,
+                                   const OptimizationResult &result)
+    {
+      std::ostringstream text;
+      for (std::size_t v = 0; v < result.sensitivities.size(); ++v)
+        if (const auto &of_variable = result.sensitivities[v])
+          {
+            const DesignVariable &variable = scene.optimization.variables[v];
+            text << "  Sensitivity to " << variable.path
+                 << (variable.unit.empty() ? "" : ", unit " + variable.unit)
+                 << '\n';
+            for (std::size_t i = 0; i < of_variable->objectives.size(); ++i)
+              text << sensitivity_text(
+                scene.optimization.objectives[i].expression,
+                of_variable->objectives[i]);
+            for (std::size_t i = 0; i < of_variable->limited.size(); ++i)
+              text << sensitivity_text(scene.optimization.limits[i].expression,
+                                       of_variable->limited[i]);
+          }
+      return text.str();
+    }
+  } // namespace
+
+  std::string closing_text(const Scene              &scene,
+                           const OptimizationResult &result,
+                           const Goals              &goals)
+  {
+    const Design      &best   = result.best;
+    const std::string &folder = scene.output.directory;
+    std::ostringstream text;
+    text << "\nBest of " << result.designs.size() << " designs, "
+         << name_of(best);
+    if (const std::size_t n = result.n_failed())
+      text << " (" << n << " without usable results)";
+    text << '\n';
+    for (std::size_t v = 0; v < best.point.size(); ++v)
+      {
+        const DesignVariable &variable = scene.optimization.variables[v];
+        text << "    " << variable.path << ": "
+             << value_text(variable, result.first.point[v]) << " -> "
+             << value_text(variable, best.point[v]) << bound_text(best.point[v])
+             << '\n';
+      }
+    if (best.goals)
+      {
+        const std::string refinement = refinement_text(scene);
+        const auto        refined    = [&result](const auto       &member,
+                                       const std::size_t i) {
+          return result.refined_best
+                      ? std::optional<double>(((*result.refined_best).*member)[i])
+                      : std::nullopt;
+        };
+        for (std::size_t i = 0; i < goals.objectives().size(); ++i)
+          text << goal_text(goals.objectives()[i].text(),
+                            result.first.goals->objectives[i],
+                            best.goals->objectives[i],
+                            refined(&GoalValues::objectives, i),
+                            refinement);
+        for (std::size_t i = 0; i < goals.limits().size(); ++i)
+          text << goal_text(goals.limits()[i].text,
+                            result.first.goals->limited[i],
+                            best.goals->limited[i],
+                            refined(&GoalValues::limited, i),
+                            refinement);
+        const Gain gain = gain_of(result, goals);
+        if (gain.error)
+          text << "  Gain " << rounded_text(gain.value, 4) << " +- "
+               << rounded_text(*gain.error, 1) << " (change by " << refinement
+               << ")\n";
+        text << equal_designs_text(scene, result, goals)
+             << sensitivities_text(scene, result);
+      }
+    if (!result.front.empty())
+      text << "The front of both objectives, " << result.front.size()
+           << " designs, is " << folder << '/' << front_table_file << '\n';
+    text << "The best scene is " << folder << '/' << best_scene_file
+         << ", the table of all designs " << folder << '/' << design_table_file;
+    return text.str();
+  }
+} // namespace auxfem
