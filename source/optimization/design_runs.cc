@@ -212,6 +212,7 @@ namespace auxfem
           results_on_all_ranks(scene, cases[i], ends[i], communicator);
         planned[i].verdict    = results.verdict;
         planned[i].exit_state = results.exit_state;
+        planned[i].is_reused  = ends[i].is_reused;
         if (!results.results.empty())
           planned[i].goals = goal_values.values(results.results);
         if (!planned[i].goals && planned[i].exit_state == "completed")

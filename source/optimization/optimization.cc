@@ -46,10 +46,10 @@ namespace auxfem
           }
     }
 
-    /** The design of the scene itself; its goals are not known yet. Throws
-     * ComputationError if its run fails. */
+    /** Runs @p first, the design of the scene itself, whose goals are not known
+     * yet. Throws ComputationError if its run fails. */
     CaseResults first_results(const Scene     &scene,
-                              const Design    &first,
+                              Design          &first,
                               const MPI_Comm   communicator,
                               const FileRules &rules)
     {
@@ -62,6 +62,9 @@ namespace auxfem
                   [](std::size_t, const CaseEnd &, int) {})[0];
       const CaseResults results =
         results_on_all_ranks(scene, one, end, communicator);
+      first.verdict    = results.verdict;
+      first.exit_state = results.exit_state;
+      first.is_reused  = end.is_reused;
       if (results.results.empty() || results.exit_state != "completed")
         throw ComputationError(
           "The run with the values of the scene, from which the search begins, "
@@ -190,8 +193,6 @@ namespace auxfem
         result.first.folder = subfolder("/first");
         const CaseResults found =
           first_results(scene, result.first, communicator, rules);
-        result.first.verdict    = found.verdict;
-        result.first.exit_state = found.exit_state;
         goals.emplace(scene, found.results);
         result.first.goals = goals->first();
         result.designs     = {result.first};

@@ -60,7 +60,8 @@ namespace auxfem
     for (std::size_t i = 0; i < goals.limits().size(); ++i)
       text += ", " + goals.limits()[i].expression + " = " +
         rounded_text(design.goals->limited[i], 6);
-    return text + (design.is_usable() ? "" : "; " + design.verdict);
+    return text + (design.is_usable() ? "" : "; " + design.verdict) +
+      (design.is_reused ? "; from an earlier optimization" : "");
   }
 
   Gain gain_of(const OptimizationResult &result, const Goals &goals)

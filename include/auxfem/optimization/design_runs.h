@@ -33,6 +33,7 @@ namespace auxfem
     std::string               folder; ///< of its run
     std::optional<GoalValues> goals;  ///< none if the run has failed
     std::string               verdict, exit_state;
+    bool is_reused = false; ///< an earlier optimization has run it
 
     /** Whether its results are there and may be used. */
     bool is_usable() const;
