@@ -79,7 +79,7 @@ TEST(DesignVariables, BoundsThatAreNotUnderstoodAreRefused)
                {path, "positive"});
 }
 
-TEST(Optimization, ObjectivesAndConstraintsAreExpressions)
+TEST(OptimizationDefinition, ObjectivesAndConstraintsAreExpressions)
 {
   const OptimizationDefinition two =
     optimization_with("Objective", "maximize energy / mass; minimize peak");
@@ -99,7 +99,7 @@ TEST(Optimization, ObjectivesAndConstraintsAreExpressions)
   EXPECT_EQ(limited.limits[2].limit, "3");
 }
 
-TEST(Optimization, WhatIsNotUnderstoodIsRefused)
+TEST(OptimizationDefinition, WhatIsNotUnderstoodIsRefused)
 {
   const std::string objective   = "Optimization/Objective",
                     constraints = "Optimization/Constraints";
@@ -114,7 +114,7 @@ TEST(Optimization, WhatIsNotUnderstoodIsRefused)
                {constraints, "EXPRESSION <= LIMIT"});
 }
 
-TEST(Optimization, NeedsVariablesAndAnObjective)
+TEST(OptimizationDefinition, NeedsVariablesAndAnObjective)
 {
   expect_parts(refusal_of_design("Optimization/Objective", "none"),
                {"need an objective", "minimize peak_force"});
@@ -130,7 +130,7 @@ TEST(Optimization, NeedsVariablesAndAnObjective)
                {"Sweep and Design variables", "Remove one"});
 }
 
-TEST(Optimization, CasesAreScenesWithoutIt)
+TEST(OptimizationDefinition, CasesAreScenesWithoutIt)
 {
   const Scene scene = read_scene_from_text(designed_cantilever(), "test.prm");
   const Scene one   = scene_of_case(scene, {"Time/End time=0.7"});
