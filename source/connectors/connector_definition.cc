@@ -18,7 +18,8 @@ namespace auxfem
       "Between",
       "in-cell",
       "Pairs of joints: a pair set of the cell (in-cell, rod), numbers "
-      "\"3 5; 7 9\", or \"ground: JOINTS\"."};
+      "\"3 5; 7 9\", or \"ground: JOINTS\"; maybe followed by a condition on their "
+      "middle, e.g. \"in-cell where y < ymax / 2\"."};
     const Choice geometry = {
       "Geometry",
       "line",

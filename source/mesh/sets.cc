@@ -301,6 +301,29 @@ namespace auxfem
       return pairs;
     }
 
+    /** Those of @p pairs whose middle meets @p text. */
+    std::vector<JointPair> pairs_where(const Lattice                &lattice,
+                                       const std::vector<JointPair> &pairs,
+                                       const std::string            &text,
+                                       const SceneContext           &context,
+                                       const std::string            &path)
+    {
+      const Lattice         &designed = as_designed(lattice);
+      Condition              condition(text, designed, context, path);
+      std::vector<JointPair> chosen;
+      for (const JointPair &pair : pairs)
+        {
+          const dealii::Point<3> &first = designed.joints[pair.first];
+          const dealii::Point<3> &second =
+            pair.second == invalid_index ? first : designed.joints[pair.second];
+          if (condition.holds_at(first + (second - first) / 2))
+            chosen.push_back(pair);
+        }
+      if (chosen.empty())
+        throw InputError(path + ": no pair has its middle where " + text + ".");
+      return chosen;
+    }
+
     /** Refuses an empty pair set, which only pairs across cells can be. */
     [[noreturn]] void refuse_without_pairs(const Lattice      &lattice,
                                            const std::string  &name,
@@ -364,8 +387,16 @@ namespace auxfem
                                       const SceneContext &context,
                                       const std::string  &path)
   {
-    const std::string text = trim(written);
-    const auto        set  = lattice.pair_sets.find(text);
+    const std::string text  = trim(written);
+    const std::string where = " where ";
+    if (const auto begin = text.find(where); begin != std::string::npos)
+      return pairs_where(
+        lattice,
+        select_pairs(lattice, text.substr(0, begin), context, path),
+        trim(text.substr(begin + where.size())),
+        context,
+        path);
+    const auto set = lattice.pair_sets.find(text);
     if (set != lattice.pair_sets.end())
       {
         if (set->second.empty())
@@ -387,6 +418,7 @@ namespace auxfem
       (known.empty() ? std::string("It offers none by name.")
                      : "Known pairs: " + list_of(known) + ".") +
       "\nAllowed: the name of pairs, joint numbers like \"3 5; 7 9\", or "
-      "\"ground: \" and a selection of joints.");
+      "\"ground: \" and a selection of joints, each maybe followed by \" where \" "
+      "and a condition.");
   }
 } // namespace auxfem

@@ -159,9 +159,9 @@ namespace auxfem
                          const std::string         &parent,
                          const std::vector<Design> &known_designs,
                          DesignListener             listener)
-    : scene(scene)
+    : designed_scene(scene)
     , goal_values(goals)
-    , communicator(communicator)
+    , ranks(communicator)
     , rules(rules)
     , parent(parent)
     , listener(std::move(listener))
@@ -173,7 +173,7 @@ namespace auxfem
   const Design &DesignRuns::at(const DesignPoint &point)
   {
     run({point});
-    return known.at(texts_of(scene, point));
+    return known.at(texts_of(designed_scene, point));
   }
 
   std::vector<Design> DesignRuns::at_all(const std::vector<DesignPoint> &points)
@@ -182,7 +182,7 @@ namespace auxfem
     std::vector<Design> designs;
     designs.reserve(points.size());
     for (const DesignPoint &point : points)
-      designs.push_back(known.at(texts_of(scene, point)));
+      designs.push_back(known.at(texts_of(designed_scene, point)));
     return designs;
   }
 
@@ -195,21 +195,21 @@ namespace auxfem
         Design design;
         design.point  = point;
         design.folder = numbered_folder(parent, list.size() + cases.size() + 1);
-        if (!known.emplace(texts_of(scene, point), design).second)
+        if (!known.emplace(texts_of(designed_scene, point), design).second)
           continue;
-        cases.push_back(case_of_design(scene, point, design.folder));
+        cases.push_back(case_of_design(designed_scene, point, design.folder));
         planned.push_back(design);
       }
     const std::vector<CaseEnd> ends =
-      run_cases(scene,
+      run_cases(designed_scene,
                 cases,
-                communicator,
+                ranks,
                 rules,
                 [](std::size_t, const CaseEnd &, int) {});
     for (std::size_t i = 0; i < planned.size(); ++i)
       {
         const CaseResults results =
-          results_on_all_ranks(scene, cases[i], ends[i], communicator);
+          results_on_all_ranks(designed_scene, cases[i], ends[i], ranks);
         planned[i].verdict    = results.verdict;
         planned[i].exit_state = results.exit_state;
         planned[i].is_reused  = ends[i].is_reused;
@@ -217,9 +217,9 @@ namespace auxfem
           planned[i].goals = goal_values.values(results.results);
         if (!planned[i].goals && planned[i].exit_state == "completed")
           planned[i].exit_state = "an objective or a constraint is no number";
-        known[texts_of(scene, planned[i].point)] = planned[i];
+        known[texts_of(designed_scene, planned[i].point)] = planned[i];
         list.push_back(planned[i]);
-        if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+        if (dealii::Utilities::MPI::this_mpi_process(ranks) == 0)
           listener(planned[i]);
       }
   }

@@ -278,6 +278,7 @@ namespace auxfem
                         [](const Design &) {});
         result.sensitivities =
           sensitivities_at(runs, scene.optimization, result.best);
+        result.neighbours = runs.designs();
       }
 
       const Scene     &scene;

@@ -111,6 +111,43 @@ namespace auxfem
     }
   } // namespace
 
+  namespace
+  {
+    /**
+     * Part of the gain that small changes of the variables may cost.
+     * @tuned judgement
+     */
+    constexpr double tolerable_loss = 0.5;
+
+    /** Adds a finding if designs near the best one lose its gain. */
+    void add_fragility_finding(const Scene              &scene,
+                               const OptimizationResult &result,
+                               const Goals              &goals,
+                               std::vector<Finding>     &findings)
+    {
+      const double  best  = goals.merit(*result.best.goals);
+      const Design *worst = nullptr;
+      for (const Design &design : result.neighbours)
+        if (design.is_usable() &&
+            (worst == nullptr ||
+             goals.merit(*design.goals) > goals.merit(*worst->goals)))
+          worst = &design;
+      if (worst == nullptr ||
+          goals.merit(*worst->goals) - best <=
+            tolerable_loss * (goals.merit(*result.first.goals) - best))
+        return;
+      findings.push_back(
+        finding(Verdict::doubtful,
+                "The best design is fragile: where a variable changes by at "
+                "most " +
+                  percentage_text(2 * scene.optimization.difference_step) +
+                  " of its range, the objective becomes " +
+                  rounded_text(worst->goals->objectives[0], 4) +
+                  " and loses more than half of the gain. Choose variables or "
+                  "an objective that vary smoothly."));
+    }
+  } // namespace
+
   std::vector<Finding> findings_of(const Scene              &scene,
                                    const OptimizationResult &result,
                                    const Goals              &goals)
@@ -130,7 +167,12 @@ namespace auxfem
           percentage_text(goals.largest_excess(*result.best.goals)) +
           " of a limit. Relax them, or widen the bounds."));
     else
-      add_gain_finding(result, goals, findings);
+      {
+        add_gain_finding(result, goals, findings);
+        if (goals.largest_excess(*result.first.goals) <= tolerance &&
+            result.best.point != result.first.point)
+          add_fragility_finding(scene, result, goals, findings);
+      }
     if (result.best.goals && result.best.verdict == name_of(Verdict::doubtful))
       findings.push_back(
         finding(Verdict::doubtful,

@@ -1,5 +1,5 @@
+#include <auxfem/optimization/direct_derivatives.h>
 #include <auxfem/optimization/search.h>
-#include <auxfem/optimization/sensitivities.h>
 #include <auxfem/state/interruption.h>
 
 #include <deal.II/base/mpi.h>
@@ -18,7 +18,7 @@ namespace auxfem
     /**
      * Difference step of gradients for methods that use derivatives, as a part
      * of the ranges.
-     * @tuned balances truncation and round-off for results of 12 digits
+     * @tuned balances truncation and round-off of double precision
      */
     constexpr double gradient_step = 1e-4;
 
@@ -43,16 +43,13 @@ namespace auxfem
       /** Searches with @p method; returns whether it was cut short. */
       bool search(const SearchMethod &method)
       {
-        const unsigned int n = task.start.size();
-        nlopt::opt optimizer = make_optimizer(method, n, has_constraints());
-        optimizer.set_lower_bounds(0.);
-        optimizer.set_upper_bounds(1.);
+        nlopt::opt optimizer =
+          make_optimizer(method,
+                         task.start.size(),
+                         {optimization.first_step, optimization.tolerance},
+                         has_constraints());
         optimizer.set_maxeval(optimization.n_evaluations);
-        if (!method.is_global)
-          {
-            optimizer.set_xtol_abs(optimization.tolerance);
-            optimizer.set_initial_step(optimization.first_step);
-          }
+        n_tried = 0;
         optimizer.set_min_objective(objective, this);
         std::vector<Constraint> constraints;
         constraints.reserve(optimization.limits.size());
@@ -86,14 +83,18 @@ namespace auxfem
           {
             return optimizer.optimize(point, merit) == nlopt::MAXEVAL_REACHED;
           }
+        catch (const nlopt::forced_stop &)
+          {
+            if (failure)
+              std::rethrow_exception(failure);
+            return true;
+          }
         catch (const nlopt::roundoff_limited &)
           {
             return false; // nothing better within round-off
           }
         catch (const std::exception &)
           {
-            if (failure)
-              std::rethrow_exception(failure);
             // A method may fail near a corner; its best design remains.
             return false;
           }
@@ -148,8 +149,7 @@ namespace auxfem
                          std::vector<double> &gradient,
                          const Function      &function)
       {
-        const auto derivatives =
-          derivatives_by_differences(runs, point, gradient_step);
+        const auto derivatives = derivatives_at(runs, point, gradient_step);
         for (std::size_t v = 0; v < gradient.size(); ++v)
           {
             gradient[v] = 0;
@@ -213,6 +213,8 @@ namespace auxfem
       const SearchTask             &task;
       DesignRuns                   &runs;
       Design                        best;
+      /** Number of designs that the method has tried. */
+      unsigned int n_tried = 0;
       /** Largest merit so far. */
       double             worst   = 1;
       std::exception_ptr failure = nullptr;

@@ -56,13 +56,25 @@ namespace auxfem
 
   nlopt::opt make_optimizer(const SearchMethod &method,
                             const unsigned int  n,
+                            const SearchSteps  &steps,
                             const bool          has_constraints)
   {
+    const auto in_unit_cube = [&](const nlopt::algorithm algorithm) {
+      nlopt::opt optimizer(algorithm, n);
+      optimizer.set_lower_bounds(0.);
+      optimizer.set_upper_bounds(1.);
+      if (!method.is_global)
+        {
+          optimizer.set_xtol_abs(steps.tolerance);
+          optimizer.set_initial_step(steps.first);
+        }
+      return optimizer;
+    };
     if (!has_constraints)
-      return {method.algorithm, n};
-    nlopt::opt optimizer(method.with_constraints, n);
+      return in_unit_cube(method.algorithm);
+    nlopt::opt optimizer = in_unit_cube(method.with_constraints);
     if (method.with_constraints == nlopt::AUGLAG)
-      optimizer.set_local_optimizer(nlopt::opt(method.algorithm, n));
+      optimizer.set_local_optimizer(in_unit_cube(method.algorithm));
     return optimizer;
   }
 } // namespace auxfem

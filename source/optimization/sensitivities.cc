@@ -1,33 +1,13 @@
+#include <auxfem/optimization/direct_derivatives.h>
 #include <auxfem/optimization/sensitivities.h>
 
-#include <array>
 #include <cmath>
-#include <string>
+#include <utility>
 
 namespace auxfem
 {
   namespace
   {
-    /** Points and weights of a difference formula for one variable. */
-    struct Difference
-    {
-      std::array<double, 3> offsets, weights;
-      unsigned int          n;
-    };
-
-    Difference difference_at(const double part, const double step)
-    {
-      if (part - step < 0)
-        return {{{0, step, 2 * step}},
-                {{-1.5 / step, 2 / step, -0.5 / step}},
-                3};
-      if (part + step > 1)
-        return {{{0, -step, -2 * step}},
-                {{1.5 / step, -2 / step, 0.5 / step}},
-                3};
-      return {{{-step, step, 0}}, {{-0.5 / step, 0.5 / step, 0}}, 2};
-    }
-
     void add_multiple(std::vector<double>       &sum,
                       const double               weight,
                       const std::vector<double> &values)
@@ -38,43 +18,67 @@ namespace auxfem
     }
   } // namespace
 
-  std::vector<std::optional<GoalDerivatives>>
-  derivatives_by_differences(DesignRuns        &runs,
-                             const DesignPoint &point,
-                             const double       step)
+  DifferenceFormulas::DifferenceFormulas(const DesignPoint &point,
+                                         const double       step)
   {
-    std::vector<Difference>  formulas;
-    std::vector<DesignPoint> points;
     for (std::size_t v = 0; v < point.size(); ++v)
       {
-        formulas.push_back(difference_at(point[v], step));
-        for (unsigned int k = 0; k < formulas[v].n; ++k)
+        std::vector<double> offsets = {-step, step};
+        weights.push_back({-0.5 / step, 0.5 / step});
+        const double side = point[v] - step < 0 ? 1
+          : point[v] + step > 1                 ? -1
+                                                : 0;
+        if (side != 0)
           {
-            points.push_back(point);
-            points.back()[v] += formulas[v].offsets[k];
+            offsets        = {0, side * step, 2 * side * step};
+            weights.back() = {-1.5 * side / step,
+                              2 * side / step,
+                              -0.5 * side / step};
+          }
+        for (const double offset : offsets)
+          {
+            point_list.push_back(point);
+            point_list.back()[v] += offset;
           }
       }
-    const std::vector<Design>                   designs = runs.at_all(points);
-    std::vector<std::optional<GoalDerivatives>> derivatives(point.size());
-    auto                                        design = designs.begin();
-    for (std::size_t v = 0; v < point.size(); ++v)
+  }
+
+  Derivatives DifferenceFormulas::differences(
+    const std::vector<std::optional<GoalValues>> &values) const
+  {
+    Derivatives derivatives;
+    auto        value = values.begin();
+    for (const std::vector<double> &of_variable : weights)
       {
-        derivatives[v].emplace();
-        for (unsigned int k = 0; k < formulas[v].n; ++k, ++design)
-          if (!design->is_usable())
-            derivatives[v].reset();
-          else if (derivatives[v])
-            {
-              const double      weight = formulas[v].weights[k];
-              const GoalValues &values = *design->goals;
-              add_multiple(derivatives[v]->objectives,
-                           weight,
-                           values.objectives);
-              add_multiple(derivatives[v]->limited, weight, values.limited);
-              add_multiple(derivatives[v]->limits, weight, values.limits);
-            }
+        std::optional<GoalDerivatives> derivative(std::in_place);
+        for (const double weight : of_variable)
+          {
+            if (!*value)
+              derivative.reset();
+            if (derivative)
+              {
+                add_multiple(derivative->objectives,
+                             weight,
+                             (*value)->objectives);
+                add_multiple(derivative->limited, weight, (*value)->limited);
+                add_multiple(derivative->limits, weight, (*value)->limits);
+              }
+            ++value;
+          }
+        derivatives.push_back(derivative);
       }
     return derivatives;
+  }
+
+  Derivatives derivatives_by_runs(DesignRuns        &runs,
+                                  const DesignPoint &point,
+                                  const double       step)
+  {
+    const DifferenceFormulas               formulas(point, step);
+    std::vector<std::optional<GoalValues>> values;
+    for (const Design &design : runs.at_all(formulas.points()))
+      values.push_back(design.is_usable() ? design.goals : std::nullopt);
+    return formulas.differences(values);
   }
 
   bool Sensitivity::is_resolved() const
@@ -116,10 +120,9 @@ namespace auxfem
                    const OptimizationDefinition &optimization,
                    const Design                 &design)
   {
-    const double step = optimization.difference_step;
-    const auto   coarse =
-                 derivatives_by_differences(runs, design.point, 2 * step),
-               fine = derivatives_by_differences(runs, design.point, step);
+    const double      step   = optimization.difference_step;
+    const Derivatives coarse = derivatives_at(runs, design.point, 2 * step),
+                      fine   = derivatives_at(runs, design.point, step);
     std::vector<std::optional<VariableSensitivities>> sensitivities(
       coarse.size());
     for (std::size_t v = 0; v < coarse.size(); ++v)

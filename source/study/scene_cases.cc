@@ -215,26 +215,18 @@ namespace auxfem
     return summary.is_discarded() ? Json() : summary;
   }
 
-  namespace
+  NamedResults quantities_in(const Scene &scene, const RecordedTable &history)
   {
-    /** Quantities of the scene that are numbers, by the history in @p folder. */
-    NamedResults quantities_of(const Scene &scene, const std::string &folder)
-    {
-      NamedResults results;
-      if (scene.study.quantities.empty())
-        return results;
-      MeasuredRun run;
-      run.exit_state              = "completed";
-      const RecordedTable history = read_table(folder + "/history.csv");
-      for (std::size_t i = 0; i < history.names.size(); ++i)
-        run.columns[history.names[i]] = history.columns[i];
-      for (const QuantityDefinition &quantity : scene.study.quantities)
-        if (quantity.is_number() && run.columns.count(quantity.columns[0]) > 0)
-          results.emplace_back(quantity.name,
-                               value_of(quantity, run, {}).numbers[0]);
-      return results;
-    }
-  } // namespace
+    NamedResults results;
+    MeasuredRun  run;
+    for (std::size_t i = 0; i < history.names.size(); ++i)
+      run.columns[history.names[i]] = history.columns[i];
+    for (const QuantityDefinition &quantity : scene.study.quantities)
+      if (quantity.is_number() && run.columns.count(quantity.columns[0]) > 0)
+        results.emplace_back(quantity.name,
+                             value_of(quantity, run, {}).numbers[0]);
+    return results;
+  }
 
   CaseResults
   results_of(const Scene &scene, const SceneCase &one, const CaseEnd &end)
@@ -247,8 +239,10 @@ namespace auxfem
     found.verdict    = summary.value("verdict", "");
     found.exit_state = summary.value("exit_state", "");
     found.results    = results_in(summary);
-    for (const auto &quantity : quantities_of(scene, one.folder))
-      found.results.push_back(quantity);
+    if (!scene.study.quantities.empty())
+      for (const auto &quantity :
+           quantities_in(scene, read_table(one.folder + "/history.csv")))
+        found.results.push_back(quantity);
     return found;
   }
 

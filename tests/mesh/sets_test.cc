@@ -231,6 +231,30 @@ TEST_F(SetsInSpace, Nearest)
   EXPECT_EQ(left[0], lattice.joint_sets.at("left")[0]);
 }
 
+TEST_F(SetsInSpace, PairsAreChosenByTheirMiddle)
+{
+  const auto pairs = [&](const std::string &text) {
+    return select_pairs(lattice, text, context, "Connectors/damper");
+  };
+  const std::vector<JointPair> all = pairs("in-cell");
+  const double                 middle =
+    (bounding_box(lattice)[0][1] + bounding_box(lattice)[1][1]) / 2;
+  const std::string            half  = std::to_string(middle);
+  const std::vector<JointPair> lower = pairs("in-cell where y < " + half),
+                               upper = pairs("in-cell where y >= " + half);
+  EXPECT_GT(lower.size(), 0u);
+  EXPECT_GT(upper.size(), 0u);
+  EXPECT_EQ(lower.size() + upper.size(), all.size());
+  for (const JointPair &pair : lower)
+    EXPECT_LT(lattice.joints[pair.first][1] + lattice.joints[pair.second][1],
+              2 * middle);
+  const std::vector<JointPair> grounded =
+    pairs("ground: left where y < " + half);
+  EXPECT_LT(grounded.size(), pairs("ground: left").size());
+  expect_parts(input_error_of([&]() { pairs("in-cell where y > 1e3"); }),
+               {"Connectors/damper", "no pair", "y > 1e3"});
+}
+
 TEST_F(SetsInSpace, MessagesShowAllCoordinates)
 {
   const auto refusal = [&](const std::string &text) {

@@ -23,7 +23,7 @@ namespace
     return scene.time(1, 0.1, "static");
   }
 
-  Scene scene_with(const std::string &path, const std::string &bounds)
+  Scene scene_with_variable(const std::string &path, const std::string &bounds)
   {
     return read_scene_from_text(designed_scene().set("Design variables/" + path,
                                                      bounds),
@@ -33,7 +33,8 @@ namespace
   std::string refusal_of_start(const std::string &path,
                                const std::string &bounds)
   {
-    return input_error_of([&]() { first_design(scene_with(path, bounds)); });
+    return input_error_of(
+      [&]() { first_design(scene_with_variable(path, bounds)); });
   }
 
   Design design_with(const double merit, const double excess)
@@ -48,13 +49,15 @@ namespace
 
 TEST(FirstDesign, IsThatOfTheScene)
 {
-  EXPECT_EQ(first_design(scene_with("Time/End time", "0:4 s")),
+  EXPECT_EQ(first_design(scene_with_variable("Time/End time", "0:4 s")),
             DesignPoint{0.25});
-  EXPECT_EQ(first_design(scene_with("Time/End time", "500:2500 ms")),
+  EXPECT_EQ(first_design(scene_with_variable("Time/End time", "500:2500 ms")),
             DesignPoint{0.25});
-  EXPECT_DOUBLE_EQ(first_design(scene_with("Constants/a", "1:9 mm"))[0], 0.25);
   EXPECT_DOUBLE_EQ(first_design(
-                     scene_with("Constants/a", "1:9 mm logarithmic"))[0],
+                     scene_with_variable("Constants/a", "1:9 mm"))[0],
+                   0.25);
+  EXPECT_DOUBLE_EQ(first_design(scene_with_variable("Constants/a",
+                                                    "1:9 mm logarithmic"))[0],
                    0.5);
 }
 
@@ -74,7 +77,7 @@ TEST(FirstDesign, MustBeANumberWithinItsBounds)
 
 TEST(Designs, RunWithoutGraphicsInTheirFolders)
 {
-  const Scene scene = scene_with("Constants/a", "1:9 mm");
+  const Scene scene = scene_with_variable("Constants/a", "1:9 mm");
   const Scene one =
     scene_of_case(scene,
                   case_of_design(scene, {0.5}, "somewhere/0003").overrides);

@@ -17,7 +17,8 @@ namespace
                                 {"mass_kilogram", 0.5},
                                 {"travel", -0.2}};
 
-  Scene scene_with(const std::string &objective, const std::string &constraints)
+  Scene scene_with_goals(const std::string &objective,
+                         const std::string &constraints)
   {
     SceneText scene;
     scene.frame("0 0; 1 0", "0 1")
@@ -33,9 +34,9 @@ namespace
 
 TEST(Goals, AreExpressionsOfResultsByTheEndsOfTheirPaths)
 {
-  const Scene scene =
-    scene_with("maximize n * foot.y.peak_force / mass_kilogram",
-               "evaluation.bodies.head.y.peak_force <= 8; travel >= -0.1");
+  const Scene scene = scene_with_goals(
+    "maximize n * foot.y.peak_force / mass_kilogram",
+    "evaluation.bodies.head.y.peak_force <= 8; travel >= -0.1");
   Goals goals(scene, results);
   ASSERT_EQ(goals.first().objectives.size(), 1u);
   EXPECT_EQ(goals.first().objectives[0], 24);
@@ -57,8 +58,9 @@ TEST(Goals, AreExpressionsOfResultsByTheEndsOfTheirPaths)
 
 TEST(Goals, HaveNoValuesWhereAResultIsMissingOrNoNumber)
 {
-  const Scene scene = scene_with("minimize mass_kilogram", "travel >= -1");
-  Goals       goals(scene, results);
+  const Scene scene =
+    scene_with_goals("minimize mass_kilogram", "travel >= -1");
+  Goals goals(scene, results);
   EXPECT_FALSE(goals.values({{"mass_kilogram", 1}}).has_value());
   NamedResults infinite(results);
   infinite[2].second = std::numeric_limits<double>::infinity();
@@ -71,7 +73,7 @@ TEST(Goals, NamesThatNoResultHasAreRefused)
 {
   const auto refusal = [](const std::string &objective) {
     return input_error_of(
-      [&]() { Goals(scene_with(objective, "none"), results); });
+      [&]() { Goals(scene_with_goals(objective, "none"), results); });
   };
   expect_parts(refusal("minimize force"),
                {"Optimization/Objective = force",

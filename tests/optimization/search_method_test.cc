@@ -78,18 +78,12 @@ TEST(SearchMethods, FindTheMinimumWithAndWithoutConstraints)
   for (const SearchMethod &method : search_methods())
     for (const bool has_constraints : {false, true})
       {
-        nlopt::opt optimizer = make_optimizer(method, 2, has_constraints);
-        optimizer.set_lower_bounds(0.);
-        optimizer.set_upper_bounds(1.);
+        nlopt::opt optimizer =
+          make_optimizer(method, 2, {0.2, 1e-6}, has_constraints);
         optimizer.set_min_objective(+objective, nullptr);
         if (has_constraints)
           optimizer.add_inequality_constraint(+limit, nullptr, 1e-6);
-        optimizer.set_maxeval(2000);
-        if (!method.is_global)
-          {
-            optimizer.set_initial_step(0.2);
-            optimizer.set_xtol_abs(1e-6);
-          }
+        optimizer.set_maxeval(3000);
         std::vector<double> x = {0.1, 0.9};
         double              value;
         optimizer.optimize(x, value);

@@ -121,6 +121,9 @@ namespace
 
     // Free text has no range; its description names the allowed values.
     const Words        free_text = {"set Title",
+                                    "set Objective",
+                                    "set Constraints",
+                                    "set Method",
                                     "set Material",
                                     "set Constants",
                                     "set Joints",

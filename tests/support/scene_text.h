@@ -355,7 +355,7 @@ namespace auxfem
         std::vector<std::pair<std::string, std::string>> groups;
         for (const auto &[path, words] : parameters)
           {
-            const std::size_t slash     = path.rfind('/');
+            const std::size_t slash     = end_of_subsection(path);
             const bool        is_at_top = slash == std::string::npos;
             const std::string group =
               is_at_top ? "" : path.substr(0, slash + 1);
@@ -392,6 +392,16 @@ namespace auxfem
       }
 
     private:
+      /** Position of the slash before the name of the entry @p path, which is
+       * itself a path in some subsections. */
+      static std::size_t end_of_subsection(const std::string &path)
+      {
+        for (const std::string name : {"Sweep/", "Design variables/"})
+          if (path.compare(0, name.size(), name) == 0)
+            return name.size() - 1;
+        return path.rfind('/');
+      }
+
       SceneText &of(const std::string &path, const Material &material)
       {
         set(path + "Young's modulus", material.youngs_modulus);

@@ -56,8 +56,9 @@ namespace auxfem
 
   /**
    * Connector pairs named by @p text: a pair set of the cell, `3 5; 7 9`, or
-   * `ground: JOINTS`. Throws InputError naming @p path for an unknown set or
-   * joint number and for a pair set without pairs.
+   * `ground: JOINTS`; with ` where CONDITION` those whose middle as designed
+   * meets a condition as in select_joints(). Throws InputError naming @p path
+   * for an unknown set or joint number and where there are no such pairs.
    */
   std::vector<JointPair> select_pairs(const Lattice      &lattice,
                                       const std::string  &text,

@@ -91,12 +91,22 @@ namespace auxfem
       return goal_values;
     }
 
+    const Scene &scene() const
+    {
+      return designed_scene;
+    }
+
+    MPI_Comm communicator() const
+    {
+      return ranks;
+    }
+
   private:
     void run(const std::vector<DesignPoint> &points);
 
-    const Scene      &scene;
+    const Scene      &designed_scene;
     Goals            &goal_values;
-    MPI_Comm          communicator;
+    MPI_Comm          ranks;
     const FileRules  &rules;
     const std::string parent;
     DesignListener    listener;

@@ -30,6 +30,9 @@ namespace auxfem
     std::optional<GoalValues> refined_first, refined_best;
     /** At the best design, by variable. */
     std::vector<std::optional<VariableSensitivities>> sensitivities;
+    /** Designs near the best one, up to twice the difference step away; none
+     * with direct derivatives. */
+    std::vector<Design> neighbours;
     /** Whether a search ended because of Optimization/Evaluations. */
     bool is_cut_short = false;
 

@@ -35,9 +35,16 @@ namespace auxfem
   chosen_methods(const OptimizationDefinition &optimization,
                  bool                          has_constraints);
 
-  /** NLopt's object for @p method on @p n variables. */
+  /** When and how local methods begin and end, as parts of the ranges. */
+  struct SearchSteps
+  {
+    double first, tolerance;
+  };
+
+  /** NLopt's object for @p method in the unit cube of @p n variables. */
   nlopt::opt make_optimizer(const SearchMethod &method,
                             unsigned int        n,
+                            const SearchSteps  &steps,
                             bool                has_constraints);
 } // namespace auxfem
 

@@ -15,16 +15,36 @@ namespace auxfem
     std::vector<double> objectives, limited, limits;
   };
 
-  /**
-   * Derivatives at @p point with respect to the part of the range of each
-   * variable, by central differences of length @p step on either side; at a
-   * bound by one-sided ones of second order. None where a run has failed.
-   * Collective.
-   */
-  std::vector<std::optional<GoalDerivatives>>
-  derivatives_by_differences(DesignRuns        &runs,
-                             const DesignPoint &point,
-                             double             step);
+  /** Derivatives by variable; none where a design has no results. */
+  using Derivatives = std::vector<std::optional<GoalDerivatives>>;
+
+  /** Differences with respect to the part of the range of each variable:
+   * central ones, at a bound one-sided ones of second order. */
+  class DifferenceFormulas
+  {
+  public:
+    /** Differences at @p point over @p step on either side. */
+    DifferenceFormulas(const DesignPoint &point, double step);
+
+    /** Points whose values the differences need. */
+    const std::vector<DesignPoint> &points() const
+    {
+      return point_list;
+    }
+
+    /** The differences of @p values, one for each of points(). */
+    Derivatives
+    differences(const std::vector<std::optional<GoalValues>> &values) const;
+
+  private:
+    /** Weights of the points of one variable. */
+    std::vector<std::vector<double>> weights;
+    std::vector<DesignPoint>         point_list;
+  };
+
+  /** Differences at @p point of the goals of runs. Collective. */
+  Derivatives
+  derivatives_by_runs(DesignRuns &runs, const DesignPoint &point, double step);
 
   /** Sensitivity of a goal to a variable. */
   struct Sensitivity

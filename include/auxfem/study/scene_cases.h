@@ -1,6 +1,7 @@
 #ifndef auxfem_study_scene_cases_h
 #define auxfem_study_scene_cases_h
 
+#include <auxfem/figures/recorded_table.h>
 #include <auxfem/output/output_folder.h>
 #include <auxfem/parameters/text.h>
 #include <auxfem/scene/scene.h>
@@ -65,6 +66,10 @@ namespace auxfem
    * for elements of lists.
    */
   NamedResults results_in(const Json &summary);
+
+  /** Quantities of @p scene that are numbers and whose columns @p history has.
+   */
+  NamedResults quantities_in(const Scene &scene, const RecordedTable &history);
 
   /** The summary of the run in @p folder; null if it is missing or damaged. */
   Json summary_in(const std::string &folder);

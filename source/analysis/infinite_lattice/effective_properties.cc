@@ -36,19 +36,33 @@ namespace auxfem
     return plan;
   }
 
+  std::vector<double> mean_stress(const LatticeRun &run)
+  {
+    std::vector<double> stress;
+    for (unsigned int i = 0; i < n_strain_components(run.lattice.dimension);
+         ++i)
+      stress.push_back(sum_of_owned(symmetric_stress_terms(run.model, i),
+                                    run.solution.state.displacement.data()));
+    return run.model.numbering.layout().sum(stress);
+  }
+
+  EffectiveProperties
+  properties_with(const dealii::FullMatrix<double> &stiffness,
+                  const LatticeRun                 &run)
+  {
+    const MassAndSize   period = mass_and_size(run.scene, run.lattice);
+    const double        depth  = depth_of_continuum(run.scene);
+    const double        volume = run.lattice.periodicity->volume() * depth;
+    EffectiveProperties found{ElasticConstants(stiffness), {}, {}, depth};
+    if (period.has_dimensions)
+      found.relative_density = period.strut_volume / volume;
+    if (period.mass)
+      found.density = *period.mass / volume;
+    return found;
+  }
+
   namespace
   {
-    /** Mean stress (Pa) as a vector. */
-    std::vector<double> mean_stress(const LatticeRun &run)
-    {
-      std::vector<double> stress;
-      for (unsigned int i = 0; i < n_strain_components(run.lattice.dimension);
-           ++i)
-        stress.push_back(sum_of_owned(symmetric_stress_terms(run.model, i),
-                                      run.solution.state.displacement.data()));
-      return run.model.numbering.layout().sum(stress);
-    }
-
     /** Prepares the run; counts the mechanisms if that finds one. */
     void prepare(LatticeRun &run)
     {
@@ -75,11 +89,7 @@ namespace auxfem
 
     EffectiveProperties properties_of(LatticeRun &run)
     {
-      const unsigned int dimension = run.lattice.dimension;
-      const unsigned int n         = n_strain_components(dimension);
-      const MassAndSize  period    = mass_and_size(run.scene, run.lattice);
-      const double       depth     = depth_of_continuum(run.scene);
-      const double       volume    = run.lattice.periodicity->volume() * depth;
+      const unsigned int         n = n_strain_components(run.lattice.dimension);
       dealii::FullMatrix<double> stiffness(n, n);
       Recorder                   nobody;
       prepare(run);
@@ -90,12 +100,7 @@ namespace auxfem
           for (unsigned int i = 0; i < n; ++i)
             stiffness(i, j) = stress[i];
         }
-      EffectiveProperties found{ElasticConstants(stiffness), {}, {}, depth};
-      if (period.has_dimensions)
-        found.relative_density = period.strut_volume / volume;
-      if (period.mass)
-        found.density = *period.mass / volume;
-      return found;
+      return properties_with(stiffness, run);
     }
 
     /** Change of the stiffness with finer elements, over its largest entry:

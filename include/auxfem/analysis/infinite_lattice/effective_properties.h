@@ -3,7 +3,10 @@
 
 #include <auxfem/analysis/analysis.h>
 #include <auxfem/analysis/infinite_lattice/elastic_constants.h>
+#include <auxfem/analysis/simulation/lattice_run.h>
 #include <auxfem/scene/run_plan.h>
+
+#include <vector>
 
 namespace auxfem
 {
@@ -24,6 +27,15 @@ namespace auxfem
   /** Plan with a step for each small mean strain of 1, relaxed and without
    * damping. */
   RunPlan plan_of_unit_strains(const Scene &scene);
+
+  /** Mean stress (Pa) of the period at the solution of @p run as a vector.
+   * Collective. */
+  std::vector<double> mean_stress(const LatticeRun &run);
+
+  /** Properties of the lattice of @p run with this stiffness (Pa). */
+  EffectiveProperties
+  properties_with(const dealii::FullMatrix<double> &stiffness,
+                  const LatticeRun                 &run);
 
   /**
    * Small-strain properties of the infinite lattice of @p scene: the mean

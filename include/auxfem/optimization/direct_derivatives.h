@@ -1,0 +1,34 @@
+#ifndef auxfem_optimization_direct_derivatives_h
+#define auxfem_optimization_direct_derivatives_h
+
+#include <auxfem/optimization/sensitivities.h>
+
+#include <optional>
+#include <vector>
+
+namespace auxfem
+{
+  /**
+   * Goals of the designs at @p points near @p point, exact to first order in the
+   * distance: their equilibria follow from those at @p point by one solution of
+   * linear equations each, see NearbyRun. None unless the analysis of @p scene
+   * is statics with has_independent_equilibria() or effective properties, and
+   * its results have all goals. Throws ComputationError if the run at @p point
+   * fails. Collective.
+   */
+  std::optional<std::vector<std::optional<GoalValues>>>
+  nearby_goals(const Scene                    &scene,
+               const DesignPoint              &point,
+               const std::vector<DesignPoint> &points,
+               Goals                          &goals,
+               MPI_Comm                        communicator);
+
+  /**
+   * Differences at @p point of nearby_goals(), which have no error of an
+   * iteration; where these are not known those of runs. Collective.
+   */
+  Derivatives
+  derivatives_at(DesignRuns &runs, const DesignPoint &point, double step);
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,158 @@
+#include <auxfem/optimization/direct_derivatives.h>
+
+#include <gtest/gtest.h>
+#include <support/scene_text.h>
+
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <string>
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+namespace
+{
+  /** Errors of the second order of it are below those allowed. */
+  constexpr double difference_step = 1e-4;
+
+  struct BothDerivatives
+  {
+    std::optional<Derivatives> direct;
+    Derivatives                by_runs;
+  };
+
+  /** Derivatives of the scene @p text at its own values, directly and by runs. */
+  BothDerivatives derivatives_of(const SceneText &text)
+  {
+    const testing::TestInfo &test =
+      *testing::UnitTest::GetInstance()->current_test_info();
+    const std::string folder = std::string("direct-derivatives-") + test.name();
+    std::filesystem::remove_all(folder);
+    const Scene scene =
+      read_scene_from_text(text, "test.prm", {"Output/Directory=" + folder});
+    const DesignPoint point = first_design(scene);
+    const FileRules   rules;
+    std::filesystem::create_directories(folder);
+    const SceneCase first = case_of_design(scene, point, folder + "/first");
+    const CaseEnd   end   = run_cases(scene,
+                                  {first},
+                                  MPI_COMM_SELF,
+                                  rules,
+                                  [](std::size_t, const CaseEnd &, int) {})[0];
+    EXPECT_EQ(end.failure, "");
+    Goals           goals(scene, results_of(scene, first, end).results);
+    DesignRuns      runs(scene,
+                    goals,
+                    MPI_COMM_SELF,
+                    rules,
+                    folder + "/differences",
+                    {},
+                    [](const Design &) {});
+    BothDerivatives both;
+    both.by_runs = derivatives_by_runs(runs, point, difference_step);
+    const DifferenceFormulas formulas(point, difference_step);
+    if (const auto values =
+          nearby_goals(scene, point, formulas.points(), goals, MPI_COMM_SELF))
+      both.direct = formulas.differences(*values);
+    return both;
+  }
+
+  /** Expects that they agree to @p tolerance for all variables. */
+  void expect_equal(const BothDerivatives &both, const double tolerance)
+  {
+    ASSERT_TRUE(both.direct.has_value());
+    ASSERT_EQ(both.direct->size(), both.by_runs.size());
+    for (std::size_t v = 0; v < both.by_runs.size(); ++v)
+      {
+        const auto &direct = both.direct->at(v), &by_runs = both.by_runs[v];
+        ASSERT_TRUE(direct && by_runs);
+        for (std::size_t i = 0; i < by_runs->objectives.size(); ++i)
+          {
+            EXPECT_NE(by_runs->objectives[i], 0);
+            EXPECT_NEAR(direct->objectives[i],
+                        by_runs->objectives[i],
+                        tolerance * std::abs(by_runs->objectives[i]))
+              << "variable " << v;
+          }
+        for (std::size_t i = 0; i < by_runs->limited.size(); ++i)
+          EXPECT_NEAR(direct->limited[i],
+                      by_runs->limited[i],
+                      tolerance * std::abs(by_runs->limited[i]) + 1e-14)
+            << "variable " << v;
+      }
+  }
+
+  /** An elbow of two struts that bends by half a radian. */
+  SceneText bent_elbow()
+  {
+    SceneText scene;
+    scene.frame("0 0; 1 0; 1 1", "0 1; 1 2")
+      .support("clamp", "0", "clamp")
+      .probe("tip", "2")
+      .add("Sections/lower",
+           "Struts = 0 | Shape = rectangle | Width = 10 mm | Height = 10 mm | "
+           "Young's modulus = 2 GPa | Density = 1000")
+      .add("Sections/upper", "Base = lower | Struts = 1 | Height = 8 mm")
+      .add("Loads/push", "Joints = 2 | Force x = -0.6 * t | Force y = -0.3 * t")
+      .add("Connectors/stay",
+           "Law = spring | Between = 0 2 | Spring stiffness = 0.2")
+      .set("Newton/Tolerance", 1e-13)
+      .set("Effects/Contact", "off")
+      .set("Quantities/way", "tip.ux at end")
+      .set("Quantities/deepest", "minimum of tip.uy")
+      .set("Optimization/Objective", "minimize way; maximize deepest")
+      .set("Optimization/Constraints",
+           "mass_kilogram <= 1; clamp.y.peak_force <= 9")
+      .set("Design variables/Sections/lower/Height", "5:20 mm")
+      .set("Design variables/Sections/upper/Height", "5:20 mm logarithmic")
+      .set("Design variables/Sections/lower/Young's modulus", "1:4 GPa")
+      .set("Design variables/Connectors/stay/Spring stiffness", "0.1:1 N/m");
+    return scene.time(1, 0.25, "static").mesh(4);
+  }
+} // namespace
+
+// Both have the same differences of the goals; direct ones miss the second
+// order of the distance, 1e-3 of the range.
+TEST(DirectDerivatives, OfEquilibriaAgreeWithThoseOfRuns)
+{
+  expect_equal(derivatives_of(bent_elbow()), 1e-6);
+}
+
+TEST(DirectDerivatives, OfEffectivePropertiesAgreeWithThoseOfRuns)
+{
+  SceneText scene;
+  scene.set("Analysis", "effective properties")
+    .add("Lattice",
+         "Cell = star | Strut length = 10 mm | Opening angle = 60 deg")
+    .add(
+      "Sections/edge",
+      "Struts = edges | Shape = rectangle | Width = 10 mm | Height = 0.5 mm | "
+      "Young's modulus = 2 GPa | Density = 1140")
+    .add("Sections/stub", "Base = edge | Struts = stubs | Height = 0.4 mm")
+    .set("Optimization/Objective", "minimize nu12; maximize E1")
+    .set("Optimization/Constraints",
+         "effective_properties.relative_density <= 0.1; mass_kilogram <= 1")
+    .set("Design variables/Lattice/Opening angle", "50:70 deg")
+    .set("Design variables/Sections/edge/Height", "0.2:1 mm")
+    .set("Design variables/Sections/stub/Height", "0.2:1 mm logarithmic");
+  expect_equal(derivatives_of(scene), 1e-6);
+}
+
+TEST(DirectDerivatives, OfBeamsInSpaceAgreeWithThoseOfRuns)
+{
+  SceneText scene = bent_elbow();
+  scene.set("Dimension", 3)
+    .set("Lattice/Joints", "0 0 0; 1 0 0; 1 1 0.5")
+    .set("Loads/push/Force z", "0.4 * t")
+    .set("Quantities/way", "tip.uz at end");
+  expect_equal(derivatives_of(scene), 1e-6);
+}
+
+// Inertia, plates and viscosity make states depend on the way to them.
+TEST(DirectDerivatives, AreNotKnownInMotion)
+{
+  SceneText scene = bent_elbow();
+  scene.set("Time/Scheme", "newmark").set("Optimization/Constraints", "none");
+  EXPECT_FALSE(derivatives_of(scene).direct.has_value());
+}
