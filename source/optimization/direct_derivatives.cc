@@ -261,16 +261,18 @@ namespace auxfem
       }
   }
 
-  Derivatives
-  derivatives_at(DesignRuns &runs, const DesignPoint &point, const double step)
+  Derivatives derivatives_at(DesignRuns        &runs,
+                             const DesignPoint &point,
+                             const double       step,
+                             const unsigned int multiple)
   {
-    const DifferenceFormulas formulas(point, step);
+    const DifferenceFormulas formulas(point, multiple * direct_step);
     if (const auto values = nearby_goals(runs.scene(),
                                          point,
                                          formulas.points(),
                                          runs.goals(),
                                          runs.communicator()))
       return formulas.differences(*values);
-    return derivatives_by_runs(runs, point, step);
+    return derivatives_by_runs(runs, point, multiple * step);
   }
 } // namespace auxfem

@@ -16,9 +16,9 @@ namespace auxfem
     namespace mpi = dealii::Utilities::MPI;
 
     /**
-     * Difference step of gradients for methods that use derivatives, as a part
-     * of the ranges.
-     * @tuned balances truncation and round-off of double precision
+     * Difference step of runs for methods that use derivatives, as a part of
+     * the ranges.
+     * @tuned balances truncation and errors of Newton's iteration
      */
     constexpr double gradient_step = 1e-4;
 

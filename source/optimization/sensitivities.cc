@@ -121,7 +121,7 @@ namespace auxfem
                    const Design                 &design)
   {
     const double      step   = optimization.difference_step;
-    const Derivatives coarse = derivatives_at(runs, design.point, 2 * step),
+    const Derivatives coarse = derivatives_at(runs, design.point, step, 2),
                       fine   = derivatives_at(runs, design.point, step);
     std::vector<std::optional<VariableSensitivities>> sensitivities(
       coarse.size());

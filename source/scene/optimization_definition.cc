@@ -89,7 +89,8 @@ namespace auxfem
       "1",
       Range::open(0, 0.25),
       "Change of the variables, as a part of their ranges, for derivatives by "
-      "differences."};
+      "differences of runs; those of equilibria without contact and of effective "
+      "properties are direct."};
 
     [[noreturn]] void refuse_bounds(const ParameterValues &values,
                                     const std::string     &text,
@@ -129,7 +130,10 @@ namespace auxfem
 
   std::string DesignVariable::text_at(const double part) const
   {
-    return quantity_text(value_at(part), unit);
+    // All digits that a number keeps: differences of near values matter.
+    constexpr int n_digits = 15;
+    return number_text(value_at(part), n_digits) +
+      (unit.empty() ? "" : " " + unit);
   }
 
   SubsectionSchema design_variables_schema()

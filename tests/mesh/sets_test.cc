@@ -1,3 +1,4 @@
+#include <auxfem/mesh/position_function.h>
 #include <auxfem/mesh/sets.h>
 
 #include <gtest/gtest.h>

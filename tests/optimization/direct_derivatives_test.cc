@@ -51,7 +51,7 @@ namespace
                     [](const Design &) {});
     BothDerivatives both;
     both.by_runs = derivatives_by_runs(runs, point, difference_step);
-    const DifferenceFormulas formulas(point, difference_step);
+    const DifferenceFormulas formulas(point, direct_step);
     if (const auto values =
           nearby_goals(scene, point, formulas.points(), goals, MPI_COMM_SELF))
       both.direct = formulas.differences(*values);

@@ -24,11 +24,22 @@ namespace auxfem
                MPI_Comm                        communicator);
 
   /**
-   * Differences at @p point of nearby_goals(), which have no error of an
-   * iteration; where these are not known those of runs. Collective.
+   * Difference step of nearby_goals(), as a part of the ranges.
+   * @tuned balances the second order, in which stiff struts count much, and
+   *   round-off of double precision
    */
-  Derivatives
-  derivatives_at(DesignRuns &runs, const DesignPoint &point, double step);
+  constexpr double direct_step = 1e-5;
+
+  /**
+   * Differences at @p point of nearby_goals() over @p multiple of direct_step,
+   * which have no error of an iteration; where these are not known those of
+   * runs
+   * over @p multiple of @p step. Collective.
+   */
+  Derivatives derivatives_at(DesignRuns        &runs,
+                             const DesignPoint &point,
+                             double             step,
+                             unsigned int       multiple = 1);
 } // namespace auxfem
 
 #endif
