@@ -153,7 +153,8 @@ namespace auxfem
     {
       return {{"derivative", sensitivity.derivative},
               {"error", sensitivity.error},
-              {"elasticity", sensitivity.elasticity}};
+              {"elasticity", sensitivity.elasticity},
+              {"elasticity_error", sensitivity.elasticity_error}};
     }
 
     Json json_of_sensitivities(const Scene              &scene,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 
 namespace auxfem
@@ -249,11 +250,7 @@ namespace auxfem
       const double error = std::abs(result.refined_best->objectives[0] -
                                     result.best.goals->objectives[0]);
       const auto   equal = equal_designs(scene, result, goals, error);
-      if (equal.size() < 2)
-        return "";
-      std::string text = "  " + std::to_string(equal.size()) +
-        " designs differ from the best by less than " + refinement_text(scene) +
-        " change it, " + rounded_text(error) + ":\n";
+      std::string  ranges;
       for (std::size_t v = 0; v < result.best.point.size(); ++v)
         {
           const auto ends =
@@ -262,46 +259,74 @@ namespace auxfem
                                 [v](const Design *one, const Design *other) {
                                   return one->point[v] < other->point[v];
                                 });
+          const double least             = (*ends.first)->point[v],
+                       most              = (*ends.second)->point[v];
           const DesignVariable &variable = scene.optimization.variables[v];
-          text += "    " + variable.path + ": " +
-            value_text(variable, (*ends.first)->point[v]) + " to " +
-            value_text(variable, (*ends.second)->point[v]) + '\n';
+          if (most - least > scene.optimization.tolerance)
+            ranges += "    " + variable.path + ": " +
+              value_text(variable, least) + " to " +
+              value_text(variable, most) + '\n';
         }
-      return text;
+      if (ranges.empty())
+        return "";
+      return "  " + std::to_string(equal.size()) +
+        " designs differ from the best by less than " + refinement_text(scene) +
+        " change it, " + rounded_text(error) + ":\n" + ranges;
     }
 
-    std::string sensitivity_text(const std::string &goal,
-                                 const Sensitivity &sensitivity)
+    /** Elasticity with its error where that is not small. */
+    std::string elasticity_text(const Sensitivity &sensitivity)
     {
-      return "    " + goal +
-        (sensitivity.is_resolved()
-           ? ": " + rounded_text(sensitivity.derivative, 4) + " +- " +
-             rounded_text(sensitivity.error, 1) + " per unit, " +
-             rounded_text(sensitivity.elasticity) + " % per %\n"
-           : ": not resolved, within " + rounded_text(sensitivity.error) +
-             " per unit\n");
+      constexpr double small_part = 0.01;
+      const double     error      = sensitivity.elasticity_error;
+      if (!sensitivity.is_resolved())
+        return "< " + rounded_text(error, 1);
+      return rounded_text(sensitivity.elasticity) +
+        (error > small_part * std::abs(sensitivity.elasticity)
+           ? " +- " + rounded_text(error, 1)
+           : "");
+    }
+
+    /** Rows of cells in columns. */
+    std::string aligned(const std::vector<std::vector<std::string>> &rows)
+    {
+      std::vector<std::size_t> widths(rows.front().size());
+      for (const auto &row : rows)
+        for (std::size_t i = 0; i < row.size(); ++i)
+          widths[i] = std::max(widths[i], row[i].size());
+      std::ostringstream text;
+      for (const auto &row : rows)
+        {
+          text << "    " << std::left << std::setw(widths[0]) << row[0]
+               << std::right;
+          for (std::size_t i = 1; i < row.size(); ++i)
+            text << "  " << std::setw(widths[i]) << row[i];
+          text << '\n';
+        }
+      return text.str();
     }
 
     std::string sensitivities_text(const Scene              &scene,
                                    const OptimizationResult &result)
     {
-      std::ostringstream text;
+      std::vector<std::vector<std::string>> rows(1, {""});
+      for (const Objective &objective : scene.optimization.objectives)
+        rows[0].push_back(objective.expression);
+      for (const ResultLimit &limit : scene.optimization.limits)
+        rows[0].push_back(limit.expression);
       for (std::size_t v = 0; v < result.sensitivities.size(); ++v)
         if (const auto &of_variable = result.sensitivities[v])
           {
-            const DesignVariable &variable = scene.optimization.variables[v];
-            text << "  Sensitivity to " << variable.path
-                 << (variable.unit.empty() ? "" : ", unit " + variable.unit)
-                 << '\n';
-            for (std::size_t i = 0; i < of_variable->objectives.size(); ++i)
-              text << sensitivity_text(
-                scene.optimization.objectives[i].expression,
-                of_variable->objectives[i]);
-            for (std::size_t i = 0; i < of_variable->limited.size(); ++i)
-              text << sensitivity_text(scene.optimization.limits[i].expression,
-                                       of_variable->limited[i]);
+            rows.push_back({scene.optimization.variables[v].path});
+            for (const Sensitivity &one : of_variable->objectives)
+              rows.back().push_back(elasticity_text(one));
+            for (const Sensitivity &one : of_variable->limited)
+              rows.back().push_back(elasticity_text(one));
           }
-      return text.str();
+      return rows.size() == 1
+        ? ""
+        : "  Sensitivities there, % of the result per % of the variable\n" +
+          aligned(rows);
     }
   } // namespace
 

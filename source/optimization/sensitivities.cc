@@ -107,9 +107,10 @@ namespace auxfem
         {
           // Richardson's extrapolation of differences of second order.
           const double derivative = (4 * fine[i] - coarse[i]) / 3 / slope;
-          list.push_back({derivative,
-                          std::abs(fine[i] - coarse[i]) / std::abs(slope),
-                          derivative * variable / values[i]});
+          const double error      = std::abs((fine[i] - coarse[i]) / slope),
+                       ratio      = variable / values[i];
+          list.push_back(
+            {derivative, error, derivative * ratio, error * std::abs(ratio)});
         }
       return list;
     }

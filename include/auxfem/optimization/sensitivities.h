@@ -53,8 +53,8 @@ namespace auxfem
     double derivative;
     /** Estimated error of the derivative, by two difference steps. */
     double error;
-    /** Relative change of the goal over that of the variable. */
-    double elasticity;
+    /** Relative change of the goal over that of the variable, and its error. */
+    double elasticity, elasticity_error;
 
     /** Whether the derivative is larger than its error. */
     bool is_resolved() const;
