@@ -261,6 +261,41 @@ namespace
 
 
 
+  // Edges and stubs of one kind come out alike, although each has its variable.
+  TEST_F(ShippedScenes, TheBestStarCellIsAuxeticByMoreThanOne)
+  {
+    run_scene("design-star");
+    const Table               table(path("out/optimization.csv"));
+    const std::vector<double> best = table["best_so_far"];
+    EXPECT_NEAR(best.front(), -0.5507, 1e-3);
+    EXPECT_LT(best.back(), -1.07);
+    const std::string text   = read_text(path("out/summary.json"));
+    const std::string chosen = text.substr(text.find("\"best\""));
+    const auto        height = [&chosen](const std::string &name) {
+      return std::stod(json_value(chosen, "Constants/" + name));
+    };
+    for (const char *name : {"h3", "h4", "h7"})
+      EXPECT_NEAR(height(name), height("h0"), 1e-3 * height("h0")) << name;
+    for (const char *name : {"h9", "h10", "h11"})
+      EXPECT_NEAR(height(name), 0.4, 1e-6) << name;
+  }
+
+  // The record has noise of 2 N.
+  TEST_F(ShippedScenes, TheFitFindsTheConnector)
+  {
+    run_scene("fit-connector");
+    const std::string text   = read_text(path("out/summary.json"));
+    const std::string chosen = text.substr(text.find("\"best\""));
+    EXPECT_NEAR(std::stod(
+                  json_value(chosen, "Connectors/connector/Spring stiffness")),
+                17.3,
+                0.2);
+    EXPECT_NEAR(
+      std::stod(json_value(chosen, "Connectors/connector/Damping coefficient")),
+      86,
+      6);
+  }
+
   TEST_F(ShippedScenes, TheTimedLatticesRun)
   {
     for (const char *name : {"star-10x10", "star-10x10-maxwell"})
