@@ -251,6 +251,8 @@ namespace auxfem
                                     result.best.goals->objectives[0]);
       const auto   equal = equal_designs(scene, result, goals, error);
       std::string  ranges;
+      if (equal.size() < 2)
+        return "";
       for (std::size_t v = 0; v < result.best.point.size(); ++v)
         {
           const auto ends =

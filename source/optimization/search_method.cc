@@ -13,7 +13,7 @@ namespace auxfem
       {"BOBYQA", nlopt::LN_BOBYQA, nlopt::AUGLAG, false, false, 2},
       {"Subplex", nlopt::LN_SBPLX, nlopt::AUGLAG},
       {"DIRECT-L", nlopt::GN_DIRECT_L, nlopt::GN_ORIG_DIRECT_L, true},
-      {"CRS", nlopt::GN_CRS2_LM, nlopt::AUGLAG, true},
+      {"CRS", nlopt::GN_CRS2_LM, nlopt::GN_ISRES, true},
       {"MMA", nlopt::LD_MMA, nlopt::LD_MMA, false, true},
       {"SLSQP", nlopt::LD_SLSQP, nlopt::LD_SLSQP, false, true}};
     return methods;

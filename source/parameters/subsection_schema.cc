@@ -210,11 +210,10 @@ namespace auxfem
       std::vector<ParameterValues> result;
       for (const ParameterEntry &entry : found.entries)
         {
-          context.path     = schema.name + "/" + entry.name;
-          std::string name = entry.name;
-          if (schema.form == Form::path_entries)
-            std::replace(name.begin(), name.end(), '/', ' ');
-          std::string problem = name_problem(name);
+          context.path = schema.name + "/" + entry.name;
+          // Paths are names of parameters, which a case will check.
+          std::string problem =
+            schema.form == Form::path_entries ? "" : name_problem(entry.name);
           if (problem.empty() && entry.value.empty())
             problem = "there is no value";
           if (!problem.empty())

@@ -238,20 +238,20 @@ TEST_F(SetsInSpace, PairsAreChosenByTheirMiddle)
     return select_pairs(lattice, text, context, "Connectors/damper");
   };
   const std::vector<JointPair> all = pairs("in-cell");
-  const double                 middle =
-    (bounding_box(lattice)[0][1] + bounding_box(lattice)[1][1]) / 2;
-  const std::string            half  = std::to_string(middle);
-  const std::vector<JointPair> lower = pairs("in-cell where y < " + half),
-                               upper = pairs("in-cell where y >= " + half);
-  EXPECT_GT(lower.size(), 0u);
-  EXPECT_GT(upper.size(), 0u);
+  // Between the first and the second of three layers.
+  const auto   bounds = bounding_box(lattice);
+  const double third  = bounds[0][2] + (bounds[1][2] - bounds[0][2]) / 3;
+  const std::vector<JointPair> lower = pairs("in-cell where z < " +
+                                             std::to_string(third)),
+                               upper = pairs("in-cell where z >= " +
+                                             std::to_string(third));
+  EXPECT_EQ(3 * lower.size(), all.size());
   EXPECT_EQ(lower.size() + upper.size(), all.size());
   for (const JointPair &pair : lower)
-    EXPECT_LT(lattice.joints[pair.first][1] + lattice.joints[pair.second][1],
-              2 * middle);
-  const std::vector<JointPair> grounded =
-    pairs("ground: left where y < " + half);
-  EXPECT_LT(grounded.size(), pairs("ground: left").size());
+    EXPECT_LT(lattice.joints[pair.first][2] + lattice.joints[pair.second][2],
+              2 * third);
+  EXPECT_LT(pairs("ground: left where z < " + std::to_string(third)).size(),
+            pairs("ground: left").size());
   expect_parts(input_error_of([&]() { pairs("in-cell where y > 1e3"); }),
                {"Connectors/damper", "no pair", "y > 1e3"});
 }

@@ -44,8 +44,8 @@ namespace
        "first  Spring stiffness = 20 kN/m, Damping coefficient = "
        "50 N s/m: peak = 2378",
        "with half the step",
-       "Sensitivity to Connectors/connector/Spring stiffness, unit "
-       "kN/m",
+       "% of the result per % of the variable",
+       "Connectors/connector/Damping coefficient  0.0414",
        "Verdict: sound",
        "out/best.prm"});
     const Table designs = table();

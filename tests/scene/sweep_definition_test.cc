@@ -108,7 +108,8 @@ TEST(SweepDefinition, MistakesAreNamed)
                        "Sweep/A: a range without a step"));
   EXPECT_TRUE(contains(refused_sweep({"Sweep/A=0:10:-1"}),
                        "Sweep/A = 0:10:-1: the step does not lead"));
-  EXPECT_TRUE(contains(refused_sweep({"Sweep/A=0:b:1"}), "\"b\" is no number"));
+  EXPECT_TRUE(
+    contains(refused_sweep({"Sweep/A=0:b:1"}), "\"b\" is not a number"));
   EXPECT_TRUE(contains(refused_sweep({"Sweep/A=1:2:3:4"}), "at most three"));
   EXPECT_TRUE(contains(refused_sweep({"Sweep/A=0:1000000:1"}), "100000"));
 }

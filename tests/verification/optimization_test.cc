@@ -53,7 +53,7 @@ namespace
   {
     return one_mass_scene("Law = kelvin-voigt | Spring stiffness = " + k +
                             " | Damping coefficient = " + c,
-                          "Scheme = newmark | End time = 2 | Time step = 4e-3",
+                          "Scheme = newmark | End time = 4 | Time step = 4e-3",
                           mass_and_velocity(1, -1)
                             .set("Quantities/force", "maximum of link.force")
                             .set("Quantities/stroke",
@@ -200,8 +200,7 @@ TEST(OptimalDesigns, SensitivitiesAreDerivativesWithTheirErrors)
       const Json found =
         optimum_of(designed_cell(table_case(n),
                                  " set Objective = minimize last\n"
-                                 " set Evaluations = 1\n set Method = Subplex\n"
-                                 " set Constraints = last >= 0\n"),
+                                 " set Evaluations = 1\n"),
                    "derivatives-" + std::to_string(n));
       const Json &sensitivities = found.at("sensitivities");
       for (const auto &[path, value] : {std::make_pair(cell_stiffness, by_K),
@@ -209,7 +208,7 @@ TEST(OptimalDesigns, SensitivitiesAreDerivativesWithTheirErrors)
         {
           const Json  &one   = sensitivities.at(path).at("last");
           const double error = one.at("error");
-          EXPECT_LT(error, 1e-3 * std::abs(value));
+          EXPECT_LT(error, 2e-3 * std::abs(value));
           EXPECT_GT(error, 0);
           table.relative("case " + std::to_string(n) + ", " +
                            (path == cell_damping ? "by C" : "by K"),

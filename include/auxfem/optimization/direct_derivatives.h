@@ -10,8 +10,8 @@ namespace auxfem
 {
   /**
    * Goals of the designs at @p points near @p point, exact to first order in the
-   * distance: their equilibria follow from those at @p point by one solution of
-   * linear equations each, see NearbyRun. None unless the analysis of @p scene
+   * distance: their equilibria follow from those at @p point without further
+   * factorizations, see NearbyRun. None unless the analysis of @p scene
    * is statics with has_independent_equilibria() or effective properties, and
    * its results have all goals. Throws ComputationError if the run at @p point
    * fails. Collective.

@@ -41,10 +41,10 @@ namespace auxfem
 
   /**
    * A scene that differs little from one that is being run, with the same
-   * unknowns: each of its equilibria is found by one iteration of Newton's
-   * method from that of the run, with the tangent of the run. It is exact to
-   * first order in the difference (direct differentiation; J. S. Arora,
-   * Introduction to Optimum Design, ch. 14). Functions are collective.
+   * unknowns: its equilibria follow from those of the run by a few corrections
+   * with the tangent of the run, the first of which is exact to first order in
+   * the difference (direct differentiation; J. S. Arora, Introduction to
+   * Optimum Design, ch. 14). Functions are collective.
    */
   class NearbyRun
   {
