@@ -162,15 +162,15 @@ namespace auxfem
     {
       Json json = Json::object();
       for (std::size_t v = 0; v < result.sensitivities.size(); ++v)
-        if (const auto &of_variable = result.sensitivities[v])
+        if (const auto &found = result.sensitivities[v])
           {
             Json &one = json[scene.optimization.variables[v].path];
-            for (std::size_t i = 0; i < of_variable->objectives.size(); ++i)
+            for (std::size_t i = 0; i < found->objectives.size(); ++i)
               one[scene.optimization.objectives[i].expression] =
-                json_of(of_variable->objectives[i]);
-            for (std::size_t i = 0; i < of_variable->limited.size(); ++i)
+                json_of(found->objectives[i]);
+            for (std::size_t i = 0; i < found->limited.size(); ++i)
               one[scene.optimization.limits[i].expression] =
-                json_of(of_variable->limited[i]);
+                json_of(found->limited[i]);
           }
       return json;
     }

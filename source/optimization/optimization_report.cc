@@ -240,7 +240,8 @@ namespace auxfem
       return list;
     }
 
-    /** What the error of the objective leaves open. */
+    /** Ranges of the variables in designs that the error of the objective does
+     * not tell apart. */
     std::string equal_designs_text(const Scene              &scene,
                                    const OptimizationResult &result,
                                    const Goals              &goals)
@@ -317,12 +318,12 @@ namespace auxfem
       for (const ResultLimit &limit : scene.optimization.limits)
         rows[0].push_back(limit.expression);
       for (std::size_t v = 0; v < result.sensitivities.size(); ++v)
-        if (const auto &of_variable = result.sensitivities[v])
+        if (const auto &found = result.sensitivities[v])
           {
             rows.push_back({scene.optimization.variables[v].path});
-            for (const Sensitivity &one : of_variable->objectives)
+            for (const Sensitivity &one : found->objectives)
               rows.back().push_back(elasticity_text(one));
-            for (const Sensitivity &one : of_variable->limited)
+            for (const Sensitivity &one : found->limited)
               rows.back().push_back(elasticity_text(one));
           }
       return rows.size() == 1

@@ -48,10 +48,10 @@ namespace auxfem
   {
     Derivatives derivatives;
     auto        value = values.begin();
-    for (const std::vector<double> &of_variable : weights)
+    for (const std::vector<double> &formula : weights)
       {
         std::optional<GoalDerivatives> derivative(std::in_place);
-        for (const double weight : of_variable)
+        for (const double weight : formula)
           {
             if (!*value)
               derivative.reset();

@@ -172,15 +172,15 @@ namespace auxfem
   {
     ParameterSubsection root =
       parse_parameter_text(scene.all_parameters, scene.file);
-    const std::set<std::string> of_many_runs = {sweep_schema().name,
-                                                sampling_schema().name,
-                                                design_variables_schema().name,
-                                                optimization_schema().name};
+    const std::set<std::string> removed = {sweep_schema().name,
+                                           sampling_schema().name,
+                                           design_variables_schema().name,
+                                           optimization_schema().name};
     root.subsections.erase(
       std::remove_if(root.subsections.begin(),
                      root.subsections.end(),
                      [&](const ParameterSubsection &subsection) {
-                       return of_many_runs.count(subsection.name) > 0;
+                       return removed.count(subsection.name) > 0;
                      }),
       root.subsections.end());
     return make_scene(root, scene.file, overrides);

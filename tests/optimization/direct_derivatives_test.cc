@@ -69,8 +69,8 @@ namespace
     for (std::size_t i = 0; i < values.size(); ++i)
       {
         double size = std::abs(values[i]);
-        for (const auto &of_variable : both.by_runs)
-          size = std::max(size, std::abs(((*of_variable).*kind)[i]));
+        for (const auto &derivative : both.by_runs)
+          size = std::max(size, std::abs(((*derivative).*kind)[i]));
         for (std::size_t v = 0; v < both.by_runs.size(); ++v)
           EXPECT_NEAR(((*both.direct->at(v)).*kind)[i],
                       ((*both.by_runs[v]).*kind)[i],
