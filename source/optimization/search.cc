@@ -149,7 +149,12 @@ namespace auxfem
                          std::vector<double> &gradient,
                          const Function      &function)
       {
-        const auto derivatives = derivatives_at(runs, point, gradient_step);
+        // Objective and constraints ask for them one after the other.
+        if (differentiated_point != point)
+          {
+            derivatives          = derivatives_at(runs, point, gradient_step);
+            differentiated_point = point;
+          }
         for (std::size_t v = 0; v < gradient.size(); ++v)
           {
             gradient[v] = 0;
@@ -172,7 +177,10 @@ namespace auxfem
                               std::vector<double>       &gradient,
                               void                      *data)
       {
-        auto        &problem = *static_cast<SearchProblem *>(data);
+        auto &problem = *static_cast<SearchProblem *>(data);
+        // NLopt does not count what methods within others try.
+        if (++problem.n_tried > problem.optimization.n_evaluations)
+          throw nlopt::forced_stop();
         const double value =
           problem
             .evaluate(point, gradient, [&problem](const GoalValues &values) {
@@ -213,6 +221,9 @@ namespace auxfem
       const SearchTask             &task;
       DesignRuns                   &runs;
       Design                        best;
+      /** Derivatives at the last point where they were needed. */
+      Derivatives derivatives;
+      DesignPoint differentiated_point;
       /** Number of designs that the method has tried. */
       unsigned int n_tried = 0;
       /** Largest merit so far. */

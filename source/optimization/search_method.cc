@@ -10,12 +10,12 @@ namespace auxfem
     static const std::vector<SearchMethod> methods = {
       {"COBYLA", nlopt::LN_COBYLA, nlopt::LN_COBYLA},
       // With a single variable its quadratic model has too few points.
-      {"BOBYQA", nlopt::LN_BOBYQA, nlopt::AUGLAG, false, false, 2},
+      {"BOBYQA", nlopt::LN_BOBYQA, nlopt::AUGLAG, false, 2},
       {"Subplex", nlopt::LN_SBPLX, nlopt::AUGLAG},
       {"DIRECT-L", nlopt::GN_DIRECT_L, nlopt::GN_ORIG_DIRECT_L, true},
       {"CRS", nlopt::GN_CRS2_LM, nlopt::GN_ISRES, true},
-      {"MMA", nlopt::LD_MMA, nlopt::LD_MMA, false, true},
-      {"SLSQP", nlopt::LD_SLSQP, nlopt::LD_SLSQP, false, true}};
+      {"MMA", nlopt::LD_MMA, nlopt::LD_MMA},
+      {"SLSQP", nlopt::LD_SLSQP, nlopt::LD_SLSQP}};
     return methods;
   }
 

@@ -109,6 +109,24 @@ namespace
     expect_contains(other.output, {"Verdict: doubtful", "Evaluations"});
   }
 
+  TEST_F(OptimizationProgram, EndsAfterItsEvaluationsWithEveryMethod)
+  {
+    for (const char *const method :
+         {"COBYLA", "BOBYQA", "Subplex", "DIRECT-L", "CRS", "MMA", "SLSQP"})
+      {
+        const ProgramRun found =
+          run({"Optimization/Evaluations=6",
+               "Optimization/Sensitivities=false",
+               std::string("Optimization/Method=") + method});
+        EXPECT_NE(found.exit_code, 1) << method << found.errors;
+        EXPECT_NE(found.exit_code, 2) << method << found.errors;
+        // Methods by derivatives run two more for each variable.
+        const std::string name      = method;
+        const double      per_point = name == "MMA" || name == "SLSQP" ? 5 : 1;
+        EXPECT_LE(table()["evaluation"].size(), 1 + 6 * per_point) << method;
+      }
+  }
+
   // The stiffer the connector, the shorter the way and the larger the force.
   TEST_F(OptimizationProgram, TwoObjectivesHaveAFront)
   {

@@ -18,9 +18,8 @@ namespace auxfem
     /** Method for problems with constraints; AUGLAG: the augmented Lagrangian
      * around `algorithm`. */
     nlopt::algorithm with_constraints;
-    bool             is_global        = false;
-    bool             uses_derivatives = false;
-    unsigned int     least_variables  = 1;
+    bool             is_global       = false;
+    unsigned int     least_variables = 1;
   };
 
   /** All methods. */

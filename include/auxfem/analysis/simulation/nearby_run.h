@@ -58,7 +58,8 @@ namespace auxfem
               const LatticeRun &run,
               MPI_Comm          communicator);
 
-    /** Follows a step of @p followed, which leads to the equilibrium @p base.
+    /** Follows a step of the run, which leads to the equilibrium @p base.
+     * @param tangent factorized there
      * Throws ComputationError if the linear equations cannot be solved. */
     void follow(const Solution &base, TangentSolver &tangent);
 
