@@ -416,6 +416,28 @@ namespace auxfem
     return pairs;
   }
 
+  RitzPairs independent_pairs(const dealii::FullMatrix<double> &numerator,
+                              const dealii::FullMatrix<double> &denominator,
+                              const unsigned int                n)
+  {
+    const unsigned int               m = numerator.m();
+    dealii::LAPACKFullMatrix<double> minus_numerator(m), copy(m);
+    minus_numerator = numerator;
+    // LAPACK ascends.
+    minus_numerator *= -1;
+    copy = denominator;
+    std::vector<dealii::Vector<double>> vectors(n, dealii::Vector<double>(m));
+    minus_numerator.compute_generalized_eigenvalues_symmetric(copy, vectors);
+    RitzPairs pairs;
+    for (unsigned int j = 0; j < m; ++j)
+      pairs.values.push_back(-minus_numerator.eigenvalue(j).real());
+    pairs.coefficients.reinit(m, n);
+    for (unsigned int j = 0; j < n; ++j)
+      for (unsigned int i = 0; i < m; ++i)
+        pairs.coefficients(i, j) = vectors[j][i];
+    return pairs;
+  }
+
   std::vector<double> ritz_values(const dealii::FullMatrix<double> &numerator,
                                   const dealii::FullMatrix<double> &denominator)
   {

@@ -1,6 +1,8 @@
+#include <auxfem/mesh/periodic_array.h>
 #include <auxfem/mesh/position_function.h>
 #include <auxfem/mesh/sets.h>
 #include <auxfem/model/mass_and_size.h>
+#include <auxfem/scene/infinite_lattice.h>
 
 #include <algorithm>
 #include <map>
@@ -33,14 +35,15 @@ namespace auxfem
           visit(strut, scene.sections[strut.section]);
     }
 
-    std::optional<double> relative_density(const MassAndSize &found,
-                                           const unsigned int dimension)
+    /** Volume of the period, or of the box of the joints (m3). */
+    double volume_around(const Scene       &scene,
+                         const Lattice     &lattice,
+                         const MassAndSize &found)
     {
-      const double box = found.size[0] * found.size[1] *
-        (dimension == 2 ? found.depth : found.size[2]);
-      if (!found.has_dimensions || !(box > 0))
-        return std::nullopt;
-      return found.strut_volume / box;
+      if (lattice.periodicity)
+        return lattice.periodicity->volume() * depth_of_continuum(scene);
+      return found.size[0] * found.size[1] *
+        (lattice.dimension == 2 ? found.depth : found.size[2]);
     }
   } // namespace
 
@@ -84,8 +87,9 @@ namespace auxfem
       });
     if (has_density)
       result.mass = total_mass(scene, lattice);
-    if (!lattice.periodicity)
-      result.relative_density = relative_density(result, lattice.dimension);
+    const double around = volume_around(scene, lattice, result);
+    if (result.has_dimensions && around > 0)
+      result.relative_density = result.strut_volume / around;
     for (const auto &entry : numbers)
       result.struts_of_section.push_back(entry.second);
     return result;

@@ -1,13 +1,19 @@
 #include <auxfem/analysis/infinite_lattice/effective_properties.h>
 #include <auxfem/analysis/infinite_lattice/property_files.h>
 #include <auxfem/analysis/simulation/nearby_run.h>
+#include <auxfem/analysis/small_motions/modes.h>
+#include <auxfem/analysis/small_motions/natural_modes.h>
 #include <auxfem/mathematics/voigt.h>
 #include <auxfem/model/mass_and_size.h>
 #include <auxfem/optimization/direct_derivatives.h>
 #include <auxfem/output/figure_files.h>
 #include <auxfem/output/history.h>
+#include <auxfem/output/summary.h>
 #include <auxfem/parameters/errors.h>
 
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
 #include <memory>
 
 #include <nlohmann/json.hpp>
@@ -24,13 +30,9 @@ namespace auxfem
     }
 
     /** Mass and relative density, as in summary.json. */
-    void add_mass(const LatticeRun &run, NamedResults &results)
+    NamedResults mass_of(const LatticeRun &run)
     {
-      const MassAndSize found = mass_and_size(run.scene, run.lattice);
-      if (found.mass)
-        results.emplace_back("mass_kilogram", *found.mass);
-      if (found.relative_density)
-        results.emplace_back("relative_density", *found.relative_density);
+      return results_in(json_of(mass_and_size(run.scene, run.lattice)));
     }
 
     /** A scene near another one, with the rows of its history. */
@@ -59,8 +61,7 @@ namespace auxfem
       /** As in summary.json, without what concerns the run itself. */
       NamedResults results() const
       {
-        NamedResults found;
-        add_mass(nearby.run, found);
+        NamedResults      found      = mass_of(nearby.run);
         FiguresDefinition definition = scene.figures;
         definition.options.in_time   = false;
         CrushGeometry geometry;
@@ -170,8 +171,7 @@ namespace auxfem
 
       NamedResults results() const
       {
-        NamedResults found;
-        add_mass(nearby.run, found);
+        NamedResults found = mass_of(nearby.run);
         for (const auto &result :
              results_in(json_of(properties_with(stiffness, nearby.run))))
           found.push_back(result);
@@ -214,6 +214,75 @@ namespace auxfem
       return list;
     }
 
+    /** As in summary.json, without what the eigenvalues do not tell. */
+    NamedResults results_of_modes(const LatticeRun          &run,
+                                  const std::vector<double> &eigenvalues)
+    {
+      Json modes = Json::array();
+      for (const double eigenvalue : eigenvalues)
+        {
+          NaturalMode mode{};
+          mode.eigenvalue = eigenvalue;
+          modes.push_back(
+            {{"eigenvalue", eigenvalue},
+             {"frequency_hertz",
+              mode.angular_frequency() / (2 * dealii::numbers::PI)},
+             {"growth_rate", mode.growth_rate()}});
+        }
+      NamedResults found = mass_of(run);
+      for (const auto &result : results_in(Json{{"modes", modes}}))
+        found.push_back(result);
+      return found;
+    }
+
+    /** Sets up @p run and finds its state at rest or in equilibrium. */
+    void begin_modes(LatticeRun &run)
+    {
+      run.prepare();
+      if (run.model.plan.time.static_start)
+        run.start();
+    }
+
+    /**
+     * Eigenvalues by an inverse iteration of the modes of @p scene. Further
+     * modes complete those of equal frequencies.
+     */
+    std::optional<std::vector<NamedResults>>
+    results_of_frequencies(const Scene              &scene,
+                           const std::vector<Scene> &scenes,
+                           const MPI_Comm            communicator)
+    {
+      if (scene.discretization.tolerance)
+        return {};
+      LatticeRun run(plan_of_modes(scene), communicator);
+      begin_modes(run);
+      if (!has_natural_modes(run.solver(), run.solution.state))
+        return {};
+      const NaturalModes base =
+        natural_modes(run.solver(),
+                      run.solution.state,
+                      scene.modes.number + n_guard_modes);
+      std::vector<Vector> shapes;
+      for (const NaturalMode &mode : base.modes)
+        shapes.push_back(mode.shape);
+      std::vector<NamedResults> list;
+      for (const Scene &one : scenes)
+        {
+          LatticeRun nearby(plan_of_modes(one), communicator);
+          begin_modes(nearby);
+          expect_equal_unknowns(nearby, run);
+          std::vector<double> values = nearby_eigenvalues(nearby.solver(),
+                                                          nearby.solution.state,
+                                                          base,
+                                                          shapes)
+                                         .values;
+          values.resize(
+            std::min<std::size_t>(values.size(), scene.modes.number));
+          list.push_back(results_of_modes(nearby, values));
+        }
+      return list;
+    }
+
     std::optional<std::vector<NamedResults>>
     nearby_results(const Scene              &scene,
                    const std::vector<Scene> &scenes,
@@ -223,6 +292,8 @@ namespace auxfem
         return {};
       if (scene.analysis == Analysis::effective_properties)
         return results_of_lattices(scene, scenes, communicator);
+      if (scene.analysis == Analysis::modes)
+        return results_of_frequencies(scene, scenes, communicator);
       if (scene.analysis == Analysis::simulation)
         return static_results(scene, scenes, communicator);
       return {};

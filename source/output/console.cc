@@ -222,6 +222,7 @@ namespace auxfem
                        const FileRules      &rules,
                        const FolderContents &further)
     : scene(scene)
+    , size(mass_and_size(scene, equations.model().lattice))
     , notes(notes_on(equations))
   {
     const UnknownLayout &layout = equations.unknowns().layout;
@@ -255,6 +256,7 @@ namespace auxfem
   {
     Json json = json_of_run(scene, "completed", 0);
     add_verdict(json, findings);
+    json.update(json_of(size));
     json.update(found);
     if (!notes.empty())
       json["notes"] = notes;

@@ -66,7 +66,7 @@ namespace auxfem
       return text;
     }
     /** Lines on MassAndSize. */
-    std::string text_of(const MassAndSize &found)
+    std::string text_of(const MassAndSize &found, const bool is_infinite)
     {
       std::ostringstream text;
       text.precision(4);
@@ -80,7 +80,8 @@ namespace auxfem
       if (found.relative_density)
         text << "  Struts fill   "
              << percentage_text(*found.relative_density, 3)
-             << " of the volume of this size\n";
+             << (is_infinite ? " of the volume of a period\n"
+                             : " of the volume of this size\n");
       std::string sections;
       for (const auto &[section, n_struts] : found.struts_of_section)
         sections += (sections.empty() ? "" : ", ") + section + " " +
@@ -133,7 +134,7 @@ namespace auxfem
                             int(counts.constraints)) +
              " degrees of freedom");
     line("MPI ranks", counts.ranks);
-    stream << text_of(counts.mass_and_size);
+    stream << text_of(counts.mass_and_size, scene.lattice.is_infinite);
 
     list_effects(stream, "Simulated", decisions, true);
     list_effects(stream, "Left out", decisions, false);

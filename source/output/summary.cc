@@ -66,17 +66,6 @@ namespace auxfem
               {"ranks", counts.ranks}};
     }
 
-    void add_mass_and_size(Json &json, const MassAndSize &found)
-    {
-      json["size_metre"] = {found.size[0], found.size[1], found.size[2]};
-      if (found.mass)
-        json["mass_kilogram"] = *found.mass;
-      if (found.relative_density)
-        json["relative_density"] = *found.relative_density;
-      for (const auto &[section, n_struts] : found.struts_of_section)
-        json["struts_of_section"][section] = n_struts;
-    }
-
     /** Names of the sections in the file. */
     std::vector<std::string> names_of_sections(const Scene &scene)
     {
@@ -320,6 +309,18 @@ namespace auxfem
       (record.largest_energy > 0 ? balance : "") + ("Results are in " + folder);
   }
 
+  Json json_of(const MassAndSize &found)
+  {
+    Json json = {{"size_metre", {found.size[0], found.size[1], found.size[2]}}};
+    if (found.mass)
+      json["mass_kilogram"] = *found.mass;
+    if (found.relative_density)
+      json["relative_density"] = *found.relative_density;
+    for (const auto &[section, n_struts] : found.struts_of_section)
+      json["struts_of_section"][section] = n_struts;
+    return json;
+  }
+
   std::string summary_json(const Scene &scene, const Summary &summary)
   {
     Json json = json_of_run(scene, summary.exit_state, summary.time);
@@ -332,7 +333,7 @@ namespace auxfem
       }
     add_verdict(json, summary.findings);
     json["counts"] = json_of(summary.counts);
-    add_mass_and_size(json, summary.counts.mass_and_size);
+    json.update(json_of(summary.counts.mass_and_size));
     json["sections"]         = names_of_sections(scene);
     json["connector_groups"] = names_of_groups(scene.connectors);
     json["work"]             = json_of(summary.totals);

@@ -56,6 +56,18 @@ TEST(MassAndSize, TapersAreIntegrated)
   EXPECT_NEAR(*found.mass, 0.8 * 7 / 12, 1e-12);
 }
 
+// A period of the square lattice has two struts of its length.
+TEST(MassAndSize, FillsAPeriodOfAnInfiniteLattice)
+{
+  const MassAndSize found =
+    of(SceneText()
+         .set("Analysis", "dispersion")
+         .add("Lattice", "Cell = square | Strut length = 1")
+         .rectangle("wall", "10 mm", "50 mm", {1, 1000}));
+  EXPECT_NEAR(*found.mass, 1, 1e-12);
+  EXPECT_NEAR(*found.relative_density, 0.1, 1e-12);
+}
+
 TEST(MassAndSize, LeavesOutWhatIsUnknown)
 {
   const MassAndSize flat = of(frame_scene("0 0; 1 0", "0 1")

@@ -107,6 +107,14 @@ namespace auxfem
   RitzPairs ritz_pairs(const dealii::FullMatrix<double> &numerator,
                        const dealii::FullMatrix<double> &denominator);
 
+  /**
+   * As ritz_pairs() for many vectors that are independent, by LAPACK.
+   * @param n number of columns of coefficients, of the first values
+   */
+  RitzPairs independent_pairs(const dealii::FullMatrix<double> &numerator,
+                              const dealii::FullMatrix<double> &denominator,
+                              unsigned int                      n);
+
   /** Values of ritz_pairs(). */
   std::vector<double>
   ritz_values(const dealii::FullMatrix<double> &numerator,

@@ -25,9 +25,9 @@ namespace auxfem
     double depth = 0;
     /** Whether all sections have dimensions. */
     bool has_dimensions = true;
-    /** strut_volume over that of the box of the joints, in the
-     * plane of the depth of the widest section. None if the box is flat, a
-     * section has no dimensions, or the lattice is infinite. */
+    /** strut_volume over that of the box of the joints or, in an infinite
+     * lattice, of the period; in the plane of the depth of the widest section.
+     * None if the box is flat or a section has no dimensions. */
     std::optional<double> relative_density;
     /** Number of elastic struts by section as in the file; sections without
      * struts are left out. */

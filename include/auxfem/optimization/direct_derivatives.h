@@ -11,9 +11,10 @@ namespace auxfem
   /**
    * Goals of the designs at @p points near @p point, exact to first order in the
    * distance: their equilibria follow from those at @p point without further
-   * factorizations, see NearbyRun. None unless the analysis of @p scene
-   * is statics with has_independent_equilibria() or effective properties, and
-   * its results have all goals. Throws ComputationError if the run at @p point
+   * factorizations, see NearbyRun; their frequencies from the modes there, see
+   * nearby_eigenvalues(). None unless the analysis of @p scene is statics with
+   * has_independent_equilibria(), effective properties or modes, and its
+   * results have all goals. Throws ComputationError if the run at @p point
    * fails. Collective.
    */
   std::optional<std::vector<std::optional<GoalValues>>>

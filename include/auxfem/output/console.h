@@ -2,6 +2,7 @@
 #define auxfem_output_console_h
 
 #include <auxfem/equations/equations.h>
+#include <auxfem/model/mass_and_size.h>
 #include <auxfem/output/output_folder.h>
 #include <auxfem/output/verdict.h>
 #include <auxfem/state/state.h>
@@ -158,6 +159,7 @@ namespace auxfem
 
   private:
     const Scene                   &scene;
+    const MassAndSize              size;
     const std::vector<std::string> notes;
     std::optional<RunFolder>       files;   ///< on rank 0
     std::optional<Console>         console; ///< on rank 0

@@ -120,6 +120,9 @@ namespace auxfem
   Json
   json_of_run(const Scene &scene, const std::string &exit_state, double time);
 
+  /** Size, mass and relative density as far as known, and struts by section. */
+  Json json_of(const MassAndSize &found);
+
   /** Names of the groups in @p definitions. */
   template <class Definition>
   std::vector<std::string>

@@ -61,9 +61,12 @@ namespace auxfem
     shifted.add_multiple(shift, mass);
   }
 
-  RitzPairs BlochWaves::quotients(const WavePhases &phases) const
+  RitzPairs BlochWaves::quotients(const WavePhases  &phases,
+                                  const unsigned int n) const
   {
-    return ritz_pairs(mass.at(phases), shifted.at(phases));
+    return independent_pairs(mass.at(phases),
+                             shifted.at(phases),
+                             2 * std::min<unsigned int>(n, mass.size()));
   }
 
   double BlochWaves::squared_frequency(const double quotient) const
@@ -74,7 +77,7 @@ namespace auxfem
   std::vector<double> BlochWaves::frequencies(const WavePhases  &phases,
                                               const unsigned int n) const
   {
-    const std::vector<double> values = quotients(phases).values;
+    const std::vector<double> values = quotients(phases, 0).values;
     std::vector<double>       result;
     for (unsigned int j = 0; j + 1 < values.size() && result.size() < n; j += 2)
       result.push_back(std::sqrt(squared_frequency(values[j])));
@@ -84,7 +87,7 @@ namespace auxfem
   std::vector<BlochWave> BlochWaves::waves(const WavePhases  &phases,
                                            const unsigned int n) const
   {
-    const RitzPairs pairs     = quotients(phases);
+    const RitzPairs pairs     = quotients(phases, n);
     const auto      square_of = [&](const unsigned int j) {
       return squared_frequency(pairs.values[j]);
     };

@@ -26,10 +26,9 @@ namespace auxfem
   BlochWaves::damped_basis(const WavePhases &phases, const unsigned int n) const
   {
     // Each wave is there twice, as a vector and i times it.
-    const RitzPairs    undamped = quotients(phases);
+    const RitzPairs    undamped = quotients(phases, 4 * n + 20);
     const unsigned int n_period = mass.size(),
-                       n_waves  = std::min<unsigned int>(2 * (4 * n + 20),
-                                                        undamped.values.size());
+                       n_waves  = undamped.coefficients.n();
     std::set<unsigned int> damped;
     for (const unsigned int u : damping.unknowns())
       damped.insert(u);

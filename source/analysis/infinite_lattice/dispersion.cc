@@ -264,14 +264,18 @@ namespace auxfem
                           : "\nBand gaps" + text.str();
     }
 
-    Json json_of(const std::vector<BandGap> &gaps)
+    Json json_of(const std::vector<FrequencyBand> &bands,
+                 const std::vector<BandGap>       &gaps)
     {
-      Json list = Json::array();
+      Json all_bands = Json::array(), all_gaps = Json::array();
+      for (const FrequencyBand &band : bands)
+        all_bands.push_back({{"lowest_hertz", band.lowest / turn},
+                             {"highest_hertz", band.highest / turn}});
       for (const BandGap &gap : gaps)
-        list.push_back({{"below", gap.below},
-                        {"lowest_hertz", gap.lowest / turn},
-                        {"highest_hertz", gap.highest / turn}});
-      return {{"band_gaps", list}};
+        all_gaps.push_back({{"below", gap.below},
+                            {"lowest_hertz", gap.lowest / turn},
+                            {"highest_hertz", gap.highest / turn}});
+      return {{"bands", all_bands}, {"band_gaps", all_gaps}};
     }
 
     RunResult run_on_one_rank(const Scene &scene, const FileRules &rules)
@@ -285,13 +289,13 @@ namespace auxfem
                        rules,
                        {{"dispersion.csv", "dispersion.units.csv"}, {}});
       WaveTable                        table(scene, *run.lattice.periodicity);
-      std::vector<std::vector<double>> bands;
+      std::vector<std::vector<double>> frequencies;
       for (const WaveVector &at : dispersion.points_of_path())
         {
           end_if_interrupted(MPI_COMM_SELF);
           const auto add = [&](const auto &found) {
             table.add(at, found);
-            bands.push_back(frequencies_of(found));
+            frequencies.push_back(frequencies_of(found));
           };
           if (dispersion.damped)
             add(waves.damped_waves(phases_of(at), dispersion.bands));
@@ -302,43 +306,55 @@ namespace auxfem
                                                        scene.context.dimension))
         {
           end_if_interrupted(MPI_COMM_SELF);
-          bands.push_back(
+          frequencies.push_back(
             dispersion.damped
               ? frequencies_of(
                   waves.damped_waves(phases_of(at), dispersion.bands))
               : waves.frequencies(phases_of(at), dispersion.bands));
         }
-      const std::vector<BandGap> gaps   = band_gaps(bands);
-      const MeshErrors           errors = errors_of(run, waves);
-      RunResult                  result;
+      const std::vector<FrequencyBand> bands  = frequency_bands(frequencies);
+      const std::vector<BandGap>       gaps   = band_gaps(bands);
+      const MeshErrors                 errors = errors_of(run, waves);
+      RunResult                        result;
       result.exit_state = "completed";
       result.work       = run.work();
       result.findings   = mesh_findings(run.model.plan, errors, "frequencies");
       report.print(text_of(gaps));
       report.print(mesh_text(run.model.plan, errors));
-      report.finish(json_of(gaps), result.findings);
+      report.finish(json_of(bands, gaps), result.findings);
       return result;
     }
   } // namespace
 
-  std::vector<BandGap> band_gaps(const std::vector<std::vector<double>> &bands)
+  std::vector<FrequencyBand>
+  frequency_bands(const std::vector<std::vector<double>> &frequencies)
+  {
+    std::vector<FrequencyBand> bands;
+    if (frequencies.empty())
+      return bands;
+    for (const double frequency : frequencies.front())
+      bands.push_back({frequency, frequency});
+    for (const std::vector<double> &of_wave_vector : frequencies)
+      {
+        bands.resize(std::min(bands.size(), of_wave_vector.size()));
+        for (std::size_t i = 0; i < bands.size(); ++i)
+          {
+            bands[i].lowest  = std::min(bands[i].lowest, of_wave_vector[i]);
+            bands[i].highest = std::max(bands[i].highest, of_wave_vector[i]);
+          }
+      }
+    return bands;
+  }
+
+  std::vector<BandGap> band_gaps(const std::vector<FrequencyBand> &bands)
   {
     constexpr double     round_off = 1e-9;
     std::vector<BandGap> gaps;
-    std::size_t          n = bands.empty() ? 0 : bands.front().size();
-    for (const auto &band : bands)
-      n = std::min(n, band.size());
-    for (std::size_t i = 0; i + 1 < n; ++i)
-      {
-        double below = 0, above = std::numeric_limits<double>::infinity();
-        for (const auto &band : bands)
-          {
-            below = std::max(below, band[i]);
-            above = std::min(above, band[i + 1]);
-          }
-        if (above > below * (1 + round_off))
-          gaps.push_back({static_cast<unsigned int>(i + 1), below, above});
-      }
+    for (std::size_t i = 0; i + 1 < bands.size(); ++i)
+      if (bands[i + 1].lowest > bands[i].highest * (1 + round_off))
+        gaps.push_back({static_cast<unsigned int>(i + 1),
+                        bands[i].highest,
+                        bands[i + 1].lowest});
     return gaps;
   }
 

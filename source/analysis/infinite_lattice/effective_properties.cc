@@ -54,8 +54,7 @@ namespace auxfem
     const double        depth  = depth_of_continuum(run.scene);
     const double        volume = run.lattice.periodicity->volume() * depth;
     EffectiveProperties found{ElasticConstants(stiffness), {}, {}, depth};
-    if (period.has_dimensions)
-      found.relative_density = period.strut_volume / volume;
+    found.relative_density = period.relative_density;
     if (period.mass)
       found.density = *period.mass / volume;
     return found;

@@ -259,8 +259,6 @@ namespace auxfem
           row.push_back(elastic.stiffness()(i, j));
         json["stiffness_pascal"].push_back(row);
       }
-    if (properties.relative_density)
-      json["relative_density"] = *properties.relative_density;
     if (properties.density)
       json["density"] = *properties.density;
     if (elastic.dimension() == 2)

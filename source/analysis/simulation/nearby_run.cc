@@ -47,6 +47,13 @@ namespace auxfem
     is_constant = run.equations.is_linear();
   }
 
+  void expect_equal_unknowns(const LatticeRun &run, const LatticeRun &other)
+  {
+    if (run.solution.state.displacement.size() !=
+        other.solution.state.displacement.size())
+      throw InputError("The scene has other unknowns with changed parameters.");
+  }
+
   NearbyRun::NearbyRun(const RunPlan    &plan,
                        const LatticeRun &followed,
                        const MPI_Comm    communicator)
@@ -56,8 +63,7 @@ namespace auxfem
     , rotations(run.model.numbering)
     , base_before(followed.solution.state.displacement)
   {
-    if (base_before.size() != trial.displacement.size())
-      throw InputError("The scene has other unknowns with changed parameters.");
+    expect_equal_unknowns(run, followed);
     run.start();
   }
 

@@ -161,11 +161,11 @@ namespace auxfem
         values.push_back(mode.eigenvalue);
       MeshErrors errors =
         compare_values(values,
-                       finer_eigenvalues(finer.solver(),
-                                         finer.state(),
-                                         found,
-                                         prolongated_shapes(finer,
-                                                            found.modes)),
+                       nearby_eigenvalues(finer.solver(),
+                                          finer.state(),
+                                          found,
+                                          prolongated_shapes(finer,
+                                                             found.modes)),
                        0.5,
                        run.scene.modes.number,
                        found);

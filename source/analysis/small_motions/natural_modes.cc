@@ -73,14 +73,14 @@ namespace auxfem
       }
 
       /**
-       * Sorted eigenvalues of shapes near those of @p coarse; requires
+       * Sorted eigenvalues of shapes near those of @p base; requires
        * factorize() with their shift.
        */
       std::vector<double>
       improved_eigenvalues(const std::vector<Vector> &shapes,
-                           const NaturalModes        &coarse)
+                           const NaturalModes        &base)
       {
-        const auto products = iterated_products(problem(coarse.shift), shapes);
+        const auto products = iterated_products(problem(base.shift), shapes);
         if (!products)
           return {};
         std::vector<double> values =
@@ -88,8 +88,8 @@ namespace auxfem
         std::reverse(values.begin(), values.end());
         for (double &value : values)
           {
-            value += coarse.shift;
-            if (std::abs(value) <= zero_over_shift * -coarse.shift)
+            value += base.shift;
+            if (std::abs(value) <= zero_over_shift * -base.shift)
               value = 0;
           }
         return values;
@@ -318,23 +318,23 @@ namespace auxfem
     return found;
   }
 
-  FinerValues finer_eigenvalues(TangentSolver             &solver,
-                                const State               &state,
-                                const NaturalModes        &coarse,
-                                const std::vector<Vector> &shapes)
+  FinerValues nearby_eigenvalues(TangentSolver             &solver,
+                                 const State               &state,
+                                 const NaturalModes        &base,
+                                 const std::vector<Vector> &shapes)
   {
     Vibration   vibration(solver, state, StiffnessPart::whole);
     FinerValues finer;
     finer.n_possible = vibration.n_with_mass();
-    if (!vibration.factorize(coarse.shift))
+    if (!vibration.factorize(base.shift))
       throw_modes_error(solver.last_failure());
-    finer.values           = vibration.improved_eigenvalues(shapes, coarse);
-    const CountLimit known = limit_below_last(finer.values, coarse.shift);
-    if (coarse.is_counted && known.limit > coarse.shift &&
+    finer.values           = vibration.improved_eigenvalues(shapes, base);
+    const CountLimit known = limit_below_last(finer.values, base.shift);
+    if (base.is_counted && known.limit > base.shift &&
         vibration.factorize(known.limit))
       if (const auto n = vibration.n_below();
-          n && *n > known.n_below + coarse.n_further_negative)
-        finer.n_missing = *n - known.n_below - coarse.n_further_negative;
+          n && *n > known.n_below + base.n_further_negative)
+        finer.n_missing = *n - known.n_below - base.n_further_negative;
     return finer;
   }
 } // namespace auxfem

@@ -68,8 +68,8 @@ namespace auxfem
                                             unsigned int      n) const;
 
     /** Quotients 1 / (w^2 + shift) of all waves, each twice: a vector and i
-     * times it. */
-    RitzPairs quotients(const WavePhases &phases) const;
+     * times it, for the @p n lowest waves. */
+    RitzPairs quotients(const WavePhases &phases, unsigned int n) const;
 
     /** Squared angular frequency (1/s2) of a quotient. */
     double squared_frequency(double quotient) const;

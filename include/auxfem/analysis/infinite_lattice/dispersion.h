@@ -9,6 +9,17 @@
 
 namespace auxfem
 {
+  /** Frequencies of a band (rad/s). */
+  struct FrequencyBand
+  {
+    double lowest, highest;
+  };
+
+  /** Bands over all wave vectors, as many as each has.
+   * @param frequencies of each wave vector in ascending order (rad/s) */
+  std::vector<FrequencyBand>
+  frequency_bands(const std::vector<std::vector<double>> &frequencies);
+
   /** Frequencies that no wave has, between two bands. */
   struct BandGap
   {
@@ -16,9 +27,9 @@ namespace auxfem
     double       lowest, highest; ///< rad/s
   };
 
-  /** Band gaps between @p bands: for each wave vector the frequencies in
-   * ascending order (rad/s). Gaps narrower than round-off are none. */
-  std::vector<BandGap> band_gaps(const std::vector<std::vector<double>> &bands);
+  /** Gaps between @p bands, which ascend. Gaps narrower than round-off are
+   * none. */
+  std::vector<BandGap> band_gaps(const std::vector<FrequencyBand> &bands);
 
   /**
    * Waves of the infinite lattice of @p scene along the path of `Dispersion`,

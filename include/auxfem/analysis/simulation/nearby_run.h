@@ -15,6 +15,9 @@ namespace auxfem
    */
   bool has_independent_equilibria(const Equations &equations);
 
+  /** Throws InputError if the numbers of unknowns differ. */
+  void expect_equal_unknowns(const LatticeRun &run, const LatticeRun &other);
+
   /** The exact tangent at equilibria of a run. Constructor and functions are
    * collective. */
   class EquilibriumTangent

@@ -64,7 +64,7 @@ namespace auxfem
                                unsigned int         n);
 
   /**
-   * Factors on finer elements near those of @p coarse; see finer_eigenvalues().
+   * Factors on finer elements near those of @p coarse; see nearby_eigenvalues().
    */
   FinerValues finer_factors(TangentSolver             &solver,
                             const State               &state,

@@ -117,17 +117,17 @@ namespace auxfem
                              StiffnessPart  part = StiffnessPart::whole);
 
   /**
-   * Eigenvalues of finer elements near those of @p coarse, by one block inverse
-   * iteration of its modes. Their error is the squared error of the shapes (Xu
-   * and Zhou 2001). Throws ComputationError. Collective.
-   * @param solver, state those of the finer elements
-   * @param shapes mode shapes, values of all local unknowns of the finer
-   *   elements
+   * Eigenvalues near those of @p base, of finer elements or of a lattice that
+   * differs little, by one block inverse iteration of its modes. Their error is
+   * the squared error of the shapes (Xu and Zhou 2001). Throws
+   * ComputationError. Collective.
+   * @param solver, state those of the other elements or lattice
+   * @param shapes mode shapes, values of all local unknowns of @p solver
    */
-  FinerValues finer_eigenvalues(TangentSolver             &solver,
-                                const State               &state,
-                                const NaturalModes        &coarse,
-                                const std::vector<Vector> &shapes);
+  FinerValues nearby_eigenvalues(TangentSolver             &solver,
+                                 const State               &state,
+                                 const NaturalModes        &base,
+                                 const std::vector<Vector> &shapes);
 } // namespace auxfem
 
 #endif
