@@ -13,7 +13,8 @@ namespace auxfem
   {
     /**
      * Growth of the factors, relative to that with new pivots, up to which
-     * pivots are reused for new entries.
+     * pivots are reused for new entries. Their condition, which costs less, is
+     * looked at first.
      * @tuned judgement
      */
     constexpr double max_growth_of_reused_pivots = 100;
@@ -66,8 +67,9 @@ namespace auxfem
       klu_numeric           *numeric  = nullptr;
       std::size_t            n        = 0;
       std::vector<int>       offsets;
-      /** Growth with new pivots, as klu_rgrowth() defines it. */
-      double fresh_growth = 0;
+      /** Growth and condition with new pivots, as klu_rgrowth() and klu_rcond()
+       * define them. */
+      double fresh_growth = 0, fresh_condition = 0;
     };
 
     Klu::Klu(const EliminationOrder order) : elimination(order)
@@ -153,25 +155,32 @@ namespace auxfem
                        &common))
         return false;
       fresh_growth = common.rgrowth;
+      klu_rcond(symbolic, numeric, &common);
+      fresh_condition = common.rcond;
       return true;
     }
 
     /** Reuses the present pivots; false if they are not accurate enough. */
     bool Klu::refactorize(int *const columns, double *const entries)
     {
-      return klu_refactor(offsets.data(),
-                          columns,
-                          entries,
-                          symbolic,
-                          numeric,
-                          &common) &&
-        common.status == KLU_OK &&
-        klu_rgrowth(offsets.data(),
-                    columns,
-                    entries,
-                    symbolic,
-                    numeric,
-                    &common) &&
+      if (!klu_refactor(offsets.data(),
+                        columns,
+                        entries,
+                        symbolic,
+                        numeric,
+                        &common) ||
+          common.status != KLU_OK)
+        return false;
+      // Entries that grow leave small pivots beside large ones.
+      klu_rcond(symbolic, numeric, &common);
+      if (common.rcond * max_growth_of_reused_pivots >= fresh_condition)
+        return true;
+      return klu_rgrowth(offsets.data(),
+                         columns,
+                         entries,
+                         symbolic,
+                         numeric,
+                         &common) &&
         common.rgrowth * max_growth_of_reused_pivots >= fresh_growth;
     }
 

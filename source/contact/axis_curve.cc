@@ -119,6 +119,38 @@ namespace auxfem
     return nearest;
   }
 
+  CurveChords::CurveChords(const AxisCurve &curve)
+  {
+    AxisCurve::Vector begin = curve.coefficients[0];
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const AxisCurve::Vector end = curve.at((i + 1.) / n);
+        begins[i]                   = begin;
+        chords[i]                   = end - begin;
+        const double square         = chords[i].norm_square();
+        inverse_squares[i]          = square > 0 ? 1 / square : 0;
+        begin                       = end;
+      }
+    // Error of linear interpolation.
+    double largest_bend = 0;
+    for (unsigned int k = 2; k <= curve.degree; ++k)
+      largest_bend += k * (k - 1.) * curve.coefficients[k].norm();
+    deviation = largest_bend / (8 * n * n);
+  }
+
+  double CurveChords::least_distance(const AxisCurve::Vector &point) const
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const AxisCurve::Vector away = point - begins[i];
+        const double            foot =
+          std::clamp(away * chords[i] * inverse_squares[i], 0., 1.);
+        least = std::min(least, (away - foot * chords[i]).norm_square());
+      }
+    return std::sqrt(least) - deviation;
+  }
+
   namespace
   {
     /** Binomial coefficients by row. */

@@ -19,11 +19,13 @@ namespace auxfem
   {
     const std::string designs_folder = "/designs";
 
-    /** Throws InputError if a bound of a variable makes no valid scene. */
+    /** Throws InputError if a bound of a variable, or a value between them,
+     * makes no valid scene. */
     void check_bounds(const Scene &scene, const DesignPoint &first)
     {
       for (std::size_t v = 0; v < first.size(); ++v)
-        for (const double part : {0., 1.})
+        // The part between is no simple fraction: whole numbers do not vary.
+        for (const double part : {0., 1., 0.618})
           {
             DesignPoint point(first);
             point[v] = part;
@@ -40,7 +42,8 @@ namespace auxfem
                 const DesignVariable &variable =
                   scene.optimization.variables[v];
                 throw InputError("Design variables/" + variable.path +
-                                 ": a bound makes no valid scene, " +
+                                 ": a value within the bounds makes no valid "
+                                 "scene, " +
                                  variable.text_at(part) + ":\n" + error.what());
               }
           }
@@ -197,6 +200,9 @@ namespace auxfem
         result.first.goals = goals->first();
         result.designs     = {result.first};
         print(result.first);
+        if (console != nullptr)
+          for (const std::string &note : notes_on_signs(*goals))
+            console->print("  Note: " + note);
       }
 
       void run()

@@ -43,6 +43,18 @@ namespace auxfem
     }
   } // namespace
 
+  namespace
+  {
+    /** Why a design is not usable. */
+    std::string reason_of_failure(const Design &design)
+    {
+      if (design.exit_state != "completed")
+        return design.exit_state.substr(0, design.exit_state.find('\n'));
+      return design.goals ? "its verdict is " + design.verdict
+                          : "an objective or a constraint is no finite number";
+    }
+  } // namespace
+
   std::string
   line_of(const Scene &scene, const Goals &goals, const Design &design)
   {
@@ -52,8 +64,7 @@ namespace auxfem
       text += (v > 0 ? ", " : "") + short_name(scene.optimization, v) + " = " +
         value_text(variables[v], design.point[v]);
     if (!design.goals)
-      return text + ": failed, " +
-        design.exit_state.substr(0, design.exit_state.find('\n'));
+      return text + ": failed, " + reason_of_failure(design);
     text += ":";
     for (std::size_t i = 0; i < goals.objectives().size(); ++i)
       text += (i > 0 ? ", " : " ") + goals.objectives()[i].expression + " = " +
@@ -77,6 +88,19 @@ namespace auxfem
       return {coarse, {}};
     const double fine = gain(*result.refined_first, *result.refined_best);
     return {fine, std::abs(fine - coarse)};
+  }
+
+  std::vector<std::string> notes_on_signs(const Goals &goals)
+  {
+    std::vector<std::string> notes;
+    for (std::size_t i = 0; i < goals.objectives().size(); ++i)
+      if (const Objective &objective = goals.objectives()[i];
+          goals.first().objectives[i] < 0)
+        notes.push_back(objective.text() + " begins below zero, so its size " +
+                        (objective.is_maximized ? "falls" : "grows") +
+                        ". If the size is meant, write abs(" +
+                        objective.expression + ").");
+    return notes;
   }
 
   namespace
@@ -180,6 +204,20 @@ namespace auxfem
                 "The run of the best design is doubtful itself: see "
                 "summary.json in " +
                   result.best.folder + "."));
+    if (const std::size_t n = result.n_failed())
+      {
+        const Design &failed =
+          *std::find_if(result.designs.begin(),
+                        result.designs.end(),
+                        [](const Design &one) { return !one.is_usable(); });
+        findings.push_back(finding(
+          Verdict::doubtful,
+          std::to_string(n) + " of " + std::to_string(result.designs.size()) +
+            " designs have no usable results, so the search knows nothing near "
+            "them. The first is " +
+            name_of(failed) + ": " + reason_of_failure(failed) +
+            ". Choose bounds within which all designs run."));
+      }
     if (result.is_cut_short)
       findings.push_back(
         finding(Verdict::doubtful,

@@ -24,7 +24,7 @@ namespace auxfem
       "none",
       "\"minimize EXPRESSION\" or \"maximize EXPRESSION\" of results of the "
       "analysis: numbers in summary.json by their paths or the ends of these, e.g. "
-      "\"minimize floor.y.peak_force\", and Quantities. Two objectives, separated "
+      "\"minimize abs(floor.y.peak_force)\", and Quantities. Two objectives, separated "
       "by a semicolon, lead to their Pareto front."};
     const Text limits = {
       "Constraints",
@@ -282,6 +282,9 @@ namespace auxfem
 
   void check_optimization(const Scene &scene, Mistakes &mistakes)
   {
+    // What was not understood may be what would be missing.
+    if (!mistakes.empty())
+      return;
     const OptimizationDefinition &optimization = scene.optimization;
     if (optimization.is_given() == !optimization.objectives.empty())
       {

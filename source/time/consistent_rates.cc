@@ -350,6 +350,14 @@ namespace auxfem
     scheme.correct(step.from, increment, step.dt, step.to);
   }
 
+  void keep_velocities(const ImplicitScheme &scheme, const Evaluation &step)
+  {
+    Vector increment = step.from.displacement;
+    add_multiple(step.dt, *step.from.velocity, increment);
+    add_multiple(-1., step.to.displacement, increment);
+    scheme.correct(step.from, increment, step.dt, step.to);
+  }
+
   void repeat_last_increment(const ImplicitScheme &scheme,
                              const Evaluation     &step)
   {

@@ -99,8 +99,9 @@ namespace auxfem
      */
     constexpr double residual_safety_factor = 10;
 
-    /** Largest number of halvings in a line search. */
-    constexpr unsigned int max_halvings = 5;
+    /** Largest number of halvings in a line search, without and with inertia.
+     */
+    constexpr unsigned int max_static_halvings = 5, max_dynamic_halvings = 10;
 
     bool has_yielding_struts(const LatticeModel &model)
     {
@@ -169,7 +170,10 @@ namespace auxfem
     double norm = in_force_units(results);
     if (yields && scheme.is_dynamic() && added == nullptr)
       norm = try_old_positions(scheme, evaluation, results, norm);
-    double reduction = std::numeric_limits<double>::infinity();
+    const bool   begins_anew    = has_kinks && !earlier_tangent_serves;
+    unsigned int n_new_tangents = 0;
+    double       reduction =
+      begins_anew ? 0 : std::numeric_limits<double>::infinity();
     // Prescribed unknowns may not have reached their positions yet.
     bool supports_in_place = supports_rest ||
       (scheme.is_dynamic() && prescribes_all(solver.model(), evaluation));
@@ -181,6 +185,7 @@ namespace auxfem
     const auto solved = [&](const double force) {
       result.converged            = true;
       has_failed                  = false;
+      earlier_tangent_serves      = n_new_tangents <= (begins_anew ? 2 : 1);
       evaluation.to.largest_force = force;
       return result;
     };
@@ -234,6 +239,7 @@ namespace auxfem
             result.reason = solver.last_failure();
             return result;
           }
+        n_new_tangents += stored->is_fresh ? 1 : 0;
         result.reason = iterate(scheme, evaluation, added);
         if (!result.reason.empty())
           return result;
@@ -257,7 +263,7 @@ namespace auxfem
         if (is_worse && can_be_shortened &&
             (has_kinks || (has_grown && !scheme.is_dynamic())) &&
             before > stagnation_threshold * force)
-          norm = backtrack(scheme, evaluation, results, added, before);
+          norm = backtrack(scheme, evaluation, results, added, before, norm);
         has_grown = is_worse;
         reduction = before / norm;
         stored->reduction.reset();
@@ -294,8 +300,9 @@ namespace auxfem
 
   void Newton::restart()
   {
-    has_failed   = false;
-    allows_slack = false;
+    has_failed             = false;
+    allows_slack           = false;
+    earlier_tangent_serves = true;
     if (is_linear && stored)
       stored->reduction.reset();
     else
@@ -414,18 +421,33 @@ namespace auxfem
                            const Evaluation     &evaluation,
                            EvaluationResults    &results,
                            AddedEquation *const  added,
-                           const double          before)
+                           const double          before,
+                           const double          full)
   {
-    double part = 1;
-    for (unsigned int i = 0; i < max_halvings; ++i)
+    // Without inertia only whole increments lead away from where all of them
+    // enlarge the norm; with it contact is met after a small part of one.
+    const unsigned int n_halvings =
+      scheme.is_dynamic() ? max_dynamic_halvings : max_static_halvings;
+    double length = 1, best_length = 1, best = scheme.is_dynamic() ? full : 0;
+    for (unsigned int i = 0; i < n_halvings; ++i)
       {
-        part /= 2;
+        length /= 2;
         const double norm =
-          undo_increment(scheme, evaluation, results, added, part);
+          undo_increment(scheme, evaluation, results, added, length);
         if (norm < before)
           return norm;
+        if (norm < best)
+          {
+            best        = norm;
+            best_length = length;
+          }
       }
-    return undo_increment(scheme, evaluation, results, added, part - 1);
+    return best_length == length ? best
+                                 : undo_increment(scheme,
+                                                  evaluation,
+                                                  results,
+                                                  added,
+                                                  length - best_length);
   }
 
   double Newton::undo_increment(const ImplicitScheme &scheme,

@@ -256,6 +256,9 @@ namespace auxfem
     rule.predict(step.from, step.dt, step.to);
     if (scheme.uses_discrete_gradient())
       extrapolate_predictor(rule, step, equations.model());
+    else if (scheme.is_dynamic() && !stages &&
+             equations.has_contact_candidates())
+      keep_velocities(rule, step);
     if (equations.is_linear())
       repeat_last_increment(rule, step);
     Vector increment;

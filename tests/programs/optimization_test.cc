@@ -168,7 +168,11 @@ namespace
                     {"no such parameter"});
     expect_contains(refusal("Design variables/Connectors/connector/Spring "
                             "stiffness=-5:40 kN/m"),
-                    {"a bound makes no valid scene, -5 kN/m", "> 0"});
+                    {"within the bounds makes no valid scene, -5 kN/m", "> 0"});
+    write("scene.prm", prm_text("design-star.prm"));
+    expect_contains(refusal("Design variables/Lattice/Cells x=1:4"),
+                    {"makes no valid scene, 2.854", "not a whole number"});
+    write("scene.prm", prm_text("design-cell.prm"));
     expect_contains(refusal("Optimization/Method=simplex"),
                     {"\"simplex\" is no method", "Subplex"});
     expect_contains(refusal("Optimization/Objective=minimise peak"),
@@ -204,6 +208,24 @@ namespace
     EXPECT_EQ(found.exit_code, 3);
     expect_contains(found.output,
                     {"No design meets all constraints", "not to be used"});
+  }
+
+  // After the limit the load has no value.
+  TEST_F(OptimizationProgram, FailedDesignsMakeTheVerdictDoubtful)
+  {
+    const ProgramRun found =
+      run({"Constants=limit = 0.1",
+           "Reduced cell/Load=1e6 * t^2 * sqrt(limit - t)",
+           "Design variables/Constants/limit=0.01:0.2",
+           "Optimization/Constraints=none",
+           "Optimization/Method=DIRECT-L",
+           "Optimization/Evaluations=15",
+           "Optimization/Sensitivities=false"});
+    EXPECT_EQ(found.exit_code, 0);
+    expect_contains(found.output,
+                    {"designs have no usable results",
+                     "not a finite number",
+                     "doubtful"});
   }
 
   TEST_F(OptimizationProgram, ACheckPrintsTheProblem)

@@ -69,6 +69,26 @@ namespace auxfem
                              double                   begin = 0,
                              double                   end   = 1);
 
+  /** Straight chords along a curve, which bound distances from it at a small
+   * part of the cost of nearest_point(). */
+  class CurveChords
+  {
+  public:
+    explicit CurveChords(const AxisCurve &curve);
+
+    /** A distance that no point of the curve falls below (m); it is less than
+     * that of the nearest point by twice the deviation of the chords at most.
+     */
+    double least_distance(const AxisCurve::Vector &point) const;
+
+  private:
+    static constexpr unsigned int n = 4;
+
+    std::array<AxisCurve::Vector, n> begins, chords;
+    std::array<double, n>            inverse_squares; ///< of lengths (1/m2)
+    double                           deviation;       ///< of the curve (m)
+  };
+
   /**
    * A polynomial on [0, 1] in the Bernstein basis. Its values lie between the
    * smallest and the largest coefficient; the first and last coefficients are

@@ -33,6 +33,10 @@ namespace auxfem
   std::string
   line_of(const Scene &scene, const Goals &goals, const Design &design);
 
+  /** Notes on objectives that begin below zero: minimized forces, e.g., then
+   * grow in size. */
+  std::vector<std::string> notes_on_signs(const Goals &goals);
+
   /**
    * Gain of the first objective from the first to the best design: decrease, or
    * increase if it is maximized.

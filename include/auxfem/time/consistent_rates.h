@@ -139,6 +139,12 @@ namespace auxfem
                              const LatticeModel   &model);
 
   /**
+   * Predicts the end of @p step with constant velocity. Where struts may touch,
+   * accelerations of the start are those of impacts, which do not last.
+   */
+  void keep_velocities(const ImplicitScheme &scheme, const Evaluation &step);
+
+  /**
    * Extrapolates the predictor of a @p step without inertia, which @p scheme
    * has set to its start, by the last increment if that is known. Linear
    * responses repeat it under steady load growth.

@@ -225,14 +225,16 @@ namespace auxfem
                              double                norm);
     /**
      * Line search: halves the last increment until the residual norm is below
-     * @p before (N), or restores its full length. Returns the residual norm
-     * (N).
+     * @p before (N). If it never is, restores the full length or, with inertia,
+     * that of the least norm. Returns the residual norm (N).
+     * @param full norm with the whole increment (N)
      */
     double backtrack(const ImplicitScheme &scheme,
                      const Evaluation     &evaluation,
                      EvaluationResults    &results,
                      AddedEquation        *added,
-                     double                before);
+                     double                before,
+                     double                full);
     /**
      * Undoes the @p part of the last increment; returns the residual norm (N).
      */
@@ -266,6 +268,9 @@ namespace auxfem
      * Whether the last attempt failed; the next one then uses exact tangents.
      */
     bool has_failed = false;
+    /** Whether the last step needed at most one new tangent after its first
+     * iteration, so that the next one begins with its last. */
+    bool earlier_tangent_serves = true;
     /** Whether forces may change abruptly in the step: contact may begin, or
      * struts may yield. */
     bool has_kinks = false;

@@ -322,8 +322,8 @@ namespace auxfem
   StrutCurves::free_ranges(const unsigned int axis,
                            const unsigned int other) const
   {
-    const std::array<unsigned int, 2> key{{axis, axes[other].line}};
-    const auto                        known = known_ranges.find(key);
+    const auto key   = (std::uint64_t(axis) << 32) | axes[other].line;
+    const auto known = known_ranges.find(key);
     if (known != known_ranges.end())
       return known->second;
     return known_ranges.emplace(key, find_free_ranges(axis, other))

@@ -91,36 +91,48 @@ namespace auxfem
   }
 
   void
-  StrutContactPoints::find_touching(const FacingStrut          &facing,
-                                    const NearCurves           &now,
-                                    const unsigned int          begin,
-                                    const unsigned int          end,
+  StrutContactPoints::find_touching(const FacingStrut              &facing,
+                                    const NearCurves               &now,
+                                    const std::vector<CurveChords> &chords,
+                                    const unsigned int              begin,
+                                    const unsigned int              end,
                                     std::vector<TouchingPoint> &points) const
   {
     // Distances change by at most the arc length; 10 % allow for stretch.
-    constexpr double     stretch = 1.1;
-    const unsigned int   middle  = (begin + end) / 2;
-    const double         at      = parameter(facing.axis, middle);
-    const NearestOfStrut found =
-      nearest(facing, now, now.at(facing.axis).at(at), at);
-    const double gap = found.point.distance -
+    constexpr double           stretch = 1.1;
+    const unsigned int         middle  = (begin + end) / 2;
+    const double               at      = parameter(facing.axis, middle);
+    const dealii::Tensor<1, 3> point   = now.at(facing.axis).at(at);
+    double distance = std::numeric_limits<double>::infinity();
+    for (const CurveChords &target : chords)
+      distance = std::min(distance, target.least_distance(point));
+    const double thickness =
       curves.thickness(facing.axis, facing.targets.front().axis);
-    if (gap < 0)
-      points.push_back({middle, found});
+    if (distance < thickness)
+      {
+        const NearestOfStrut found = nearest(facing, now, point, at);
+        distance                   = found.point.distance;
+        if (distance < thickness)
+          points.push_back({middle, found});
+      }
+    const double gap = distance - thickness;
     const double spacing =
       stretch * curves.list()[facing.axis].length / (n_points(facing.axis) - 1);
     const auto skipped =
       static_cast<unsigned int>(std::min(std::max(gap, 0.) / spacing, 1e6));
     if (middle > begin + skipped)
-      find_touching(facing, now, begin, middle - 1 - skipped, points);
+      find_touching(facing, now, chords, begin, middle - 1 - skipped, points);
     if (middle + skipped < end)
-      find_touching(facing, now, middle + 1 + skipped, end, points);
+      find_touching(facing, now, chords, middle + 1 + skipped, end, points);
   }
 
   std::vector<TouchingPoint>
   StrutContactPoints::touching(const FacingStrut &facing,
                                const NearCurves  &now) const
   {
+    std::vector<CurveChords> chords;
+    for (const FacingStrut::Target &target : facing.targets)
+      chords.emplace_back(now.at(target.axis));
     std::vector<TouchingPoint> points;
     const unsigned int         last = n_points(facing.axis) - 1;
     for (const auto &range :
@@ -131,7 +143,7 @@ namespace auxfem
                    end = static_cast<unsigned int>(
                      std::floor(range[1] * last + 1e-9));
         if (begin <= end)
-          find_touching(facing, now, begin, end, points);
+          find_touching(facing, now, chords, begin, end, points);
       }
     std::sort(points.begin(),
               points.end(),

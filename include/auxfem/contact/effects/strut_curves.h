@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <map>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -174,8 +176,8 @@ namespace auxfem
     std::map<unsigned int, AxisCurve>        arcs; ///< at rest
     std::vector<AxisPair>                    connected_pairs;
     std::vector<std::array<unsigned int, 2>> axes_of_lines; ///< begin, end
-    /** Cache by axis and line. */
-    mutable std::map<std::array<unsigned int, 2>, ParameterRanges> known_ranges;
+    /** Cache by axis and line: both in one number. */
+    mutable std::unordered_map<std::uint64_t, ParameterRanges> known_ranges;
   };
 } // namespace auxfem
 

@@ -75,12 +75,14 @@ namespace auxfem
   private:
     unsigned int n_points(unsigned int axis) const;
 
-    /** Adds the contact points between @p begin and @p end. */
-    void find_touching(const FacingStrut          &facing,
-                       const NearCurves           &now,
-                       unsigned int                begin,
-                       unsigned int                end,
-                       std::vector<TouchingPoint> &points) const;
+    /** Adds the contact points between @p begin and @p end.
+     * @param chords of the targets */
+    void find_touching(const FacingStrut              &facing,
+                       const NearCurves               &now,
+                       const std::vector<CurveChords> &chords,
+                       unsigned int                    begin,
+                       unsigned int                    end,
+                       std::vector<TouchingPoint>     &points) const;
 
     const StrutCurves &curves;
     const unsigned int dimension;
