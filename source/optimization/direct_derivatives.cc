@@ -252,9 +252,8 @@ namespace auxfem
                            const std::vector<Scene> &scenes,
                            const MPI_Comm            communicator)
     {
-      if (scene.discretization.tolerance)
-        return {};
-      LatticeRun run(plan_of_modes(scene), communicator);
+      const RunPlan plan = plan_with_accepted_elements(scene, communicator);
+      LatticeRun    run(plan, communicator);
       begin_modes(run);
       if (!has_natural_modes(run.solver(), run.solution.state))
         return {};
@@ -268,7 +267,10 @@ namespace auxfem
       std::vector<NamedResults> list;
       for (const Scene &one : scenes)
         {
-          LatticeRun nearby(plan_of_modes(one), communicator);
+          RunPlan nearby_plan  = plan_of_modes(one);
+          nearby_plan.division = plan.division;
+          nearby_plan.elements = plan.elements;
+          LatticeRun nearby(nearby_plan, communicator);
           begin_modes(nearby);
           expect_equal_unknowns(nearby, run);
           std::vector<double> values = nearby_eigenvalues(nearby.solver(),

@@ -1,3 +1,4 @@
+#include <auxfem/analysis/analysis.h>
 #include <auxfem/analysis/simulation/lattice_run.h>
 #include <auxfem/analysis/small_motions/frequency_response.h>
 #include <auxfem/analysis/small_motions/mesh_error_estimate.h>
@@ -429,5 +430,18 @@ namespace auxfem
     require_existing_columns(scene, run.lattice);
     run.prepare();
     show_lattice(scene, run.equations);
+  }
+
+  AnalysisEntry frequency_response_entry()
+  {
+    return {"frequency response",
+            "Amplitudes and phases of steady vibrations over frequency.",
+            [](const Scene &scene) {
+              return scene.analysis == Analysis::frequency_response;
+            },
+            run_frequency_response,
+            nullptr,
+            check_frequency_response,
+            frequency_response_contents().names()};
   }
 } // namespace auxfem

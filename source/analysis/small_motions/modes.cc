@@ -2,7 +2,6 @@
 #include <auxfem/analysis/simulation/lattice_run.h>
 #include <auxfem/analysis/small_motions/complex_modes.h>
 #include <auxfem/analysis/small_motions/dynamic_stiffness.h>
-#include <auxfem/analysis/small_motions/frequency_response.h>
 #include <auxfem/analysis/small_motions/mode_errors.h>
 #include <auxfem/analysis/small_motions/mode_files.h>
 #include <auxfem/analysis/small_motions/modes.h>
@@ -331,6 +330,22 @@ namespace auxfem
     return plan_of_modes(scene, scene.analysis, scene.modes.about_equilibrium);
   }
 
+  RunPlan plan_with_accepted_elements(const Scene   &scene,
+                                      const MPI_Comm communicator)
+  {
+    const RunPlan first = plan_with_elements(scene);
+    RunPlan       plan  = first;
+    while (scene.discretization.tolerance)
+      {
+        ModeComputation computation(plan, communicator);
+        computation.find_modes();
+        if (elements_accepted(scene, computation.errors) ||
+            !refine_elements(first, computation.errors, plan))
+          break;
+      }
+    return plan;
+  }
+
   BucklingLoads buckling_loads(const Scene &scene)
   {
     return {scene.modes.load_time.value_or(scene.time.end_time),
@@ -472,18 +487,5 @@ namespace auxfem
       nullptr,
       check_modes,
       modes_files()};
-  }
-
-  AnalysisEntry frequency_response_entry()
-  {
-    return {"frequency response",
-            "Amplitudes and phases of steady vibrations over frequency.",
-            [](const Scene &scene) {
-              return scene.analysis == Analysis::frequency_response;
-            },
-            run_frequency_response,
-            nullptr,
-            check_frequency_response,
-            frequency_response_contents().names()};
   }
 } // namespace auxfem

@@ -34,6 +34,11 @@ namespace auxfem
   /** Plan for the mode analysis that @p scene requests. */
   RunPlan plan_of_modes(const Scene &scene);
 
+  /** The plan of run_modes(): with elements that meet the tolerance of @p scene,
+   * if it has one. Throws ComputationError. Collective. */
+  RunPlan plan_with_accepted_elements(const Scene &scene,
+                                      MPI_Comm     communicator);
+
   /** Load case that the scene requests. */
   BucklingLoads buckling_loads(const Scene &scene);
 
