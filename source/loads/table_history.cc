@@ -234,6 +234,11 @@ namespace auxfem
         return result;
       }
 
+      std::optional<double> first_time() const override
+      {
+        return times.front();
+      }
+
       std::optional<double> last_time() const override
       {
         return times.back();

@@ -85,6 +85,11 @@ namespace auxfem
         return base->events(begin, end, derivatives);
       }
 
+      std::optional<double> first_time() const override
+      {
+        return base->first_time();
+      }
+
       std::optional<double> last_time() const override
       {
         return base->last_time();
@@ -205,6 +210,11 @@ namespace auxfem
            dealii::ExcMessage("Events are sought between finite times."));
     return history && begin < end ? history->events(begin, end, derivatives)
                                   : std::vector<TimeEvent>();
+  }
+
+  std::optional<double> TimeFunction::first_time() const
+  {
+    return history ? history->first_time() : std::nullopt;
   }
 
   std::optional<double> TimeFunction::last_time() const

@@ -57,6 +57,11 @@ namespace auxfem
     for (const DesignVariable &variable : scene.optimization.variables)
       {
         const std::string path = "Design variables/" + variable.path + ": ";
+        for (const std::string subsection :
+             {"Optimization/", "Output/", "Quantities/", "Sampling/"})
+          if (variable.path.compare(0, subsection.size(), subsection) == 0)
+            throw InputError(path +
+                             "it changes no run. Vary what the runs depend on");
         const std::optional<std::string> text = text_at(root, variable.path);
         if (!text)
           throw InputError(path +

@@ -71,8 +71,7 @@ namespace auxfem
           figures_of_run(definition, names_of_bodies(scene), geometry, table));
         for (const auto &result : results_in(Json{{"evaluation", figures}}))
           found.push_back(result);
-        for (const auto &quantity : quantities_in(scene, table))
-          found.push_back(quantity);
+        add_quantities(quantities_in(scene, table), found);
         return found;
       }
 

@@ -120,7 +120,7 @@ namespace auxfem
                                            const Goals               &goals,
                                            const std::size_t          n_before)
     {
-      const double tolerance = scene.optimization.tolerance;
+      const double tolerance = scene.optimization.largest_excess();
       const Design ends[2]   = {best_of(designs, goals, tolerance, 0),
                                 best_of(designs, goals, tolerance, 1)};
       if (!ends[0].is_usable() || !ends[1].is_usable())
@@ -212,7 +212,7 @@ namespace auxfem
         for (unsigned int i = 0; i < n_objectives; ++i)
           add_searches(scene, result.first.point, i, tasks);
         search(tasks);
-        const double tolerance = scene.optimization.tolerance;
+        const double tolerance = scene.optimization.largest_excess();
         if (n_objectives == 2)
           {
             search(inner_searches(scene, result.designs, *goals, tasks.size()));

@@ -89,9 +89,10 @@ namespace auxfem
             add(is_there, is_there ? design.goals->limited[i] : 0);
           add(is_there, is_there ? goals.largest_excess(*design.goals) : 0);
           if (design.is_usable() &&
-              goals.largest_excess(*design.goals) <= optimization.tolerance &&
+              goals.largest_excess(*design.goals) <=
+                optimization.largest_excess() &&
               (best == nullptr ||
-               is_better(design, *best, goals, optimization.tolerance)))
+               is_better(design, *best, goals, optimization.largest_excess())))
             best = &design;
           add(best != nullptr,
               best != nullptr ? best->goals->objectives[0] : 0);

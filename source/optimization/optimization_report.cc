@@ -157,9 +157,13 @@ namespace auxfem
             (worst == nullptr ||
              goals.merit(*design.goals) > goals.merit(*worst->goals)))
           worst = &design;
+      // A first design beyond a constraint shows no gain.
+      const double gain = goals.largest_excess(*result.first.goals) <=
+          scene.optimization.largest_excess()
+        ? goals.merit(*result.first.goals) - best
+        : std::abs(best);
       if (worst == nullptr ||
-          goals.merit(*worst->goals) - best <=
-            tolerable_loss * (goals.merit(*result.first.goals) - best))
+          goals.merit(*worst->goals) - best <= tolerable_loss * gain)
         return;
       findings.push_back(
         finding(Verdict::doubtful,
@@ -178,7 +182,7 @@ namespace auxfem
                                    const Goals              &goals)
   {
     std::vector<Finding> findings;
-    const double         tolerance = scene.optimization.tolerance;
+    const double         tolerance = scene.optimization.largest_excess();
     if (!result.best.is_usable())
       findings.push_back(
         finding(Verdict::not_to_be_used,
@@ -194,8 +198,7 @@ namespace auxfem
     else
       {
         add_gain_finding(result, goals, findings);
-        if (goals.largest_excess(*result.first.goals) <= tolerance &&
-            result.best.point != result.first.point)
+        if (result.best.point != result.first.point)
           add_fragility_finding(scene, result, goals, findings);
       }
     if (result.best.goals && result.best.verdict == name_of(Verdict::doubtful))
@@ -271,7 +274,7 @@ namespace auxfem
       for (const Design &design : result.designs)
         if (design.is_usable() &&
             goals.largest_excess(*design.goals) <=
-              scene.optimization.tolerance &&
+              scene.optimization.largest_excess() &&
             std::abs(design.goals->objectives[0] -
                      result.best.goals->objectives[0]) <= error)
           list.push_back(&design);
@@ -413,7 +416,11 @@ namespace auxfem
                             refined(&GoalValues::limited, i),
                             refinement);
         const Gain gain = gain_of(result, goals);
-        if (gain.error)
+        if (goals.largest_excess(*result.first.goals) >
+            scene.optimization.largest_excess())
+          text << "  The values of the scene are beyond a constraint, so they "
+                  "are no measure of the gain.\n";
+        else if (gain.error)
           text << "  Gain " << rounded_text(gain.value, 4) << " +- "
                << rounded_text(*gain.error, 1) << " (change by " << refinement
                << ")\n";

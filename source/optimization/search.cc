@@ -58,7 +58,7 @@ namespace auxfem
             constraints.push_back({this, i});
             optimizer.add_inequality_constraint(limit,
                                                 &constraints.back(),
-                                                optimization.tolerance);
+                                                optimization.largest_excess());
           }
         if (task.other_merit)
           optimizer.add_inequality_constraint(other_objective,
@@ -119,7 +119,7 @@ namespace auxfem
             if (is_better(design,
                           best,
                           runs.goals(),
-                          optimization.tolerance,
+                          optimization.largest_excess(),
                           task.objective) &&
                 meets_other_merit(design))
               best = design;

@@ -30,7 +30,7 @@ namespace auxfem
       "Constraints",
       "none",
       "Limits of results, \"EXPRESSION <= LIMIT\" or \"EXPRESSION >= LIMIT\", "
-      "separated by semicolons, e.g. \"mass_kilogram <= 20 g; stroke <= 5 mm\"."};
+      "separated by semicolons, e.g. \"mass_kilogram <= 20 g; abs(head.y.stroke) <= 5 mm\"."};
     const Text method = {
       "Method",
       "auto",
@@ -70,7 +70,8 @@ namespace auxfem
       "1",
       Range::open(0, 1),
       "Change of the variables, as a part of their ranges, at which a search "
-      "ends."};
+      "ends. Constraints may be exceeded by this part of their limits, at most a "
+      "thousandth."};
     const Integer front_points = {
       "Front points",
       9,

@@ -88,6 +88,7 @@ namespace auxfem
       scene.file              = file;
       scene.context.directory = directory_of(file);
       read_model_and_dimension(root, scene);
+      scene.given_parameters = std::make_shared<ParameterSubsection>(root);
       check_subsection_names(root, scene.context.model, mistakes);
       inherit_values(sections_schema(),
                      base_section_parameter(),
@@ -170,8 +171,7 @@ namespace auxfem
   Scene scene_of_case(const Scene                    &scene,
                       const std::vector<std::string> &overrides)
   {
-    ParameterSubsection root =
-      parse_parameter_text(scene.all_parameters, scene.file);
+    ParameterSubsection         root    = *scene.given_parameters;
     const std::set<std::string> removed = {sweep_schema().name,
                                            sampling_schema().name,
                                            design_variables_schema().name,

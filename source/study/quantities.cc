@@ -101,16 +101,28 @@ namespace auxfem
       return values.is_field ? std::sqrt(squares) : largest;
     }
 
+    /** Value at @p time; NaN outside of the history. */
+    double value_within(const RecordedHistory &history, const double time)
+    {
+      const double first = history.times.front(), last = history.times.back(),
+                   resolution = time_resolution(last);
+      return time < first - resolution || time > last + resolution
+        ? std::nan("")
+        : value_at(history, time);
+    }
+
     /** Mean over time of the square of @p history minus @p target, as far as the
-     * target is known. */
+     * target is known; NaN if that is less than two rows. */
     double mean_square_deviation(const RecordedHistory &history,
                                  const TimeFunction    &target)
     {
-      const double    last = target.last_time().value_or(history.times.back());
+      const double first = target.first_time().value_or(history.times.front()),
+                   last  = target.last_time().value_or(history.times.back()),
+                   resolution = time_resolution(last);
       RecordedHistory squares;
       for (std::size_t i = 0; i < history.times.size(); ++i)
         if (const double time = history.times[i];
-            time <= last + time_resolution(last))
+            time >= first - resolution && time <= last + resolution)
           {
             squares.times.push_back(time);
             squares.values.push_back(
@@ -202,8 +214,8 @@ namespace auxfem
     switch (quantity.measure)
       {
         case Measure::at_time:
-          return {
-            {value_at(history, quantity.time.value_or(history.times.back()))}};
+          return {{value_within(history,
+                                quantity.time.value_or(history.times.back()))}};
         case Measure::maximum:
           return {{maximum_of(history).value}};
         case Measure::minimum:

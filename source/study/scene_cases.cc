@@ -228,6 +228,20 @@ namespace auxfem
     return results;
   }
 
+  void add_quantities(const NamedResults &quantities, NamedResults &results)
+  {
+    for (const auto &quantity : quantities)
+      {
+        results.erase(std::remove_if(results.begin(),
+                                     results.end(),
+                                     [&quantity](const auto &result) {
+                                       return result.first == quantity.first;
+                                     }),
+                      results.end());
+        results.push_back(quantity);
+      }
+  }
+
   CaseResults
   results_of(const Scene &scene, const SceneCase &one, const CaseEnd &end)
   {
@@ -240,9 +254,9 @@ namespace auxfem
     found.exit_state = summary.value("exit_state", "");
     found.results    = results_in(summary);
     if (!scene.study.quantities.empty())
-      for (const auto &quantity :
-           quantities_in(scene, read_table(one.folder + "/history.csv")))
-        found.results.push_back(quantity);
+      add_quantities(quantities_in(scene,
+                                   read_table(one.folder + "/history.csv")),
+                     found.results);
     return found;
   }
 

@@ -138,6 +138,22 @@ TEST(OptimizationDefinition, CasesAreScenesWithoutIt)
   EXPECT_EQ(one.time.end_time, 0.7);
 }
 
+// A section with a base follows it, as with --set.
+TEST(OptimizationDefinition, CasesInheritFromChangedSections)
+{
+  SceneText text;
+  text.frame("0 0; 1 0; 2 0", "0 1; 1 2")
+    .rectangle("edge", "10 mm", "20 mm", {1, 1000})
+    .set("Sections/edge/Struts", "0")
+    .add("Sections/stub", "Base = edge | Struts = 1")
+    .support("clamp", "0", "clamp")
+    .time(1, 0.1, "static");
+  const Scene scene = read_scene_from_text(text.str(), "test.prm");
+  const Scene one   = scene_of_case(scene, {"Sections/edge/Height=40 mm"});
+  for (const SectionDefinition &section : one.sections)
+    EXPECT_DOUBLE_EQ(section.section.area, 4e-4) << section.name;
+}
+
 TEST(Constants, AreVariedOneByOne)
 {
   const auto constants = [](const std::vector<std::string> &overrides) {

@@ -151,10 +151,13 @@ namespace auxfem
     events(double begin, double end, unsigned int derivatives = 1) const;
 
     /**
-     * Last time (s) of a table, whose last value holds from then on; none for
-     * expressions.
+     * First and last time (s) of a table, whose first value holds until then
+     * and whose last one from then on; none for expressions.
      */
+    ///@{
+    std::optional<double> first_time() const;
     std::optional<double> last_time() const;
+    ///@}
 
     /** Largest overshoot of a smooth table, if it exceeds a hundredth of the
      * range of its values. */
@@ -212,11 +215,18 @@ namespace auxfem
     virtual std::vector<TimeEvent>
     events(double begin, double end, unsigned int derivatives) const = 0;
 
-    /** See TimeFunction::last_time(). */
+    /** See TimeFunction::first_time() and TimeFunction::last_time(). */
+    ///@{
+    virtual std::optional<double> first_time() const
+    {
+      return {};
+    }
+
     virtual std::optional<double> last_time() const
     {
       return {};
     }
+    ///@}
 
     /** See TimeFunction::overshoot(). */
     virtual std::optional<Overshoot> overshoot() const

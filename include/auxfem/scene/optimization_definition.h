@@ -4,6 +4,7 @@
 #include <auxfem/parameters/parameter_values.h>
 #include <auxfem/parameters/subsection_schema.h>
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -67,6 +68,13 @@ namespace auxfem
     /** Parts of the ranges. */
     double first_step = 0, tolerance = 0, difference_step = 0;
     bool   has_sensitivities = true;
+
+    /** Part of a limit by which designs may exceed it. */
+    double largest_excess() const
+    {
+      constexpr double most = 1e-3;
+      return std::min(tolerance, most);
+    }
 
     bool is_given() const
     {

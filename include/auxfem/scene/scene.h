@@ -10,6 +10,7 @@
 #include <auxfem/loads/load_definitions.h>
 #include <auxfem/mesh/imperfection.h>
 #include <auxfem/mesh/lattice_definition.h>
+#include <auxfem/parameters/parameter_file.h>
 #include <auxfem/rigid/rigid_part.h>
 #include <auxfem/scene/analysis_definitions.h>
 #include <auxfem/scene/dispersion_definition.h>
@@ -22,6 +23,7 @@
 #include <auxfem/struts/section.h>
 #include <auxfem/time/schemes/time_parameters.h>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -77,6 +79,9 @@ namespace auxfem
     StudyDefinition              study;
     SweepDefinition              sweep;
     OptimizationDefinition       optimization;
+    /** The parameters as given, before sections inherit: cases with other
+     * values are scenes of these. */
+    std::shared_ptr<const ParameterSubsection> given_parameters;
     /** Contents of parameters.prm: all parameters with the values used. */
     std::string all_parameters;
     /** Those of all_parameters that are not at their defaults, as a parameter

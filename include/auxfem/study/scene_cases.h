@@ -71,6 +71,9 @@ namespace auxfem
    */
   NamedResults quantities_in(const Scene &scene, const RecordedTable &history);
 
+  /** Adds @p quantities in place of results of the same names. */
+  void add_quantities(const NamedResults &quantities, NamedResults &results);
+
   /** The summary of the run in @p folder; null if it is missing or damaged. */
   Json summary_in(const std::string &folder);
 
