@@ -13,8 +13,8 @@ namespace auxfem
   {
     /**
      * Growth of the factors, relative to that with new pivots, up to which
-     * pivots are reused for new entries. Their condition, which costs less, is
-     * looked at first.
+     * pivots are reused for new entries. The growth is computed only where the
+     * condition, which costs less, has fallen by as much.
      * @tuned judgement
      */
     constexpr double max_growth_of_reused_pivots = 100;
@@ -171,7 +171,7 @@ namespace auxfem
                         &common) ||
           common.status != KLU_OK)
         return false;
-      // Entries that grow leave small pivots beside large ones.
+      // Growing entries enlarge the ratio of the largest and smallest pivot.
       klu_rcond(symbolic, numeric, &common);
       if (common.rcond * max_growth_of_reused_pivots >= fresh_condition)
         return true;

@@ -120,7 +120,7 @@ namespace auxfem
                                            const Goals               &goals,
                                            const std::size_t          n_before)
     {
-      const double tolerance = scene.optimization.largest_excess();
+      const double tolerance = scene.optimization.constraint_tolerance();
       const Design ends[2]   = {best_of(designs, goals, tolerance, 0),
                                 best_of(designs, goals, tolerance, 1)};
       if (!ends[0].is_usable() || !ends[1].is_usable())
@@ -149,13 +149,11 @@ namespace auxfem
 
     /** Usable designs within constraints that no other one surpasses. */
     std::vector<Design> front_of(const std::vector<Design> &designs,
-                                 const Goals               &goals,
-                                 const double               tolerance)
+                                 const Goals               &goals)
     {
       std::vector<Design> front;
       for (const Design &design : designs)
-        if (design.is_usable() &&
-            goals.largest_excess(*design.goals) <= tolerance)
+        if (design.is_usable() && goals.meets_constraints(*design.goals))
           front.push_back(design);
       const auto merit = [&goals](const Design &design, const unsigned int i) {
         return goals.merit(*design.goals, i);
@@ -212,13 +210,15 @@ namespace auxfem
         for (unsigned int i = 0; i < n_objectives; ++i)
           add_searches(scene, result.first.point, i, tasks);
         search(tasks);
-        const double tolerance = scene.optimization.largest_excess();
         if (n_objectives == 2)
           {
             search(inner_searches(scene, result.designs, *goals, tasks.size()));
-            result.front = front_of(result.designs, *goals, tolerance);
+            result.front = front_of(result.designs, *goals);
           }
-        result.best = best_of(result.designs, *goals, tolerance, 0);
+        result.best = best_of(result.designs,
+                              *goals,
+                              scene.optimization.constraint_tolerance(),
+                              0);
         refine();
         differentiate();
       }

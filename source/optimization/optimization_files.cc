@@ -88,11 +88,12 @@ namespace auxfem
           for (std::size_t i = 0; i < goals.limits().size(); ++i)
             add(is_there, is_there ? design.goals->limited[i] : 0);
           add(is_there, is_there ? goals.largest_excess(*design.goals) : 0);
-          if (design.is_usable() &&
-              goals.largest_excess(*design.goals) <=
-                optimization.largest_excess() &&
+          if (design.is_usable() && goals.meets_constraints(*design.goals) &&
               (best == nullptr ||
-               is_better(design, *best, goals, optimization.largest_excess())))
+               is_better(design,
+                         *best,
+                         goals,
+                         optimization.constraint_tolerance())))
             best = &design;
           add(best != nullptr,
               best != nullptr ? best->goals->objectives[0] : 0);

@@ -41,10 +41,7 @@ namespace auxfem
       return rounded_text(variable.value_at(part), 6) +
         (variable.unit.empty() ? "" : " " + variable.unit);
     }
-  } // namespace
 
-  namespace
-  {
     /** Why a design is not usable. */
     std::string reason_of_failure(const Design &design)
     {
@@ -158,8 +155,7 @@ namespace auxfem
              goals.merit(*design.goals) > goals.merit(*worst->goals)))
           worst = &design;
       // A first design beyond a constraint shows no gain.
-      const double gain = goals.largest_excess(*result.first.goals) <=
-          scene.optimization.largest_excess()
+      const double gain = goals.meets_constraints(*result.first.goals)
         ? goals.merit(*result.first.goals) - best
         : std::abs(best);
       if (worst == nullptr ||
@@ -182,14 +178,13 @@ namespace auxfem
                                    const Goals              &goals)
   {
     std::vector<Finding> findings;
-    const double         tolerance = scene.optimization.largest_excess();
     if (!result.best.is_usable())
       findings.push_back(
         finding(Verdict::not_to_be_used,
                 "No design has results that may be used: see verdict and "
                 "exit_state in " +
                   design_table_file + "."));
-    else if (goals.largest_excess(*result.best.goals) > tolerance)
+    else if (!goals.meets_constraints(*result.best.goals))
       findings.push_back(finding(
         Verdict::not_to_be_used,
         "No design meets all constraints. The best one exceeds them by " +
@@ -265,16 +260,13 @@ namespace auxfem
 
     /** Usable designs within constraints that differ from the best one by less
      * than the error of its objective. */
-    std::vector<const Design *> equal_designs(const Scene              &scene,
-                                              const OptimizationResult &result,
+    std::vector<const Design *> equal_designs(const OptimizationResult &result,
                                               const Goals              &goals,
                                               const double              error)
     {
       std::vector<const Design *> list;
       for (const Design &design : result.designs)
-        if (design.is_usable() &&
-            goals.largest_excess(*design.goals) <=
-              scene.optimization.largest_excess() &&
+        if (design.is_usable() && goals.meets_constraints(*design.goals) &&
             std::abs(design.goals->objectives[0] -
                      result.best.goals->objectives[0]) <= error)
           list.push_back(&design);
@@ -291,7 +283,7 @@ namespace auxfem
         return "";
       const double error = std::abs(result.refined_best->objectives[0] -
                                     result.best.goals->objectives[0]);
-      const auto   equal = equal_designs(scene, result, goals, error);
+      const auto   equal = equal_designs(result, goals, error);
       std::string  ranges;
       if (equal.size() < 2)
         return "";
@@ -416,8 +408,7 @@ namespace auxfem
                             refined(&GoalValues::limited, i),
                             refinement);
         const Gain gain = gain_of(result, goals);
-        if (goals.largest_excess(*result.first.goals) >
-            scene.optimization.largest_excess())
+        if (!goals.meets_constraints(*result.first.goals))
           text << "  The values of the scene are beyond a constraint, so they "
                   "are no measure of the gain.\n";
         else if (gain.error)

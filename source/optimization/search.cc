@@ -56,9 +56,10 @@ namespace auxfem
         for (unsigned int i = 0; i < optimization.limits.size(); ++i)
           {
             constraints.push_back({this, i});
-            optimizer.add_inequality_constraint(limit,
-                                                &constraints.back(),
-                                                optimization.largest_excess());
+            optimizer.add_inequality_constraint(
+              limit,
+              &constraints.back(),
+              optimization.constraint_tolerance());
           }
         if (task.other_merit)
           optimizer.add_inequality_constraint(other_objective,
@@ -119,7 +120,7 @@ namespace auxfem
             if (is_better(design,
                           best,
                           runs.goals(),
-                          optimization.largest_excess(),
+                          optimization.constraint_tolerance(),
                           task.objective) &&
                 meets_other_merit(design))
               best = design;

@@ -222,11 +222,11 @@ namespace auxfem
                        const FileRules      &rules,
                        const FolderContents &further)
     : scene(scene)
-    , size(mass_and_size(scene, equations.model().lattice))
     , notes(notes_on(equations))
   {
     const UnknownLayout &layout = equations.unknowns().layout;
     const Counts         counts = count(equations);
+    size                        = counts.mass_and_size;
     on_first_rank(layout.communicator(), [&]() {
       files.emplace(scene, rules, further);
       console.emplace(std::cout,

@@ -90,8 +90,8 @@ namespace auxfem
       "1",
       Range::open(0, 0.25),
       "Change of the variables, as a part of their ranges, for derivatives by "
-      "differences of runs; those of equilibria without contact and of effective "
-      "properties are direct."};
+      "differences of runs; those of equilibria without contact, effective "
+      "properties and natural frequencies are direct."};
 
     [[noreturn]] void refuse_bounds(const ParameterValues &values,
                                     const std::string     &text,
@@ -283,7 +283,7 @@ namespace auxfem
 
   void check_optimization(const Scene &scene, Mistakes &mistakes)
   {
-    // What was not understood may be what would be missing.
+    // A parameter with a mistake would be reported as missing, too.
     if (!mistakes.empty())
       return;
     const OptimizationDefinition &optimization = scene.optimization;

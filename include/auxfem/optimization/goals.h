@@ -47,6 +47,12 @@ namespace auxfem
     /** Largest excess(); without constraints 0. */
     double largest_excess(const GoalValues &values) const;
 
+    /** Whether all constraints are met up to their tolerance. */
+    bool meets_constraints(const GoalValues &values) const
+    {
+      return largest_excess(values) <= definition.constraint_tolerance();
+    }
+
     const std::vector<Objective> &objectives() const
     {
       return definition.objectives;

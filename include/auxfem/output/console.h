@@ -159,7 +159,7 @@ namespace auxfem
 
   private:
     const Scene                   &scene;
-    const MassAndSize              size;
+    MassAndSize                    size;
     const std::vector<std::string> notes;
     std::optional<RunFolder>       files;   ///< on rank 0
     std::optional<Console>         console; ///< on rank 0

@@ -70,7 +70,7 @@ namespace auxfem
     bool   has_sensitivities = true;
 
     /** Part of a limit by which designs may exceed it. */
-    double largest_excess() const
+    double constraint_tolerance() const
     {
       constexpr double most = 1e-3;
       return std::min(tolerance, most);

@@ -1,4 +1,3 @@
-#include <auxfem/algebra/eigen_solver.h>
 #include <auxfem/analysis/infinite_lattice/bloch_waves.h>
 #include <auxfem/mesh/periodic_array.h>
 #include <auxfem/parameters/errors.h>

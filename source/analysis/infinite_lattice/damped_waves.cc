@@ -1,3 +1,4 @@
+#include <auxfem/algebra/eigen_solver.h>
 #include <auxfem/analysis/infinite_lattice/bloch_waves.h>
 
 #include <algorithm>

@@ -334,13 +334,13 @@ namespace auxfem
       return bands;
     for (const double frequency : frequencies.front())
       bands.push_back({frequency, frequency});
-    for (const std::vector<double> &of_wave_vector : frequencies)
+    for (const std::vector<double> &ascending : frequencies)
       {
-        bands.resize(std::min(bands.size(), of_wave_vector.size()));
+        bands.resize(std::min(bands.size(), ascending.size()));
         for (std::size_t i = 0; i < bands.size(); ++i)
           {
-            bands[i].lowest  = std::min(bands[i].lowest, of_wave_vector[i]);
-            bands[i].highest = std::max(bands[i].highest, of_wave_vector[i]);
+            bands[i].lowest  = std::min(bands[i].lowest, ascending[i]);
+            bands[i].highest = std::max(bands[i].highest, ascending[i]);
           }
       }
     return bands;

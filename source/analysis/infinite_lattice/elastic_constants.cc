@@ -1,4 +1,4 @@
-#include <auxfem/algebra/eigen_solver.h>
+#include <auxfem/algebra/ritz_pairs.h>
 #include <auxfem/analysis/infinite_lattice/elastic_constants.h>
 #include <auxfem/mathematics/rotation.h>
 #include <auxfem/mathematics/voigt.h>

@@ -1,3 +1,4 @@
+#include <auxfem/algebra/ritz_pairs.h>
 #include <auxfem/analysis/small_motions/buckling_modes.h>
 #include <auxfem/equations/mode_space.h>
 #include <auxfem/equations/node_rotations.h>

@@ -301,6 +301,26 @@ namespace auxfem
       FoundModes found;
       MeshErrors errors;
     };
+
+    /** Finds the modes of @p computation, which has the elements of @p first;
+     * again on finer elements until their errors meet the tolerance. */
+    void
+    find_on_accepted_elements(const RunPlan                    &first,
+                              const MPI_Comm                    communicator,
+                              std::unique_ptr<ModeComputation> &computation)
+    {
+      computation->find_modes();
+      for (RunPlan plan = first;
+           !elements_accepted(first.scene, computation->errors) &&
+           refine_elements(first, computation->errors, plan);)
+        {
+          const Work before = computation->run.work();
+          computation.reset();
+          computation = std::make_unique<ModeComputation>(plan, communicator);
+          computation->run.add_effort(before);
+          computation->find_modes();
+        }
+    }
   } // namespace
 
   RunPlan plan_of_modes(const Scene   &scene,
@@ -333,16 +353,13 @@ namespace auxfem
   RunPlan plan_with_accepted_elements(const Scene   &scene,
                                       const MPI_Comm communicator)
   {
-    const RunPlan first = plan_with_elements(scene);
-    RunPlan       plan  = first;
-    while (scene.discretization.tolerance)
-      {
-        ModeComputation computation(plan, communicator);
-        computation.find_modes();
-        if (elements_accepted(scene, computation.errors) ||
-            !refine_elements(first, computation.errors, plan))
-          break;
-      }
+    RunPlan plan = plan_with_elements(scene);
+    if (!scene.discretization.tolerance)
+      return plan;
+    auto computation = std::make_unique<ModeComputation>(plan, communicator);
+    find_on_accepted_elements(plan, communicator, computation);
+    plan.division = computation->run.model.plan.division;
+    plan.elements = computation->run.model.plan.elements;
     return plan;
   }
 
@@ -394,16 +411,7 @@ namespace auxfem
                      computation->run.equations,
                      options.rules,
                      mode_contents());
-    computation->find_modes();
-    for (RunPlan plan = first; !elements_accepted(scene, computation->errors) &&
-         refine_elements(first, computation->errors, plan);)
-      {
-        const Work before = computation->run.work();
-        computation.reset();
-        computation = std::make_unique<ModeComputation>(plan, communicator);
-        computation->run.add_effort(before);
-        computation->find_modes();
-      }
+    find_on_accepted_elements(first, communicator, computation);
     LatticeRun         &run   = computation->run;
     const RunPlan      &plan  = run.model.plan;
     const FoundModes   &found = computation->found;

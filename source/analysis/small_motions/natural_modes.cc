@@ -1,3 +1,4 @@
+#include <auxfem/algebra/ritz_pairs.h>
 #include <auxfem/analysis/small_motions/natural_modes.h>
 #include <auxfem/equations/mode_space.h>
 #include <auxfem/parameters/errors.h>
@@ -324,17 +325,17 @@ namespace auxfem
                                  const std::vector<Vector> &shapes)
   {
     Vibration   vibration(solver, state, StiffnessPart::whole);
-    FinerValues finer;
-    finer.n_possible = vibration.n_with_mass();
+    FinerValues found;
+    found.n_possible = vibration.n_with_mass();
     if (!vibration.factorize(base.shift))
       throw_modes_error(solver.last_failure());
-    finer.values           = vibration.improved_eigenvalues(shapes, base);
-    const CountLimit known = limit_below_last(finer.values, base.shift);
+    found.values           = vibration.improved_eigenvalues(shapes, base);
+    const CountLimit known = limit_below_last(found.values, base.shift);
     if (base.is_counted && known.limit > base.shift &&
         vibration.factorize(known.limit))
       if (const auto n = vibration.n_below();
           n && *n > known.n_below + base.n_further_negative)
-        finer.n_missing = *n - known.n_below - base.n_further_negative;
-    return finer;
+        found.n_missing = *n - known.n_below - base.n_further_negative;
+    return found;
   }
 } // namespace auxfem

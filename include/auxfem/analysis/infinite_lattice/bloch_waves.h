@@ -1,7 +1,7 @@
 #ifndef auxfem_analysis_infinite_lattice_bloch_waves_h
 #define auxfem_analysis_infinite_lattice_bloch_waves_h
 
-#include <auxfem/algebra/eigen_solver.h>
+#include <auxfem/algebra/ritz_pairs.h>
 #include <auxfem/analysis/infinite_lattice/period_matrix.h>
 #include <auxfem/analysis/simulation/lattice_run.h>
 
