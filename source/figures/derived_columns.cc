@@ -1,4 +1,5 @@
 #include <auxfem/figures/derived_columns.h>
+#include <auxfem/parameters/describe.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/expression.h>
 #include <auxfem/parameters/quantity.h>
@@ -33,25 +34,33 @@ namespace auxfem
                   const std::string &name)
     {
       const std::size_t end = position + name.size();
-      return text.compare(position, name.size(), name) == 0 &&
+      return !name.empty() && text.compare(position, name.size(), name) == 0 &&
         (position == 0 || !is_in_name(text[position - 1])) &&
         (end >= text.size() || !is_in_name(text[end]));
     }
 
-    /** @p text with variable_name() in place of @p names, the longest that
-     * fits, which may contain blanks. */
+    /** Index of the longest of @p names, which may contain blanks, at @p
+     * position of @p text; their number if none is there. */
+    std::size_t name_at(const std::string              &text,
+                        const std::size_t               position,
+                        const std::vector<std::string> &names)
+    {
+      std::size_t found = names.size();
+      for (std::size_t i = 0; i < names.size(); ++i)
+        if (has_name(text, position, names[i]) &&
+            (found == names.size() || names[i].size() > names[found].size()))
+          found = i;
+      return found;
+    }
+
+    /** @p text with variable_name() in place of @p names. */
     std::string with_variables(const std::string              &text,
                                const std::vector<std::string> &names)
     {
       std::string result;
       for (std::size_t position = 0; position < text.size();)
         {
-          std::size_t found = names.size();
-          for (std::size_t i = 0; i < names.size(); ++i)
-            if (has_name(text, position, names[i]) &&
-                (found == names.size() ||
-                 names[i].size() > names[found].size()))
-              found = i;
+          const std::size_t found = name_at(text, position, names);
           if (found == names.size())
             {
               result += text[position++];
@@ -63,6 +72,34 @@ namespace auxfem
       return result;
     }
 
+    /** The word of letters, digits, _ and points that begins at @p position of
+     * @p text; empty where it is a function or no name begins there. */
+    std::string word_at(const std::string &text, const std::size_t position)
+    {
+      const auto character = static_cast<unsigned char>(text[position]);
+      if ((std::isalpha(character) == 0 && character != '_') ||
+          (position > 0 && is_in_name(text[position - 1])))
+        return "";
+      std::size_t end = position;
+      while (end < text.size() && is_in_name(text[end]))
+        ++end;
+      const std::size_t next = text.find_first_not_of(' ', end);
+      return next != std::string::npos && text[next] == '('
+        ? ""
+        : text.substr(position, end - position);
+    }
+
+    bool is_constant(const DerivedColumn &column, const std::string &word)
+    {
+      // Constants of muParser begin with _.
+      return word == "pi" || word[0] == '_' ||
+        std::any_of(column.constants.begin(),
+                    column.constants.end(),
+                    [&word](const auto &constant) {
+                      return constant.first == word;
+                    });
+    }
+
     [[noreturn]] void refuse(const DerivedColumn            &column,
                              const std::string              &problem,
                              const std::vector<std::string> &names)
@@ -70,7 +107,38 @@ namespace auxfem
       throw InputError(column.path + " = " + column.expression + ": " +
                        problem + "\n  Names: " + joined(names, 60));
     }
+
+    /** Problem of an expression that is not understood because of @p error. */
+    std::string problem_of(const DerivedColumn            &column,
+                           const ExpressionError          &error,
+                           const std::vector<std::string> &names)
+    {
+      const std::vector<std::string> unknown = names_in(column, names).unknown;
+      if (unknown.empty())
+        return std::string(error.what()) + "\n" + error.allowed;
+      return "there is no \"" + unknown.front() + '"' +
+        did_you_mean(unknown.front(), names);
+    }
   } // namespace
+
+  ExpressionNames names_in(const DerivedColumn            &column,
+                           const std::vector<std::string> &names)
+  {
+    ExpressionNames    result;
+    const std::string &text = column.expression;
+    for (std::size_t position = 0; position < text.size();)
+      {
+        const std::size_t found = name_at(text, position, names);
+        const std::string word =
+          found < names.size() ? names[found] : word_at(text, position);
+        if (found < names.size())
+          result.known.push_back(word);
+        else if (!word.empty() && !is_constant(column, word))
+          result.unknown.push_back(word);
+        position += std::max<std::size_t>(1, word.size());
+      }
+    return result;
+  }
 
   SubsectionSchema columns_schema()
   {
@@ -117,7 +185,8 @@ namespace auxfem
       named_variables.emplace_back(variable_name(i), &variables[i]);
     for (const DerivedColumn &column : definitions)
       {
-        if (std::find(known.begin(), known.end(), column.name) != known.end())
+        if (!column.name.empty() &&
+            std::find(known.begin(), known.end(), column.name) != known.end())
           refuse(column, "there is a column of this name. Rename it", known);
         try
           {
@@ -129,12 +198,13 @@ namespace auxfem
           }
         catch (const ExpressionError &error)
           {
-            refuse(column,
-                   std::string(error.what()) + "\n" + error.allowed,
-                   known);
+            refuse(column, problem_of(column, error, known), known);
           }
-        named_variables.emplace_back(variable_name(known.size()),
-                                     &variables[known.size()]);
+        if (column.name.empty())
+          continue;
+        named_variables.emplace_back(
+          variable_name(known.size()),
+          &variables[n_columns + expressions.size() - 1]);
         known.push_back(column.name);
       }
   }

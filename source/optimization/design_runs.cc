@@ -36,16 +36,71 @@ namespace auxfem
       return entry->value;
     }
 
-    /** Number of @p text in the unit of @p variable. */
+    /** Unit of the parameter @p path, in which numbers without unit are; of a
+     * constant or an unknown parameter none. */
+    std::optional<std::string> declared_unit(const std::string &path)
+    {
+      const std::string name       = path.substr(path.rfind('/') + 1);
+      const std::string subsection = path.find('/') == std::string::npos
+        ? ""
+        : path.substr(0, path.find('/'));
+      for (const SubsectionSchema &schema : scene_schemas())
+        if (schema.name == subsection)
+          {
+            if (const Parameter *found = find_by_name(schema.parameters, name))
+              return found->unit;
+            for (const SubsectionVariant &variant : schema.variants)
+              if (const Parameter *found =
+                    find_by_name(variant.parameters, name))
+                return found->unit;
+          }
+      return {};
+    }
+
+    /** Number of @p text in the unit of @p variable. Throws InputError if one
+     * has a unit that does not fit the other. */
     double number_in(const DesignVariable &variable, const std::string &text)
     {
       const ParsedQuantity quantity = split_quantity(text);
       if (quantity.unit.empty() && variable.unit.empty())
         return quantity.number;
       if (variable.unit.empty())
-        throw InputError("its bounds need a unit, e.g. " + quantity.unit);
-      return parse_quantity(text, quantity.unit.empty() ? "1" : variable.unit) /
-        parse_unit(variable.unit).factor;
+        throw InputError("its bounds need a unit, as the value of the scene, " +
+                         text + ", has one, e.g. " + quantity.unit);
+      const Unit bounds = parse_unit(variable.unit);
+      if (quantity.unit.empty() && constant_in(variable.path))
+        return quantity.number / bounds.factor;
+      const std::string own  = quantity.unit.empty()
+         ? declared_unit(variable.path).value_or("1")
+         : quantity.unit;
+      const Unit        unit = parse_unit(own);
+      if (unit.dimension != bounds.dimension)
+        throw InputError(
+          "its bounds are in " + variable.unit +
+          ", which does not fit the value of the scene, " + text +
+          (quantity.unit.empty() && own != "1" ? ", in " + own : "") +
+          ". Give both in units of the same kind");
+      return quantity.number * unit.factor / bounds.factor;
+    }
+
+    /** Throws InputError if @p text is no number, from which a search may
+     * begin. */
+    void require_number(const std::string &text)
+    {
+      try
+        {
+          const std::string unit = split_quantity(text).unit;
+          if (!unit.empty())
+            parse_unit(unit);
+        }
+      catch (const InputError &error)
+        {
+          throw InputError("the search cannot begin at the value of the "
+                           "scene, " +
+                           text + ": " + error.what() +
+                           ". Give a number there, or vary the constant that "
+                           "it refers to, Constants/NAME");
+        }
     }
   } // namespace
 
@@ -71,16 +126,12 @@ namespace auxfem
         double value = 0;
         try
           {
+            require_number(*text);
             value = number_in(variable, *text);
           }
         catch (const InputError &error)
           {
-            throw InputError(path +
-                             "the search cannot begin at the value of the "
-                             "scene, " +
-                             *text + ": " + error.what() +
-                             ". Give a number there, or vary the constant that "
-                             "it refers to, Constants/NAME");
+            throw InputError(path + error.what());
           }
         // Round-off of units must not put a value beyond its bound.
         const double part = variable.part_at(value), nearness = 1e-9;

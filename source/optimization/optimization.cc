@@ -50,7 +50,8 @@ namespace auxfem
     }
 
     /** Runs @p first, the design of the scene itself, whose goals are not known
-     * yet. Throws ComputationError if its run fails. */
+     * yet. Throws InputError if its input is wrong, ComputationError if its run
+     * fails. */
     CaseResults first_results(const Scene     &scene,
                               Design          &first,
                               const MPI_Comm   communicator,
@@ -68,13 +69,15 @@ namespace auxfem
       first.verdict    = results.verdict;
       first.exit_state = results.exit_state;
       first.is_reused  = end.is_reused;
-      if (results.results.empty() || results.exit_state != "completed")
-        throw ComputationError(
-          "The run with the values of the scene, from which the search begins, "
-          "fails:\n" +
-          (end.failure.empty() ? results.exit_state : end.failure) +
-          "\nGive values with which it succeeds.");
-      return results;
+      if (!results.results.empty() && results.exit_state == "completed")
+        return results;
+      const std::string text =
+        "The run with the values of the scene, from which the search begins, "
+        "fails:\n" +
+        (end.failure.empty() ? results.exit_state : end.failure);
+      if (end.is_mistake)
+        throw InputError(text);
+      throw ComputationError(text + "\nGive values with which it succeeds.");
     }
 
     /** Searches of @p optimization for objective @p objective. */
@@ -215,12 +218,19 @@ namespace auxfem
             search(inner_searches(scene, result.designs, *goals, tasks.size()));
             result.front = front_of(result.designs, *goals);
           }
-        result.best = best_of(result.designs,
-                              *goals,
-                              scene.optimization.constraint_tolerance(),
-                              0);
+        choose_best();
         refine();
         differentiate();
+      }
+
+      /** On the first rank: takes its designs of a search that a signal has
+       * ended. */
+      void end_early()
+      {
+        result.designs.insert(result.designs.end(),
+                              latest.begin(),
+                              latest.end());
+        choose_best();
       }
 
       OptimizationResult   result;
@@ -238,16 +248,29 @@ namespace auxfem
           console->print("  " + line_of(scene, *goals, design));
       }
 
+      void choose_best()
+      {
+        result.best = best_of(result.designs,
+                              *goals,
+                              scene.optimization.constraint_tolerance(),
+                              0);
+      }
+
       void search(const std::vector<SearchTask> &tasks)
       {
-        for (const SearchResult &found :
-             run_searches(scene,
-                          tasks,
-                          *goals,
-                          communicator,
-                          rules,
-                          result.designs,
-                          [this](const Design &design) { print(design); }))
+        const auto listener = [this](const Design &design) {
+          print(design);
+          latest.push_back(design);
+        };
+        const std::vector<SearchResult> results = run_searches(scene,
+                                                               tasks,
+                                                               *goals,
+                                                               communicator,
+                                                               rules,
+                                                               result.designs,
+                                                               listener);
+        latest.clear();
+        for (const SearchResult &found : results)
           {
             result.is_cut_short = result.is_cut_short || found.is_cut_short;
             result.designs.insert(result.designs.end(),
@@ -291,6 +314,8 @@ namespace auxfem
       const MPI_Comm   communicator;
       const FileRules &rules;
       Console *const   console;
+      /** Designs of the present searches on the first rank. */
+      std::vector<Design> latest;
     };
 
     std::string overview(const Scene &scene)
@@ -305,7 +330,8 @@ namespace auxfem
       for (const Objective &objective : scene.optimization.objectives)
         text += "    " + objective.text() + '\n';
       for (const ResultLimit &limit : scene.optimization.limits)
-        text += "    with " + limit.text + '\n';
+        text += "    with " + limit.text +
+          (limit.unit.empty() ? "" : " (" + limit.limit + " in SI)") + '\n';
       text += "    by";
       for (const SearchMethod &method :
            chosen_methods(scene.optimization,
@@ -342,32 +368,41 @@ namespace auxfem
       console->print(overview(scene));
       make_output_subfolder(scene.output.directory + designs_folder);
     });
-    RunResult result;
+    RunResult                   result;
+    std::optional<Optimization> optimization;
     try
       {
-        Optimization optimization(scene,
-                                  communicator,
-                                  options.rules,
-                                  console ? &*console : nullptr);
-        optimization.run();
+        optimization.emplace(scene,
+                             communicator,
+                             options.rules,
+                             console ? &*console : nullptr);
+        optimization->run();
         result.findings =
-          findings_of(scene, optimization.result, *optimization.goals);
+          findings_of(scene, optimization->result, *optimization->goals);
         on_first_rank(communicator, [&]() {
           write_optimization(scene,
-                             optimization.result,
-                             *optimization.goals,
+                             optimization->result,
+                             *optimization->goals,
                              result.findings);
           console->print(
-            closing_text(scene, optimization.result, *optimization.goals));
+            closing_text(scene, optimization->result, *optimization->goals));
           console->print(verdict_text(result.findings));
         });
       }
     catch (const Interrupted &)
       {
+        if (console && optimization)
+          {
+            optimization->end_early();
+            write_designs(scene, optimization->result, *optimization->goals);
+          }
         if (console)
-          console->print("Interrupted. Designs so far are stored in " +
-                         scene.output.directory + designs_folder +
-                         ". Run the same optimization again to continue.");
+          console->print(std::string("Interrupted.") +
+                         (optimization ? " The designs so far are in " +
+                              scene.output.directory + "/" + design_table_file +
+                              ", the best of them " + best_scene_file + "."
+                                       : "") +
+                         " Run the same optimization again to continue.");
         throw;
       }
     result.exit_state = "completed";

@@ -178,10 +178,9 @@ namespace auxfem
     }
   } // namespace
 
-  void write_optimization(const Scene                &scene,
-                          const OptimizationResult   &result,
-                          const Goals                &goals,
-                          const std::vector<Finding> &findings)
+  void write_designs(const Scene              &scene,
+                     const OptimizationResult &result,
+                     const Goals              &goals)
   {
     write_table(scene,
                 goals,
@@ -195,6 +194,14 @@ namespace auxfem
                   front_table_file,
                   front_reference_file);
     write_best_scene(scene, result, goals);
+  }
+
+  void write_optimization(const Scene                &scene,
+                          const OptimizationResult   &result,
+                          const Goals                &goals,
+                          const std::vector<Finding> &findings)
+  {
+    write_designs(scene, result, goals);
     Json json = json_of_run(scene, "completed", scene.time.end_time);
     json.erase("time_reached");
     json.erase("end_time");

@@ -6,6 +6,8 @@
 #include <iomanip>
 #include <sstream>
 
+#include <nlohmann/json.hpp>
+
 namespace auxfem
 {
   std::string name_of(const Design &design)
@@ -90,6 +92,14 @@ namespace auxfem
   std::vector<std::string> notes_on_signs(const Goals &goals)
   {
     std::vector<std::string> notes;
+    for (std::size_t i = 0; i < goals.limits().size(); ++i)
+      if (goals.limits()[i].is_upper && goals.first().limited[i] < 0 &&
+          goals.first().limits[i] > 0)
+        notes.push_back(goals.limits()[i].text +
+                        " is met by any size below "
+                        "zero, as at the beginning. If the size is meant, "
+                        "write abs(" +
+                        goals.limits()[i].expression + ").");
     for (std::size_t i = 0; i < goals.objectives().size(); ++i)
       if (const Objective &objective = goals.objectives()[i];
           goals.first().objectives[i] < 0)
@@ -173,6 +183,45 @@ namespace auxfem
     }
   } // namespace
 
+  namespace
+  {
+    /** The first warning of the run in @p folder. */
+    std::string first_warning_in(const std::string &folder)
+    {
+      const Json        summary  = summary_in(folder);
+      const Json        warnings = summary.value("warnings", Json::array());
+      const std::string file     = "summary.json in " + folder;
+      return warnings.empty()
+        ? "see " + file + "."
+        : warnings[0].value("text", "") + " (" + file + ")";
+    }
+
+    /** Adds a finding if nothing tells whether the search has come to its end.
+     */
+    void add_search_finding(const Scene              &scene,
+                            const OptimizationResult &result,
+                            std::vector<Finding>     &findings)
+    {
+      const OptimizationDefinition &optimization = scene.optimization;
+      const SearchMethod            last =
+        chosen_methods(optimization, !optimization.limits.empty()).back();
+      if (last.is_global)
+        findings.push_back(finding(
+          Verdict::doubtful,
+          "Method = " + last.name +
+            " ends after its Evaluations, however near to the best design it "
+            "is. Let a local method follow, e.g. Method = " +
+            last.name + ", COBYLA."));
+      else if (result.is_cut_short)
+        findings.push_back(
+          finding(Verdict::doubtful,
+                  "A search ended after " +
+                    std::to_string(optimization.n_evaluations) +
+                    " designs, before its steps were small. Give more "
+                    "Optimization/Evaluations; designs so far are kept."));
+    }
+  } // namespace
+
   std::vector<Finding> findings_of(const Scene              &scene,
                                    const OptimizationResult &result,
                                    const Goals              &goals)
@@ -197,11 +246,10 @@ namespace auxfem
           add_fragility_finding(scene, result, goals, findings);
       }
     if (result.best.goals && result.best.verdict == name_of(Verdict::doubtful))
-      findings.push_back(
-        finding(Verdict::doubtful,
-                "The run of the best design is doubtful itself: see "
-                "summary.json in " +
-                  result.best.folder + "."));
+      findings.push_back(finding(Verdict::doubtful,
+                                 "The run of the best design is doubtful "
+                                 "itself: " +
+                                   first_warning_in(result.best.folder)));
     if (const std::size_t n = result.n_failed())
       {
         const Design &failed =
@@ -211,18 +259,12 @@ namespace auxfem
         findings.push_back(finding(
           Verdict::doubtful,
           std::to_string(n) + " of " + std::to_string(result.designs.size()) +
-            " designs have no usable results, so the search knows nothing near "
-            "them. The first is " +
+            (n == 1 ? " designs has" : " designs have") +
+            " no usable results, so the search knows nothing near them. The first is " +
             name_of(failed) + ": " + reason_of_failure(failed) +
             ". Choose bounds within which all designs run."));
       }
-    if (result.is_cut_short)
-      findings.push_back(
-        finding(Verdict::doubtful,
-                "A search ended after " +
-                  std::to_string(scene.optimization.n_evaluations) +
-                  " designs, before its steps were small. Give more "
-                  "Optimization/Evaluations; designs so far are kept."));
+    add_search_finding(scene, result, findings);
     std::stable_sort(findings.begin(),
                      findings.end(),
                      [](const Finding &one, const Finding &other) {
@@ -250,9 +292,9 @@ namespace auxfem
       return text + '\n';
     }
 
-    std::string bound_text(const double part)
+    /** Whether a variable lies at a bound, as far as the search tells. */
+    std::string bound_text(const double part, const double nearness)
     {
-      const double nearness = 1e-6;
       return part <= nearness  ? " (lower bound)"
         : part >= 1 - nearness ? " (upper bound)"
                                : "";
@@ -373,7 +415,8 @@ namespace auxfem
     const Design      &best   = result.best;
     const std::string &folder = scene.output.directory;
     std::ostringstream text;
-    text << "\nBest of " << result.designs.size() << " designs, "
+    text << "\nBest of " << result.designs.size()
+         << (result.designs.size() == 1 ? " design, " : " designs, ")
          << name_of(best);
     if (const std::size_t n = result.n_failed())
       text << " (" << n << " without usable results)";
@@ -383,8 +426,8 @@ namespace auxfem
         const DesignVariable &variable = scene.optimization.variables[v];
         text << "    " << variable.path << ": "
              << value_text(variable, result.first.point[v]) << " -> "
-             << value_text(variable, best.point[v]) << bound_text(best.point[v])
-             << '\n';
+             << value_text(variable, best.point[v])
+             << bound_text(best.point[v], scene.optimization.tolerance) << '\n';
       }
     if (best.goals)
       {
@@ -413,8 +456,8 @@ namespace auxfem
                   "are no measure of the gain.\n";
         else if (gain.error)
           text << "  Gain " << rounded_text(gain.value, 4) << " +- "
-               << rounded_text(*gain.error, 1) << " (change by " << refinement
-               << ")\n";
+               << rounded_text(*gain.error, 1) << ", with " << refinement
+               << "; the error is the change by it\n";
         text << equal_designs_text(scene, result, goals)
              << sensitivities_text(scene, result);
       }

@@ -101,6 +101,7 @@ namespace auxfem
         require_existing_columns(scene, equations.model().lattice);
         history.emplace(scene, equations, communicator);
         require_columns(scene.figures, names_of(history->columns()));
+        require_quantities(scene, names_of(history->columns()));
 
         on_first_rank(communicator, [&]() {
           if (console) // A repeated run continues the same log.
@@ -279,7 +280,11 @@ namespace auxfem
           geometry = crush_geometry(*equations);
 
         on_first_rank(communicator, [&]() {
-          summary.figures = figures_of_history(geometry);
+          const RecordedTable table = read_table(folder + "/history.csv");
+          summary.figures           = figures_of_history(table, geometry);
+          summary.quantities        = quantities_in(scene, table);
+          summary.quantities_text =
+            text_of_quantities(summary.quantities, scene, history->columns());
           replace_file(folder + "/summary.json", summary_json(scene, summary));
           if (equations->model().struts_may_fail())
             replace_file(folder + "/" + broken_struts_table,
@@ -299,15 +304,13 @@ namespace auxfem
       using Clock = std::chrono::steady_clock;
 
       /** Figures from the rows in the folder, with their files. */
-      RunFigures figures_of_history(const CrushGeometry &geometry) const
+      RunFigures figures_of_history(const RecordedTable &table,
+                                    const CrushGeometry &geometry) const
       {
         FiguresDefinition definition = scene.figures;
         definition.options.in_time   = !is_static(scene);
         const RunFigures figures =
-          figures_of_run(definition,
-                         names_of_bodies(scene),
-                         geometry,
-                         read_table(folder + "/history.csv"));
+          figures_of_run(definition, names_of_bodies(scene), geometry, table);
         write_figures(figures, scene, folder);
         return figures;
       }

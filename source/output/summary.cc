@@ -365,6 +365,8 @@ namespace auxfem
       json["largest_effective_strain"] = json_of(summary.strain);
     if (const Json figures = json_of(summary.figures); !figures.is_null())
       json["evaluation"] = figures;
+    if (!summary.quantities.empty())
+      json["quantities"] = json_of_quantities(summary.quantities);
     return json_text(json) + '\n';
   }
 
@@ -423,6 +425,7 @@ namespace auxfem
              << " of the thickness\n";
     stream << failures_text(summary.broken, summary.broken_connectors)
            << poissons_ratio_text(summary.strain) << text_of(summary.figures)
+           << summary.quantities_text
            << closing_energies_text(summary.energies, folder) << '\n'
            << verdict_text(summary.findings);
     return stream.str();

@@ -41,13 +41,20 @@ namespace auxfem
   {
     for (const Parameter &parameter : parameters)
       texts[parameter.name] = parameter.default_value;
+    number_texts = texts;
   }
 
 
 
   void ParameterValues::set(const std::string &name, const std::string &text)
   {
+    const auto parameter =
+      std::find_if(parameters.begin(),
+                   parameters.end(),
+                   [&name](const Parameter &one) { return one.name == name; });
     texts.at(name) = dealii::Utilities::trim(text);
+    number_texts.at(name) =
+      parameter->with_constants(texts.at(name), context.constants);
   }
 
 

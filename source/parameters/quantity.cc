@@ -296,6 +296,21 @@ namespace auxfem
 
 
 
+  std::string si_unit(const std::string &unit)
+  {
+    constexpr std::array<const char *, 5> words = {
+      {"m", "kg", "s", "rad", "K"}};
+    const Dimension dimension = parse_unit(unit).dimension;
+    std::string     text;
+    for (std::size_t i = 0; i < words.size(); ++i)
+      if (dimension[i] != 0)
+        text += (text.empty() ? "" : " ") + std::string(words[i]) +
+          (dimension[i] == 1 ? "" : "^" + std::to_string(dimension[i]));
+    return text;
+  }
+
+
+
   std::vector<std::string> split_words(const std::string &text)
   {
     std::vector<std::string> words;

@@ -2,7 +2,10 @@
 #include <auxfem/parameters/registry.h>
 #include <auxfem/parameters/subsection_schema.h>
 
+#include <deal.II/base/utilities.h>
+
 #include <algorithm>
+#include <set>
 
 namespace auxfem
 {
@@ -29,10 +32,12 @@ namespace auxfem
       SubsectionCheck(const ParameterSubsection &found,
                       const std::string         &path,
                       const SubsectionSchema    &schema,
+                      const SceneContext        &context,
                       Mistakes                  &mistakes)
         : found(found)
         , path(path)
         , schema(schema)
+        , context(context)
         , mistakes(mistakes)
         , allowed(schema.parameters)
       {
@@ -52,10 +57,11 @@ namespace auxfem
         return good;
       }
 
-      ParameterValues values(SceneContext context) const
+      ParameterValues values() const
       {
-        context.path = path;
-        ParameterValues values(allowed, context, found.location);
+        SceneContext own(context);
+        own.path = path;
+        ParameterValues values(allowed, own, found.location);
         for (const ParameterEntry &entry : found.entries)
           values.set(entry.name, entry.value);
         return values;
@@ -91,7 +97,8 @@ namespace auxfem
 
       void check_value(const ParameterEntry &entry, const Parameter &declared)
       {
-        const std::string problem = declared.problem(entry.value);
+        const std::string problem = declared.problem(
+          declared.with_constants(entry.value, context.constants));
         if (!problem.empty())
           report(entry.location,
                  path_of(entry.name) + " = " + entry.value + ": " + problem +
@@ -136,6 +143,7 @@ namespace auxfem
       const ParameterSubsection &found;
       const std::string          path;
       const SubsectionSchema    &schema;
+      const SceneContext        &context;
       Mistakes                  &mistakes;
       Parameters                 allowed;
       const SubsectionVariant   *variant = nullptr;
@@ -167,10 +175,10 @@ namespace auxfem
           found = (found == nullptr ? &absent : found);
           refuse_subsections(*found, schema.name, mistakes);
         }
-      SubsectionCheck check(*found, schema.name, schema, mistakes);
+      SubsectionCheck check(*found, schema.name, schema, context, mistakes);
       if (!check.run())
         return {};
-      return {check.values(context)};
+      return {check.values()};
     }
 
     std::vector<ParameterValues>
@@ -193,11 +201,21 @@ namespace auxfem
           if (!problem.empty())
             mistakes.add(group.location.text() + ": " + path + ": " + problem);
           refuse_subsections(group, path, mistakes);
-          SubsectionCheck check(group, path, schema, mistakes);
+          SubsectionCheck check(group, path, schema, context, mistakes);
           if (check.run() && problem.empty())
-            result.push_back(check.values(context));
+            result.push_back(check.values());
         }
       return result;
+    }
+
+    /** Path of a parameter without blanks around its parts. */
+    std::string trimmed_path(const std::string &path)
+    {
+      std::string text;
+      for (const std::string &part :
+           dealii::Utilities::split_string_list(path, '/'))
+        text += (text.empty() ? "" : "/") + part;
+      return text;
     }
 
     std::vector<ParameterValues>
@@ -208,21 +226,26 @@ namespace auxfem
     {
       refuse_subsections(found, schema.name, mistakes);
       std::vector<ParameterValues> result;
+      std::set<std::string>        names;
+      const bool has_paths = schema.form == Form::path_entries;
       for (const ParameterEntry &entry : found.entries)
         {
-          context.path = schema.name + "/" + entry.name;
+          const std::string name =
+            has_paths ? trimmed_path(entry.name) : entry.name;
+          context.path = schema.name + "/" + name;
           // Paths are names of parameters, which a case will check.
-          std::string problem =
-            schema.form == Form::path_entries ? "" : name_problem(entry.name);
+          std::string problem = has_paths ? "" : name_problem(name);
           if (problem.empty() && entry.value.empty())
             problem = "there is no value";
+          if (!names.insert(name).second)
+            problem = "it is given twice. Remove one of them";
           if (!problem.empty())
             {
               mistakes.add(entry.location.text() + ": " + context.path + ": " +
                            problem);
               continue;
             }
-          result.emplace_back(Parameters{Text{entry.name, entry.value, ""}},
+          result.emplace_back(Parameters{Text{name, entry.value, ""}},
                               context,
                               entry.location);
         }

@@ -18,7 +18,8 @@ namespace auxfem
       "",
       "Constants for expressions, e.g. \"L = 20 mm, h = L/4\". A value is a "
       "number, in SI or with a unit, or an expression of the constants before "
-      "it."};
+      "it. Numbers of other parameters may be expressions of constants, in SI, "
+      "e.g. \"set Height = 2*h\"."};
 
     bool is_identifier(const std::string &name)
     {

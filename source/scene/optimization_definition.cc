@@ -221,37 +221,70 @@ namespace auxfem
       return {trim(text.substr(blank)), goal == "maximize"};
     }
 
-    /** SI number of a quantity with a unit; any other @p text as it is. */
-    std::string si_expression(const std::string &text)
+    /** One side of a constraint. */
+    struct Side
+    {
+      std::string expression; ///< a quantity with a unit as its SI number
+      std::string unit;       ///< of a quantity, else empty
+    };
+
+    Side side_of(const std::string &text)
     {
       try
         {
+          constexpr int        n_digits = 15;
           const ParsedQuantity quantity = split_quantity(text);
           if (quantity.unit.empty())
-            return text;
-          return number_text(quantity.number * parse_unit(quantity.unit).factor,
-                             15);
+            return {text, ""};
+          return {number_text(quantity.number *
+                                parse_unit(quantity.unit).factor,
+                              n_digits),
+                  quantity.unit};
         }
       catch (const InputError &)
         {
-          return text; // an expression
+          return {text, ""}; // an expression
         }
+    }
+
+    /** Positions in @p text of `<=` and `>=` outside of parentheses. */
+    std::vector<std::size_t> comparisons_in(const std::string &text)
+    {
+      std::vector<std::size_t> positions;
+      int                      depth = 0;
+      for (std::size_t i = 0; i + 1 < text.size(); ++i)
+        {
+          depth += (text[i] == '(') - (text[i] == ')');
+          if (depth == 0 && (text[i] == '<' || text[i] == '>') &&
+              text[i + 1] == '=')
+            positions.push_back(i);
+        }
+      return positions;
     }
 
     ResultLimit limit_in(const std::string &text)
     {
-      const std::size_t sign = text.find("=");
-      if (sign == std::string::npos || sign == 0 ||
-          (text[sign - 1] != '<' && text[sign - 1] != '>') ||
-          trim(text.substr(0, sign - 1)).empty() ||
-          trim(text.substr(sign + 1)).empty())
-        throw InputError("Optimization/Constraints = " + text +
-                         ": not understood. Allowed: EXPRESSION <= LIMIT, "
-                         "EXPRESSION >= LIMIT, e.g. mass_kilogram <= 20 g");
-      return {trim(text.substr(0, sign - 1)),
-              si_expression(trim(text.substr(sign + 1))),
-              text[sign - 1] == '<',
-              text};
+      const auto refuse = [&text](const std::string &problem) {
+        throw InputError("Optimization/Constraints = " + text + ": " + problem +
+                         ". Allowed: EXPRESSION <= LIMIT, EXPRESSION >= LIMIT, "
+                         "e.g. mass_kilogram <= 20 g");
+      };
+      const std::vector<std::size_t> comparisons = comparisons_in(text);
+      if (comparisons.size() > 1)
+        refuse("a constraint has one limit. Write two of them, separated by a "
+               "semicolon");
+      if (comparisons.empty())
+        refuse("not understood");
+      const std::size_t sign = comparisons.front();
+      const Side        left = side_of(trim(text.substr(0, sign))),
+                 right       = side_of(trim(text.substr(sign + 2)));
+      if (left.expression.empty() || right.expression.empty())
+        refuse("not understood");
+      const bool is_upper = text[sign] == '<';
+      // 0.2 MPa <= E1
+      if (!left.unit.empty())
+        return {right.expression, left.expression, left.unit, !is_upper, text};
+      return {left.expression, right.expression, right.unit, is_upper, text};
     }
   } // namespace
 
@@ -293,6 +326,10 @@ namespace auxfem
           mistakes.add(scene.file +
                        ": Sweep and Design variables are two ways to run the "
                        "scene with other values. Remove one of them");
+        if (optimization.is_given() && scene.analysis == Analysis::study)
+          mistakes.add(scene.file +
+                       ": Design variables need the results of one run, but "
+                       "Analysis = study makes many. Choose another analysis");
         return;
       }
     mistakes.add(

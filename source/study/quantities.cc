@@ -1,4 +1,4 @@
-#include <auxfem/parameters/describe.h>
+#include <auxfem/output/run_quantities.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/study/quantities.h>
 #include <auxfem/study/settings.h>
@@ -58,20 +58,6 @@ namespace auxfem
       return quantities;
     }
 
-    void require_existing(const QuantityDefinition       &quantity,
-                          const std::vector<std::string> &columns,
-                          const double                    end_time)
-    {
-      for (const std::string &column : quantity.columns)
-        if (!is_among(columns, column))
-          throw InputError(quantity.path + ": there is no column \"" + column +
-                           "\" in history.csv" + did_you_mean(column, columns) +
-                           "\n  Columns of this scene: " + joined(columns));
-      if (quantity.time && (*quantity.time < 0 || *quantity.time > end_time))
-        throw InputError(quantity.path +
-                         ": the time is not between 0 and the end time");
-    }
-
     void require_energy_norm(const QuantityDefinition &quantity,
                              const Scene              &scene)
     {
@@ -101,39 +87,6 @@ namespace auxfem
       return values.is_field ? std::sqrt(squares) : largest;
     }
 
-    /** Value at @p time; NaN outside of the history. */
-    double value_within(const RecordedHistory &history, const double time)
-    {
-      const double first = history.times.front(), last = history.times.back(),
-                   resolution = time_resolution(last);
-      return time < first - resolution || time > last + resolution
-        ? std::nan("")
-        : value_at(history, time);
-    }
-
-    /** Mean over time of the square of @p history minus @p target, as far as the
-     * target is known; NaN if that is less than two rows. */
-    double mean_square_deviation(const RecordedHistory &history,
-                                 const TimeFunction    &target)
-    {
-      const double first = target.first_time().value_or(history.times.front()),
-                   last  = target.last_time().value_or(history.times.back()),
-                   resolution = time_resolution(last);
-      RecordedHistory squares;
-      for (std::size_t i = 0; i < history.times.size(); ++i)
-        if (const double time = history.times[i];
-            time >= first - resolution && time <= last + resolution)
-          {
-            squares.times.push_back(time);
-            squares.values.push_back(
-              std::pow(history.values[i] - target.value(time), 2));
-          }
-      if (squares.times.size() < 2)
-        return std::nan("");
-      return integral_of(squares) /
-        (squares.times.back() - squares.times.front());
-    }
-
     std::vector<double> fewest_times(const std::vector<MeasuredRun> &runs)
     {
       std::vector<double> times;
@@ -159,7 +112,11 @@ namespace auxfem
                                      : scene.study.quantities;
     for (const QuantityDefinition &quantity : quantities)
       {
-        require_existing(quantity, columns, scene.time.end_time);
+        require_columns(quantity, columns);
+        if (quantity.time &&
+            (*quantity.time < 0 || *quantity.time > scene.time.end_time))
+          throw InputError(quantity.path +
+                           ": the time is not between 0 and the end time");
         if (quantity.is_field())
           require_energy_norm(quantity, scene);
       }
@@ -210,27 +167,8 @@ namespace auxfem
                              quantity.measure == Measure::total_energy_norm),
                 true};
       }
-    const RecordedHistory history = run.history(quantity.columns.front());
-    switch (quantity.measure)
-      {
-        case Measure::at_time:
-          return {{value_within(history,
-                                quantity.time.value_or(history.times.back()))}};
-        case Measure::maximum:
-          return {{maximum_of(history).value}};
-        case Measure::minimum:
-          return {{-maximum_of(negative(history)).value}};
-        case Measure::time_of_maximum:
-          return {{maximum_of(history).time}};
-        case Measure::time_of_minimum:
-          return {{maximum_of(negative(history)).time}};
-        case Measure::integral:
-          return {{integral_of(history)}};
-        case Measure::mean_square_deviation:
-          return {{mean_square_deviation(history, *quantity.target)}};
-        default:
-          break;
-      }
+    if (quantity.is_number())
+      return {{number_of(quantity, run.history(quantity.columns.front()))}};
     QuantityValues values;
     for (const std::string &column : quantity.columns)
       {

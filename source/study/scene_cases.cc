@@ -2,7 +2,6 @@
 #include <auxfem/parameters/errors.h>
 #include <auxfem/state/interruption.h>
 #include <auxfem/study/measured_run.h>
-#include <auxfem/study/quantities.h>
 #include <auxfem/study/scene_cases.h>
 
 #include <deal.II/base/mpi.h>
@@ -73,33 +72,16 @@ namespace auxfem
       std::streambuf *const screen;
     };
 
-    /** Computes a case; returns the reason of a failure, or nothing. */
-    std::string compute(const SceneCase &one,
-                        const Scene     &scene,
-                        const MPI_Comm   communicator,
-                        const FileRules &rules)
+    /** Computes a case. Throws InputError, ComputationError, Interrupted. */
+    void compute(const SceneCase &one,
+                 const Scene     &scene,
+                 const MPI_Comm   communicator,
+                 const FileRules &rules)
     {
       const Silence silence;
-      try
-        {
-          analysis_of(scene).run(scene, communicator, {rules, {}, {}});
-          on_first_rank(communicator, [&]() {
-            replace_file(key_file(one), key_of(scene, 1));
-          });
-          return "";
-        }
-      catch (const InputError &error)
-        {
-          return error.what();
-        }
-      catch (const Interrupted &)
-        {
-          throw;
-        }
-      catch (const ComputationError &error)
-        {
-          return error.what();
-        }
+      analysis_of(scene).run(scene, communicator, {rules, {}, {}});
+      on_first_rank(communicator,
+                    [&]() { replace_file(key_file(one), key_of(scene, 1)); });
     }
 
     CaseEnd run_case(const Scene     &scene,
@@ -116,9 +98,18 @@ namespace auxfem
                         [&]() { end.is_reused = is_done(one, varied); });
           end.is_reused = mpi::max(int(end.is_reused), communicator) > 0;
           if (!end.is_reused)
-            end.failure = compute(one, varied, communicator, rules);
+            compute(one, varied, communicator, rules);
         }
       catch (const InputError &error)
+        {
+          end.failure    = error.what();
+          end.is_mistake = true;
+        }
+      catch (const Interrupted &)
+        {
+          throw;
+        }
+      catch (const ComputationError &error)
         {
           end.failure = error.what();
         }
@@ -175,6 +166,7 @@ namespace auxfem
                                                   "effects",
                                                   "end_time",
                                                   "peak_memory_bytes",
+                                                  "quantities",
                                                   "size_metre",
                                                   "struts_of_section",
                                                   "time_reached",
@@ -213,19 +205,6 @@ namespace auxfem
     std::ifstream stream(folder + "/summary.json");
     const Json    summary = Json::parse(stream, nullptr, false);
     return summary.is_discarded() ? Json() : summary;
-  }
-
-  NamedResults quantities_in(const Scene &scene, const RecordedTable &history)
-  {
-    NamedResults results;
-    MeasuredRun  run;
-    for (std::size_t i = 0; i < history.names.size(); ++i)
-      run.columns[history.names[i]] = history.columns[i];
-    for (const QuantityDefinition &quantity : scene.study.quantities)
-      if (quantity.is_number() && run.columns.count(quantity.columns[0]) > 0)
-        results.emplace_back(quantity.name,
-                             value_of(quantity, run, {}).numbers[0]);
-    return results;
   }
 
   void add_quantities(const NamedResults &quantities, NamedResults &results)

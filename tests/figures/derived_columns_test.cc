@@ -6,6 +6,7 @@
 #include <support/messages.h>
 
 using namespace auxfem;
+using namespace auxfem::testing_support;
 
 namespace
 {
@@ -46,4 +47,22 @@ TEST(DerivedColumns, RefuseUnknownAndTakenNames)
   EXPECT_TRUE(contains(error_of({column("a", "b"), column("b", "1")}), "b"));
   EXPECT_TRUE(contains(error_of({column("time", "1")}), "there is a column"));
   EXPECT_TRUE(contains(error_of({column("a", "1 +")}), "Columns/a = 1 +"));
+}
+
+TEST(DerivedColumns, AnUnknownNameIsNamed)
+{
+  expect_parts(error_of({column("a", "2 * top.uy + abs(A)")}),
+               {"there is no \"top.uy\"", "did you mean \"top.ux\""});
+  // A column without name is none that others may use.
+  const std::string message =
+    error_of({column("", "time"), column("b", "force")});
+  EXPECT_TRUE(contains(message, "\"force\"")) << message;
+}
+
+TEST(ExpressionNames, AreKnownOrUnknownButNoFunctionsAndConstants)
+{
+  const ExpressionNames found =
+    names_in(column("a", "max(upper plate.fy, A) + 1e5 * late.uy - pi"), names);
+  EXPECT_EQ(found.known, (std::vector<std::string>{"upper plate.fy"}));
+  EXPECT_EQ(found.unknown, (std::vector<std::string>{"late.uy"}));
 }

@@ -54,6 +54,9 @@ TEST(FirstDesign, IsThatOfTheScene)
   EXPECT_EQ(first_design(scene_with_variable("Time/End time", "500:2500 ms")),
             DesignPoint{0.25});
   EXPECT_DOUBLE_EQ(first_design(
+                     scene_with_variable("Time/Time step", "50:250 ms"))[0],
+                   0.25);
+  EXPECT_DOUBLE_EQ(first_design(
                      scene_with_variable("Constants/a", "1:9 mm"))[0],
                    0.25);
   EXPECT_DOUBLE_EQ(first_design(scene_with_variable("Constants/a",
@@ -68,11 +71,16 @@ TEST(FirstDesign, MustBeANumberWithinItsBounds)
   expect_parts(refusal_of_start("Time/End time", "2:3 s"),
                {"Design variables/Time/End time", "not within", "2 s", "3 s"});
   expect_parts(refusal_of_start("Constants/b", "1:9 mm"),
-               {"Design variables/Constants/b", "2 * a"});
+               {"Design variables/Constants/b", "2 * a", "vary the constant"});
   expect_parts(refusal_of_start("Constants/a", "0.001:0.01"),
                {"Design variables/Constants/a", "bounds need a unit"});
   expect_parts(refusal_of_start("Constants/a", "1:9 kg"),
-               {"Design variables/Constants/a", "does not fit"});
+               {"Design variables/Constants/a",
+                "bounds are in kg",
+                "the value of the scene, 3 mm"});
+  // A number without unit is in the unit of its parameter.
+  expect_parts(refusal_of_start("Time/Time step", "1:9 mm"),
+               {"Design variables/Time/Time step", "bounds are in mm", "in s"});
 }
 
 TEST(Designs, RunWithoutGraphicsInTheirFolders)

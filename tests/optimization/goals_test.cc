@@ -78,8 +78,27 @@ TEST(Goals, NamesThatNoResultHasAreRefused)
   expect_parts(refusal("minimize force"),
                {"Optimization/Objective = force",
                 "evaluation.bodies.foot.y.peak_force"});
-  // Two results have paths that end like this.
+  expect_parts(refusal("minimize mass_kilo"),
+               {"no number \"mass_kilo\"", "did you mean \"mass_kilogram\""});
   expect_parts(refusal("minimize peak_force"),
-               {"Optimization/Objective = peak_force"});
+               {"Optimization/Objective = peak_force",
+                "several results end in \"peak_force\"",
+                "evaluation.bodies.head.y.peak_force"});
   expect_parts(refusal("minimize 1 / (travel - travel)"), {"no finite number"});
+  expect_parts(refusal("minimize 2 * n"), {"minimize 2 * n", "no result"});
+}
+
+TEST(Goals, LimitsMustConcernResultsInTheirUnits)
+{
+  const auto refusal = [](const std::string &constraint) {
+    return input_error_of([&]() {
+      Goals(scene_with_goals("minimize travel", constraint), results);
+    });
+  };
+  expect_parts(refusal("n <= 4"), {"n <= 4", "limits no design"});
+  expect_parts(refusal("mass_kilogram <= 3 N"),
+               {"mass_kilogram <= 3 N", "is in kg, its limit in N"});
+  expect_parts(refusal("abs(foot.y.peak_force) <= 20 mm"),
+               {"foot.y.peak_force is in N, its limit in mm"});
+  EXPECT_EQ(refusal("10 lbf >= foot.y.peak_force; travel <= 3 mm"), "");
 }

@@ -202,4 +202,32 @@ namespace
               "a number > 0 in m; unit words allowed: m, mm, cm, um, km, in, "
               "ft");
   }
+
+
+
+  TEST(Parameter, NumbersMayBeExpressionsOfConstants)
+  {
+    const std::vector<std::pair<std::string, double>> constants = {{"h", 0.002},
+                                                                   {"n", 3}};
+    const Quantity height("Height", "1", "mm", Range::positive(), "");
+    const auto     value = [&](const std::string &text) {
+      return height.value(height.with_constants(text, constants));
+    };
+    EXPECT_DOUBLE_EQ(value("h"), 0.002);
+    EXPECT_DOUBLE_EQ(value("2*h + 0.001"), 0.005);
+    // Numbers stay in the unit of the parameter or their own.
+    EXPECT_DOUBLE_EQ(value("4"), 0.004);
+    EXPECT_DOUBLE_EQ(value("1 cm"), 0.01);
+    EXPECT_EQ(height.with_constants("thick", constants), "thick");
+    EXPECT_NE(height.problem(height.with_constants("-h", constants)), "");
+    EXPECT_EQ(height.with_constants("h", {}), "h");
+
+    const QuantityList list("List", "0", "mm", Range::any(), 0, 4, "");
+    EXPECT_EQ(list.value(list.with_constants("h, 1 mm, n*h", constants)),
+              (std::vector<double>{0.002, 0.001, 0.006}));
+    EXPECT_EQ(list.with_constants("1 2 mm", constants), "1 2 mm");
+    const Integer number("Number", 1, 1, 6, "");
+    EXPECT_EQ(number.value(number.with_constants("2*n", constants)), 6u);
+    EXPECT_NE(number.problem(number.with_constants("n/2", constants)), "");
+  }
 } // namespace

@@ -158,4 +158,16 @@ namespace
       EXPECT_EQ(parse_unit(other).dimension, parse_unit(unit).dimension)
         << other;
   }
+
+
+
+  TEST(Quantity, HasAnSiUnitByWhatItMeasures)
+  {
+    EXPECT_EQ(si_unit("mm"), "m");
+    EXPECT_EQ(si_unit("deg"), "rad");
+    EXPECT_EQ(si_unit("GPa"), "m^-1 kg s^-2");
+    EXPECT_EQ(si_unit("%"), "");
+    for (const char *const unit : {"GPa", "N s/m", "kg/m3", "1/K", "ft"})
+      EXPECT_DOUBLE_EQ(parse_quantity("3 " + si_unit(unit), unit), 3) << unit;
+  }
 } // namespace

@@ -194,4 +194,20 @@ namespace
     EXPECT_EQ(run.exit_code, 1);
     expect_contains(run.errors, {"Transmission/Input = a", "wall.ry"});
   }
+
+  TEST_F(FiguresProgram, TellsQuantitiesOfTheScene)
+  {
+    SceneText scene = cantilever();
+    scene.set("Quantities/push", "wall.rx at 2 s");
+    scene.set("Quantities/late", "time of minimum of wall.rx");
+    const Json found = summary_of(scene).at("quantities");
+    EXPECT_NEAR(found.at("push").get<double>(), -2, 1e-9);
+    EXPECT_EQ(found.at("late"), 2);
+    expect_contains(screen, {"Quantity push: -2 N", "Quantity late: 2 s"});
+    write("scene.prm", scene.set("Quantities/push", "wall.fx at 2 s").str());
+    const ProgramRun refused = run_auxfem({"scene.prm", "--output", "out"});
+    EXPECT_EQ(refused.exit_code, 1);
+    expect_contains(refused.errors,
+                    {"Quantities/push", "no column \"wall.fx\""});
+  }
 } // namespace

@@ -190,6 +190,42 @@ namespace
                      "peak"});
   }
 
+  TEST_F(OptimizationProgram, AMistakeThatTheFirstRunFindsIsAMistake)
+  {
+    const ProgramRun refused = run({"Quantities/peak=maximum of f3"});
+    EXPECT_EQ(refused.exit_code, 1);
+    expect_contains(refused.errors,
+                    {"from which the search begins, fails",
+                     "Quantities/peak: there is no column \"f3\"",
+                     "or \"f2\"?"});
+  }
+
+  TEST_F(OptimizationProgram, ASignalLeavesTheDesignsSoFar)
+  {
+    const ProgramRun ended = run_program(
+      {"sh",
+       "-c",
+       "'" AUXFEM_EXECUTABLE "' scene.prm --output out --set "
+       "Optimization/Method=CRS --set Optimization/Evaluations=100000 & "
+       "run=$!; until [ -e out/designs/0001/0004/summary.json ]; do sleep "
+       "0.02; done; kill -TERM $run; wait $run"});
+    EXPECT_EQ(ended.exit_code, 128 + 15) << ended.errors;
+    expect_contains(ended.output,
+                    {"Interrupted", "out/optimization.csv", "best.prm"});
+    EXPECT_GE(table()["evaluation"].size(), 4u);
+    EXPECT_EQ(run_auxfem({"--check", "out/best.prm"}).exit_code, 0);
+  }
+
+  TEST_F(OptimizationProgram, AGlobalMethodAloneIsDoubtful)
+  {
+    const ProgramRun found = run({"Optimization/Method=CRS",
+                                  "Optimization/Evaluations=20",
+                                  "Optimization/Sensitivities=false"});
+    EXPECT_EQ(found.exit_code, 0) << found.errors;
+    expect_contains(found.output,
+                    {"Verdict: doubtful", "Method = CRS ends after"});
+  }
+
   TEST_F(OptimizationProgram, ARunThatFailsFromTheStartEndsWithItsReason)
   {
     const ProgramRun failed = run({"Reduced cell/Load=sqrt(0.02 - t)"});

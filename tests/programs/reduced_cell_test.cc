@@ -283,4 +283,21 @@ namespace
     expect_contains(run.errors, {"cantilever.prm", "Model = reduced cell"});
     EXPECT_EQ(run_auxfem({"--compare"}).exit_code, 1);
   }
+
+  TEST_F(ReducedCellProgram, TellsItsQuantities)
+  {
+    expect_refusal_with({"Quantities/peak=maximum of f3"},
+                        {"Quantities/peak", "\"f3\"", "Columns of this scene"});
+    const ProgramRun run = run_cell(1,
+                                    {"Quantities/peak=maximum of f2",
+                                     "Quantities/impulse=integral of f2",
+                                     "Quantities/late=f2 at 0.01 s"});
+    EXPECT_EQ(run.exit_code, 0) << run.errors;
+    expect_contains(run.output, {"Quantity peak: ", "Quantity late: "});
+    EXPECT_NE(run.output.find(" N s\n", run.output.find("Quantity impulse: ")),
+              std::string::npos);
+    const Table table = history();
+    EXPECT_DOUBLE_EQ(std::stod(summary("peak")),
+                     *std::max_element(table["f2"].begin(), table["f2"].end()));
+  }
 } // namespace

@@ -79,6 +79,22 @@ TEST(DesignVariables, BoundsThatAreNotUnderstoodAreRefused)
                {path, "positive"});
 }
 
+TEST(DesignVariables, HavePathsWithoutFurtherBlanks)
+{
+  SceneText scene = designed_cantilever();
+  scene.remove("Design variables");
+  std::string text = scene.str() +
+    "\nsubsection Design variables\n  set Time / End time = 1:2 s\n";
+  EXPECT_EQ(read_scene_from_text(text + "end\n", "test.prm")
+              .optimization.variables.at(0)
+              .path,
+            "Time/End time");
+  text += "  set Time/End time = 1:3 s\nend\n";
+  expect_parts(input_error_of(
+                 [&]() { read_scene_from_text(text, "test.prm"); }),
+               {"Design variables/Time/End time", "given twice"});
+}
+
 TEST(OptimizationDefinition, ObjectivesAndConstraintsAreExpressions)
 {
   const OptimizationDefinition two =
@@ -89,14 +105,20 @@ TEST(OptimizationDefinition, ObjectivesAndConstraintsAreExpressions)
   EXPECT_EQ(two.objectives[1].text(), "minimize peak");
 
   const OptimizationDefinition limited =
-    optimization_with("Constraints", "mass <= 20 g; travel >= -a; k <= 3");
-  ASSERT_EQ(limited.limits.size(), 3u);
+    optimization_with("Constraints",
+                      "mass <= 20 g; travel >= -a; k <= 3; "
+                      "2 MPa <= if(E >= 1, E, 0)");
+  ASSERT_EQ(limited.limits.size(), 4u);
   EXPECT_EQ(limited.limits[0].expression, "mass");
   EXPECT_EQ(limited.limits[0].limit, "0.02");
   EXPECT_TRUE(limited.limits[0].is_upper);
   EXPECT_EQ(limited.limits[1].limit, "-a");
   EXPECT_FALSE(limited.limits[1].is_upper);
   EXPECT_EQ(limited.limits[2].limit, "3");
+  EXPECT_EQ(limited.limits[3].expression, "if(E >= 1, E, 0)");
+  EXPECT_EQ(limited.limits[3].limit, "2000000");
+  EXPECT_EQ(limited.limits[3].unit, "MPa");
+  EXPECT_FALSE(limited.limits[3].is_upper);
 }
 
 TEST(OptimizationDefinition, WhatIsNotUnderstoodIsRefused)
@@ -110,6 +132,10 @@ TEST(OptimizationDefinition, WhatIsNotUnderstoodIsRefused)
                {objective, "one or two"});
   expect_parts(refusal_of_design(constraints, "mass = 3"),
                {constraints, "mass = 3", "EXPRESSION <= LIMIT"});
+  expect_parts(refusal_of_design(constraints, "1 <= mass <= 2"),
+               {constraints, "1 <= mass <= 2", "two of them"});
+  expect_parts(refusal_of_design(constraints, "mass < 2"),
+               {constraints, "mass < 2", "EXPRESSION <= LIMIT"});
   expect_parts(refusal_of_design(constraints, "mass <="),
                {constraints, "EXPRESSION <= LIMIT"});
 }
@@ -128,6 +154,8 @@ TEST(OptimizationDefinition, NeedsVariablesAndAnObjective)
                {"Optimization/Objective needs", "Design variables"});
   expect_parts(refusal_of_design("Sweep/Time/End time", "1, 2 s"),
                {"Sweep and Design variables", "Remove one"});
+  expect_parts(refusal_of_design("Analysis", "study"),
+               {"results of one run", "Analysis = study"});
 }
 
 TEST(OptimizationDefinition, CasesAreScenesWithoutIt)
@@ -152,6 +180,21 @@ TEST(OptimizationDefinition, CasesInheritFromChangedSections)
   const Scene one   = scene_of_case(scene, {"Sections/edge/Height=40 mm"});
   for (const SectionDefinition &section : one.sections)
     EXPECT_DOUBLE_EQ(section.section.area, 4e-4) << section.name;
+}
+
+TEST(Constants, MayStandInNumbersOfParameters)
+{
+  SceneText scene = designed_cantilever();
+  scene.set("Time/End time", "4 * length / 3 mm");
+  EXPECT_TRUE(
+    contains(input_error_of([&]() { optimization_of(scene); }), "End time"));
+  scene.set("Time/End time", "500 * length");
+  const Scene found = read_scene_from_text(scene, "test.prm");
+  EXPECT_DOUBLE_EQ(found.time.end_time, 1.5);
+  // Files of the run keep the expression.
+  EXPECT_TRUE(contains(found.all_parameters, "500 * length"));
+  const Scene varied = scene_of_case(found, {"Constants/length=1 mm"});
+  EXPECT_DOUBLE_EQ(varied.time.end_time, 0.5);
 }
 
 TEST(Constants, AreVariedOneByOne)

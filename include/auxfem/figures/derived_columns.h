@@ -15,7 +15,7 @@ namespace auxfem
   /** `Columns/NAME`: a column of history.csv computed from others. */
   struct DerivedColumn
   {
-    std::string name;
+    std::string name;       ///< empty: no other column may use it
     std::string expression; ///< of the names of other columns
     std::string unit;       ///< in SI; empty: none
     std::vector<std::pair<std::string, double>> constants;
@@ -28,6 +28,19 @@ namespace auxfem
   /** Reads one entry, `EXPRESSION [UNIT]`. Throws InputError for a unit that is
    * not SI. */
   DerivedColumn read_derived_column(ParameterValues &values);
+
+  /** Names that an expression refers to. */
+  struct ExpressionNames
+  {
+    std::vector<std::string> known;
+    /** Words that are no names, constants or functions. */
+    std::vector<std::string> unknown;
+  };
+
+  /** Names in the expression of @p column, which may use @p names and its
+   * constants. */
+  ExpressionNames names_in(const DerivedColumn            &column,
+                           const std::vector<std::string> &names);
 
   /** Values of derived columns in a row of others. */
   class DerivedValues

@@ -26,8 +26,10 @@ namespace auxfem
   public:
     /**
      * Finds the results that the expressions of @p scene refer to among those
-     * of its own design, by which it also scales. Throws InputError for an
-     * unknown name, and for one whose value is not a finite number.
+     * of its own design, by which it also scales. Throws InputError for a name
+     * that is unknown or stands for several results, for a limit in another
+     * unit than its result, for goals without results and for a value that is
+     * no finite number.
      */
     Goals(const Scene &scene, const NamedResults &first);
 

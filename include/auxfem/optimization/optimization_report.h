@@ -33,8 +33,8 @@ namespace auxfem
   std::string
   line_of(const Scene &scene, const Goals &goals, const Design &design);
 
-  /** Notes on objectives that begin below zero: minimized forces, e.g., then
-   * grow in size. */
+  /** Notes on objectives and results with an upper limit that begin below zero:
+   * minimized forces, e.g., then grow in size. */
   std::vector<std::string> notes_on_signs(const Goals &goals);
 
   /**
@@ -55,7 +55,12 @@ namespace auxfem
                                    const OptimizationResult &result,
                                    const Goals              &goals);
 
-  /** Tables, the best scene and summary.json in the folder of @p scene. */
+  /** Tables and the best scene in the folder of @p scene. */
+  void write_designs(const Scene              &scene,
+                     const OptimizationResult &result,
+                     const Goals              &goals);
+
+  /** As write_designs(), with summary.json. */
   void write_optimization(const Scene                &scene,
                           const OptimizationResult   &result,
                           const Goals                &goals,

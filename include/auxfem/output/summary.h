@@ -9,6 +9,7 @@
 #include <auxfem/output/notes.h>
 #include <auxfem/output/output_folder.h>
 #include <auxfem/output/recorder.h>
+#include <auxfem/output/run_quantities.h>
 #include <auxfem/output/verdict.h>
 #include <auxfem/parameters/text.h>
 #include <auxfem/scene/scene.h>
@@ -97,6 +98,9 @@ namespace auxfem
     std::optional<OrderReport> orders;
     /** Figures from the history. */
     RunFigures figures;
+    /** Quantities of the scene that are numbers, and lines on them. */
+    NamedResults quantities;
+    std::string  quantities_text;
     /** Notes on the scene, see notes_on(). */
     std::vector<std::string> notes;
     /** Simulated and omitted effects. */

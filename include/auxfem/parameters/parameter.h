@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 /**
@@ -90,6 +91,16 @@ namespace auxfem
      * empty line does not select it.
      */
     std::string problem(const std::string &text) const;
+
+    /**
+     * The value @p text of a number or a list of numbers with the results in SI
+     * in place of expressions of @p constants; items of a list that are
+     * expressions are separated by commas. Unchanged where there are none and
+     * where an expression is not understood.
+     */
+    std::string with_constants(
+      const std::string                                 &text,
+      const std::vector<std::pair<std::string, double>> &constants) const;
 
     /** Description of allowed values, e.g. `a number > 0 in m`. */
     std::string allowed() const;

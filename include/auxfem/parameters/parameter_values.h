@@ -60,7 +60,8 @@ namespace auxfem
     /** Sets the parameter @p name to the valid value @p text. */
     void set(const std::string &name, const std::string &text);
 
-    /** Text of @p parameter without surrounding blanks. */
+    /** Text of @p parameter as the user wrote it, without surrounding blanks;
+     * it may refer to constants. */
     const std::string &text(const Parameter &parameter) const
     {
       return texts.at(parameter.name);
@@ -70,7 +71,7 @@ namespace auxfem
     template <class Typed>
     auto operator[](const Typed &parameter) const
     {
-      return parameter.value(text(parameter));
+      return parameter.value(number_texts.at(parameter.name));
     }
 
     /** As operator[], but @p automatic if the value is a word. */
@@ -120,7 +121,8 @@ namespace auxfem
     std::vector<std::string> files;
 
   private:
-    std::map<std::string, std::string> texts;
+    /** By name: as given, and with numbers in place of constants. */
+    std::map<std::string, std::string> texts, number_texts;
   };
 
   /** @name Values that depend on the spatial dimension */

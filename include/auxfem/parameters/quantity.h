@@ -80,6 +80,10 @@ namespace auxfem
   /** All unit words by measured quantity, e.g. `length: m, mm, ...`. */
   std::vector<std::string> unit_words();
 
+  /** The SI unit of what @p unit measures, e.g. `m^-1 kg s^-2` for `GPa`; empty
+   * for a number without unit. */
+  std::string si_unit(const std::string &unit);
+
   /** Unit expressions allowed where @p unit is declared, @p unit first. */
   std::vector<std::string> fitting_units(const std::string &unit);
 } // namespace auxfem

@@ -48,6 +48,7 @@ namespace auxfem
   {
     std::string expression;
     std::string limit;           ///< expression in SI units
+    std::string unit;            ///< unit word of the limit, if it is a number
     bool        is_upper = true; ///< `<=`, not `>=`
     std::string text;            ///< as the user writes it
   };

@@ -1,8 +1,8 @@
 #ifndef auxfem_study_scene_cases_h
 #define auxfem_study_scene_cases_h
 
-#include <auxfem/figures/recorded_table.h>
 #include <auxfem/output/output_folder.h>
+#include <auxfem/output/run_quantities.h>
 #include <auxfem/parameters/text.h>
 #include <auxfem/scene/scene.h>
 
@@ -38,6 +38,8 @@ namespace auxfem
   {
     std::string failure;           ///< reason; empty: it is computed
     bool        is_reused = false; ///< an earlier run has computed it
+    /** Whether the failure is a mistake in the input. */
+    bool is_mistake = false;
   };
 
   /** Receives the end of case @p index; @p signal is not 0 if a signal has
@@ -57,19 +59,12 @@ namespace auxfem
                                  const FileRules              &rules,
                                  const CaseListener           &listener);
 
-  /** Name and value of a result. */
-  using NamedResults = std::vector<std::pair<std::string, double>>;
-
   /**
    * Numbers of the analysis in the @p summary of a run, in its order: names are
    * paths such as `effective_properties.constants.nu12`, with numbers from 1
    * for elements of lists.
    */
   NamedResults results_in(const Json &summary);
-
-  /** Quantities of @p scene that are numbers and whose columns @p history has.
-   */
-  NamedResults quantities_in(const Scene &scene, const RecordedTable &history);
 
   /** Adds @p quantities in place of results of the same names. */
   void add_quantities(const NamedResults &quantities, NamedResults &results);

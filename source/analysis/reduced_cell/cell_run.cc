@@ -67,13 +67,15 @@ namespace auxfem
 
       void begin() override
       {
-        const std::string &folder = scene.output.directory;
+        const std::string        &folder  = scene.output.directory;
+        const std::vector<Column> columns = cell_columns();
+        // A mistake must not destroy the results of an earlier run.
+        require_quantities(scene, names_of(columns));
         files.emplace(scene, rules);
         console.emplace(std::cout,
                         terminal_width(/*n_processes=*/1),
                         files->log());
         console->print(cell_overview_text(scene));
-        const std::vector<Column> columns = cell_columns();
         table.emplace(folder + "/history.csv", columns);
         write_column_reference(folder + "/history.units.csv", columns);
       }
@@ -92,7 +94,11 @@ namespace auxfem
       {
         if (latest && latest->time != latest_row->time)
           write_row(*latest);
-        replace_file(scene.output.directory + "/summary.json", summary(result));
+        const NamedResults quantities =
+          quantities_in(scene,
+                        read_table(scene.output.directory + "/history.csv"));
+        replace_file(scene.output.directory + "/summary.json",
+                     summary(result, quantities));
 
         std::ostringstream text;
         text << (result.completed() ? "Completed" : "Stopped early");
@@ -102,7 +108,8 @@ namespace auxfem
                << " m, f2 " << latest->transmitted << " N (largest "
                << largest_transmitted << " N)";
         console->print(text.str());
-        console->print(closing_energies_text(energies, scene.output.directory));
+        console->print(text_of_quantities(quantities, scene, cell_columns()) +
+                       closing_energies_text(energies, scene.output.directory));
         console->print(verdict_text(result.findings));
         if (!result.completed())
           console->print_to_log("Reason: " + result.exit_state);
@@ -118,7 +125,8 @@ namespace auxfem
         table->append(cell_values(sample, energies));
       }
 
-      std::string summary(const RunResult &result) const
+      std::string summary(const RunResult    &result,
+                          const NamedResults &quantities) const
       {
         Json json = json_of_run(scene, result.exit_state, result.time);
         add_verdict(json, result.findings);
@@ -141,6 +149,8 @@ namespace auxfem
             json["f2_newton"]    = latest->transmitted;
           }
         json["largest_f2_newton"] = largest_transmitted;
+        if (!quantities.empty())
+          json["quantities"] = json_of_quantities(quantities);
         return json_text(json) + '\n';
       }
 
